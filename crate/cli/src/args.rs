@@ -1,0 +1,133 @@
+//! The command line.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use plantigrade::plants::Method;
+use plantigrade::skeleton::Up;
+
+/// Foot plants in motion capture, found with nothing to tune.
+///
+/// Reads BVH files, folders of them (with all folders below) and - for
+/// standard input. Exits with 0 when all is done, 1 when some inputs failed
+/// (one line each on standard error; the others are done), 2 when the command
+/// line is wrong.
+#[derive(Parser)]
+#[command(name = "plantigrade", version)]
+pub struct Args {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Subcommand)]
+pub enum Command {
+    /// Find the frames in which each foot is planted
+    Detect(DetectArgs),
+    /// Say what a file holds: joints, feet, axes, scale, and what had to be repaired
+    Info(InfoArgs),
+}
+
+/// Which clips to read, and how.
+#[derive(ClapArgs)]
+pub struct ReadArgs {
+    /// BVH files, folders, or - for standard input
+    #[arg(required = true, value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    /// Frames per second, whatever the file states
+    #[arg(long, value_name = "HZ", value_parser = positive)]
+    pub fps: Option<f64>,
+    /// The axis that points up: x, y or z, with - before it for down [default: found from the motion]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub up: Option<Up>,
+    /// Hold the previous frame's value where one is no number
+    #[arg(long)]
+    pub lenient: bool,
+}
+
+/// How to detect and where to write.
+#[derive(ClapArgs)]
+pub struct DetectArgs {
+    /// The clips.
+    #[command(flatten)]
+    pub read: ReadArgs,
+    /// robust: contact, toe and heel; paper: toes by the published method
+    #[arg(long, default_value = "robust", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::name)))]
+    pub method: String,
+    /// Threshold on the running variance of the sorted norms
+    #[arg(long, value_name = "R", default_value_t = 0.001)]
+    pub r: f64,
+    /// Window half-width in frames
+    #[arg(long, value_name = "W", default_value_t = 1)]
+    pub w: usize,
+    /// Scale of the kernel, set by hand [default: found at the knee of the norms]
+    #[arg(long, value_name = "S")]
+    pub sigma: Option<f64>,
+    /// What to write
+    #[arg(long, value_enum, default_value_t = Format::Json)]
+    pub format: Format,
+    /// Folder to write one result per input into [default: standard output, for one input]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Make again what is there already, made from the same input in the same way
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// Clips to work on at a time [default: one per processor]
+    #[arg(long, value_name = "N")]
+    pub jobs: Option<NonZeroUsize>,
+}
+
+/// What to say of which clips.
+#[derive(ClapArgs)]
+pub struct InfoArgs {
+    /// The clips.
+    #[command(flatten)]
+    pub read: ReadArgs,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = InfoFormat::Text)]
+    pub format: InfoFormat,
+}
+
+/// What `detect` writes.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// The labels document: plants per foot and part, with all that was used to find them
+    Json,
+    /// A row per frame with a column of 0 and 1 per foot and part
+    Csv,
+    /// A row per plant
+    Intervals,
+    /// A row per foot strike and foot off
+    Events,
+}
+
+impl Format {
+    /// The ending of files in this format.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Format::Json => "json",
+            Format::Csv => "csv",
+            Format::Intervals => "intervals.csv",
+            Format::Events => "events.csv",
+        }
+    }
+}
+
+/// How `info` writes.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum InfoFormat {
+    /// For reading
+    Text,
+    /// For programs: an object for one path, an array for several
+    Json,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
+        _ => Err("it must be a number greater than 0".into()),
+    }
+}

@@ -1,0 +1,51 @@
+//! What can go wrong with one input, in one line.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use plantigrade::bvh;
+use plantigrade::plants::DetectError;
+
+/// Why an input gave no result.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The file cannot be opened or read.
+    #[error("{name}: error: {error}", name = name(.path))]
+    Read {
+        /// The input.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// The file is not BVH that can be read.
+    #[error("{name}:{place} error: {problem}. {hint}", name = name(.path),
+        place = .error.place.map_or_else(String::new, |place| format!("{place}:")),
+        problem = .error.problem, hint = .error.problem.hint())]
+    Parse {
+        /// The input.
+        path: PathBuf,
+        /// Where and why.
+        error: bvh::Error,
+    },
+    /// The clip has nothing to detect in.
+    #[error("{name}: error: {error}", name = name(.path))]
+    Detect {
+        /// The input.
+        path: PathBuf,
+        /// Why not.
+        error: DetectError,
+    },
+    /// The result cannot be written.
+    #[error("{name}: error: cannot write the result: {error}", name = name(.path))]
+    Write {
+        /// The output.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+}
+
+/// The name an input goes by.
+pub fn name(path: &Path) -> String {
+    if path == Path::new("-") { "<stdin>".into() } else { path.display().to_string() }
+}

@@ -1,0 +1,99 @@
+//! From paths to clips.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use plantigrade::bvh::{self, Limits, Options, Parsed, Reader};
+use plantigrade::skeleton::Overrides;
+use sha2::{Digest, Sha256};
+use walkdir::WalkDir;
+
+use crate::args::ReadArgs;
+use crate::failure::Failure;
+
+/// One file to read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Input {
+    /// Where it is; - is standard input.
+    pub path: PathBuf,
+    /// Where its result goes within an output folder, without an ending.
+    pub stem: PathBuf,
+}
+
+/// A clip that was read.
+pub struct Loaded {
+    /// The clip with the reader's notices; its rate is the one asked for.
+    pub parsed: Parsed,
+    /// SHA-256 of the file in hexadecimal.
+    pub sha256: String,
+}
+
+/// The files that the paths name, folders with all that is below; or what is wrong with a path.
+pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, String> {
+    let mut inputs = Vec::new();
+    for path in &args.paths {
+        if path.is_dir() {
+            let before = inputs.len();
+            for entry in WalkDir::new(path).sort_by_file_name() {
+                let found = entry.map_err(|error| error.to_string())?.into_path();
+                if found.is_file()
+                    && found.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("bvh"))
+                {
+                    let stem = found.strip_prefix(path).unwrap_or(&found).with_extension("");
+                    inputs.push(Input { path: found, stem });
+                }
+            }
+            if inputs.len() == before {
+                return Err(format!("there are no .bvh files in {}", path.display()));
+            }
+        } else {
+            let stem = if path == Path::new("-") { "stdin".into() } else { path.with_extension("") };
+            let stem = stem.file_name().map_or_else(|| stem.clone(), PathBuf::from);
+            inputs.push(Input { path: path.clone(), stem });
+        }
+    }
+    Ok(inputs)
+}
+
+/// What the command line knows better than the files.
+pub fn overrides(args: &ReadArgs) -> Overrides {
+    Overrides { up: args.up, ..Overrides::default() }
+}
+
+/// Reads one file.
+pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
+    let path = &input.path;
+    let read_error = |error| Failure::Read { path: path.clone(), error };
+    let parse_error = |error: bvh::Error| Failure::Parse { path: path.clone(), error };
+    let mut file: Box<dyn Read> = if path == Path::new("-") {
+        Box::new(io::stdin())
+    } else {
+        let file = File::open(path).map_err(read_error)?;
+        let bytes = file.metadata().map_err(read_error)?.len();
+        let limit = Limits::default().bytes;
+        if bytes > limit {
+            let error =
+                io::Error::other(format!("the file has {bytes} bytes, more than the limit of {limit}"));
+            return Err(read_error(error));
+        }
+        Box::new(file)
+    };
+    let mut reader = Reader::new(Options { lenient: args.lenient, ..Options::default() });
+    let mut hash = Sha256::new();
+    let mut chunk = vec![0; 1 << 16];
+    loop {
+        let count = file.read(&mut chunk).map_err(read_error)?;
+        if count == 0 {
+            break;
+        }
+        hash.update(&chunk[..count]);
+        reader.push(&chunk[..count]).map_err(parse_error)?;
+    }
+    let mut parsed = reader.finish().map_err(parse_error)?;
+    if let Some(fps) = args.fps {
+        parsed.clip.set_frame_time(1.0 / fps);
+    }
+    let sha256 = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+    Ok(Loaded { parsed, sha256 })
+}

@@ -1,0 +1,31 @@
+//! `plantigrade`: foot plants in BVH files, from the command line.
+
+mod args;
+mod detect;
+mod failure;
+mod info;
+mod inputs;
+mod output;
+mod parallel;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::args::{Args, Command};
+
+fn main() -> ExitCode {
+    let args = Args::parse();
+    let done = match &args.command {
+        Command::Detect(args) => detect::run(args),
+        Command::Info(args) => info::run(args),
+    };
+    match done {
+        Ok(failed) => ExitCode::from(u8::from(failed > 0)),
+        // As clap does for what it finds wrong itself.
+        Err(usage) => {
+            eprintln!("error: {usage}\n\nFor more information, try '--help'.");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,311 @@
+//! The `HIERARCHY` section, word by word.
+
+use nalgebra::Vector3;
+
+use super::error::place;
+use super::number::{self, Decimals};
+use super::{Axis, Channel, END_SITE, Error, Joint, JointKind, Limits, Problem};
+use crate::notice::{Code, Notice};
+
+/// Builds the joints from lines.
+#[derive(Debug)]
+pub(super) struct Hierarchy {
+    limits: Limits,
+    expect: Expect,
+    /// Finished and unfinished joints in file order.
+    pub joints: Vec<Joint>,
+    /// The joints whose braces are open, outermost first.
+    open: Vec<usize>,
+    /// Whether the joint at hand has had its `OFFSET`.
+    offset_seen: Vec<bool>,
+    pub decimals: Decimals,
+    pub notices: Vec<Notice>,
+}
+
+/// What the next word must be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Expect {
+    Start,
+    RootOrMotion,
+    Name(JointKind),
+    OpenBrace,
+    Body,
+    Offset(usize),
+    ChannelCount,
+    ChannelNames { declared: usize },
+}
+
+/// Whether the hierarchy goes on.
+pub(super) enum Progress {
+    Hierarchy,
+    /// `MOTION` was read; what follows it on its line starts at this byte.
+    Motion(usize),
+}
+
+impl Hierarchy {
+    pub fn new(limits: Limits) -> Hierarchy {
+        Hierarchy {
+            limits,
+            expect: Expect::Start,
+            joints: Vec::new(),
+            open: Vec::new(),
+            offset_seen: Vec::new(),
+            decimals: Decimals::default(),
+            notices: Vec::new(),
+        }
+    }
+
+    /// Takes one line.
+    pub fn line(&mut self, line: usize, text: &[u8]) -> Result<Progress, Error> {
+        let mut at = number::skip_blanks(text, 0);
+        while at < text.len() {
+            if self.expect == Expect::Start {
+                at = self.start(line, text, at)?;
+            } else if let Expect::Name(kind) = self.expect {
+                at = self.name(kind, line, text, at)?;
+            } else {
+                let word = word_or_brace(&text[at..]);
+                if self.expect == Expect::RootOrMotion && word.eq_ignore_ascii_case(b"MOTION") {
+                    if self.joints.is_empty() {
+                        return Err(Error::at(Problem::NoJoints, line, text, at));
+                    }
+                    return Ok(Progress::Motion(at + word.len()));
+                }
+                at += self.word(word, line, text, at)?;
+            }
+            at = number::skip_blanks(text, at);
+        }
+        // A name may be missing: the brace then stands on the next line.
+        if let Expect::Name(kind) = self.expect {
+            self.name(kind, line, text, text.len())?;
+        }
+        Ok(Progress::Hierarchy)
+    }
+
+    /// Checks that the file may end here.
+    pub fn finish(&self) -> Result<(), Error> {
+        let problem = match self.expect {
+            Expect::Start => Problem::Empty,
+            _ if !self.open.is_empty() || self.expect != Expect::RootOrMotion => {
+                Problem::OpenBraces { open: self.open.len() }
+            }
+            _ if self.joints.is_empty() => Problem::NoJoints,
+            _ => return Ok(()),
+        };
+        Err(Error::whole(problem))
+    }
+
+    fn start(&mut self, line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
+        self.expect = Expect::RootOrMotion;
+        let word = word_or_brace(&text[at..]);
+        if word.eq_ignore_ascii_case(b"HIERARCHY") {
+            return Ok(at + word.len());
+        }
+        if word.eq_ignore_ascii_case(b"ROOT") {
+            self.notice(
+                Code::MissingHierarchy,
+                line,
+                text,
+                at,
+                "The file does not begin with HIERARCHY.".into(),
+            );
+            return Ok(at);
+        }
+        Err(match looks_like(&text[at..]) {
+            Some(other) => Error::whole(Problem::NotBvh(other)),
+            None => unexpected("HIERARCHY", line, text, at),
+        })
+    }
+
+    /// Reads a name: the rest of the line, or what stands before a brace.
+    fn name(&mut self, kind: JointKind, line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
+        let rest = &text[at..];
+        let len = rest.iter().position(|&byte| byte == b'{').unwrap_or(rest.len());
+        let name = String::from_utf8_lossy(&rest[..len]).trim().to_owned();
+        if name.is_empty() {
+            self.notice(Code::MissingName, line, text, at, "A joint has no name.".into());
+        }
+        self.push(kind, name, line, text, at)?;
+        Ok(at + len)
+    }
+
+    fn push(
+        &mut self,
+        kind: JointKind,
+        name: String,
+        line: usize,
+        text: &[u8],
+        at: usize,
+    ) -> Result<(), Error> {
+        if self.joints.len() == self.limits.joints {
+            return Err(Error::at(Problem::TooManyJoints(self.limits.joints), line, text, at));
+        }
+        if self.open.len() == self.limits.depth {
+            return Err(Error::at(Problem::TooDeep(self.limits.depth), line, text, at));
+        }
+        let parent = self.open.last().copied();
+        self.joints.push(Joint { name, kind, parent, offset: Vector3::zeros(), channels: Vec::new() });
+        self.offset_seen.push(false);
+        self.expect = Expect::OpenBrace;
+        Ok(())
+    }
+
+    /// Takes one word and tells how many bytes were used.
+    fn word(&mut self, word: &[u8], line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
+        let is = |keyword: &str| word.eq_ignore_ascii_case(keyword.as_bytes());
+        match self.expect {
+            Expect::RootOrMotion if is("ROOT") => self.expect = Expect::Name(JointKind::Root),
+            Expect::RootOrMotion => return Err(unexpected("ROOT or MOTION", line, text, at)),
+            Expect::OpenBrace if is("{") => {
+                self.open.push(self.joints.len() - 1);
+                self.expect = Expect::Body;
+            }
+            Expect::OpenBrace => return Err(unexpected("{", line, text, at)),
+            Expect::Body if is("OFFSET") => self.expect = Expect::Offset(0),
+            Expect::Body if is("CHANNELS") => self.expect = Expect::ChannelCount,
+            Expect::Body if is("JOINT") => self.expect = Expect::Name(JointKind::Joint),
+            Expect::Body if is("End") => {
+                self.push(JointKind::EndSite, END_SITE.into(), line, text, at)?;
+                // What stands between `End` and the brace is `Site`, or a name nobody uses.
+                let rest = &text[at..];
+                return Ok(rest.iter().position(|&byte| byte == b'{').unwrap_or(rest.len()));
+            }
+            Expect::Body if is("}") => self.close(line, text, at),
+            Expect::Body if is("MOTION") => {
+                return Err(Error::at(Problem::OpenBraces { open: self.open.len() }, line, text, at));
+            }
+            Expect::Body => return Err(unexpected("OFFSET, CHANNELS, JOINT, End Site or }", line, text, at)),
+            Expect::Offset(axis) => return self.offset(axis, line, text, at),
+            Expect::ChannelCount => {
+                let declared = std::str::from_utf8(word).ok().and_then(|word| word.parse().ok());
+                let Some(declared) = declared else {
+                    return Err(unexpected("the number of channels", line, text, at));
+                };
+                self.expect = Expect::ChannelNames { declared };
+            }
+            Expect::ChannelNames { declared } => return self.channel(declared, word, line, text, at),
+            Expect::Start | Expect::Name(_) => unreachable!("taken by line()"),
+        }
+        Ok(word.len())
+    }
+
+    fn close(&mut self, line: usize, text: &[u8], at: usize) {
+        if let Some(joint) = self.open.pop()
+            && !self.offset_seen[joint]
+        {
+            let what = format!("{} has no OFFSET: zero is taken.", self.joints[joint].name);
+            self.notice(Code::Offset, line, text, at, what);
+        }
+        self.expect = if self.open.is_empty() { Expect::RootOrMotion } else { Expect::Body };
+    }
+
+    fn offset(&mut self, axis: usize, line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
+        let Some(number) = number::leading(word_or_brace(&text[at..])) else {
+            return Err(unexpected("a number", line, text, at));
+        };
+        self.decimals.note(number.mark, line, text, at);
+        let joint = *self.open.last().expect("an OFFSET stands in a joint");
+        if axis == 0 && std::mem::replace(&mut self.offset_seen[joint], true) {
+            let what = format!("{} has a second OFFSET: the last one is taken.", self.joints[joint].name);
+            self.notice(Code::Offset, line, text, at, what);
+        }
+        self.joints[joint].offset[axis] = number.value;
+        self.expect = if axis == 2 { Expect::Body } else { Expect::Offset(axis + 1) };
+        Ok(number.len)
+    }
+
+    fn channel(
+        &mut self,
+        declared: usize,
+        word: &[u8],
+        line: usize,
+        text: &[u8],
+        at: usize,
+    ) -> Result<usize, Error> {
+        let joint = *self.open.last().expect("CHANNELS stand in a joint");
+        if is_keyword(word) {
+            let named = self.joints[joint].channels.len();
+            if named != declared {
+                let what = format!(
+                    "{} states {declared} channels and names {named}: those named are taken.",
+                    self.joints[joint].name
+                );
+                self.notice(Code::ChannelCount, line, text, at, what);
+            }
+            self.expect = Expect::Body;
+            return Ok(0);
+        }
+        let Some(channel) = channel_named(word) else {
+            let name = String::from_utf8_lossy(word).into_owned();
+            return Err(Error::at(Problem::UnknownChannel(name), line, text, at));
+        };
+        // What moves is a joint, whatever it is called.
+        if self.joints[joint].kind == JointKind::EndSite {
+            self.joints[joint].kind = JointKind::Joint;
+        }
+        self.joints[joint].channels.push(channel);
+        Ok(word.len())
+    }
+
+    fn notice(&mut self, code: Code, line: usize, text: &[u8], at: usize, what: String) {
+        self.notices.push(Notice { code, place: Some(place(line, text, at)), text: what });
+    }
+}
+
+fn unexpected(expected: &'static str, line: usize, text: &[u8], at: usize) -> Error {
+    let found: String = String::from_utf8_lossy(number::word(&text[at..])).chars().take(40).collect();
+    Error::at(Problem::Unexpected { expected, found }, line, text, at)
+}
+
+/// The bytes up to the next blank or brace; a brace is a word of its own.
+fn word_or_brace(bytes: &[u8]) -> &[u8] {
+    let is_brace = |byte: &u8| matches!(byte, b'{' | b'}');
+    if bytes.first().is_some_and(is_brace) {
+        return &bytes[..1];
+    }
+    let word = number::word(bytes);
+    &word[..word.iter().position(|byte| is_brace(byte)).unwrap_or(word.len())]
+}
+
+fn is_keyword(word: &[u8]) -> bool {
+    ["{", "}", "OFFSET", "CHANNELS", "JOINT", "End", "ROOT", "MOTION"]
+        .iter()
+        .any(|keyword| word.eq_ignore_ascii_case(keyword.as_bytes()))
+}
+
+fn channel_named(word: &[u8]) -> Option<Channel> {
+    let (axis, kind) = word.split_first()?;
+    let axis = match axis.to_ascii_uppercase() {
+        b'X' => Axis::X,
+        b'Y' => Axis::Y,
+        b'Z' => Axis::Z,
+        _ => return None,
+    };
+    if kind.eq_ignore_ascii_case(b"position") {
+        Some(Channel::Position(axis))
+    } else if kind.eq_ignore_ascii_case(b"rotation") {
+        Some(Channel::Rotation(axis))
+    } else {
+        None
+    }
+}
+
+/// What a file that is no BVH probably is.
+fn looks_like(text: &[u8]) -> Option<&'static str> {
+    let begins = |with: &[u8]| text.len() >= with.len() && text[..with.len()].eq_ignore_ascii_case(with);
+    if begins(b"PK\x03\x04") {
+        Some("a zip archive")
+    } else if begins(b"Kaydara FBX") || begins(b"; FBX") {
+        Some("FBX")
+    } else if begins(b"<!doctype") || begins(b"<html") {
+        Some("a web page")
+    } else if begins(b"glTF") {
+        Some("glTF")
+    } else if begins(b":ASF") || begins(b"#!OML:ASF") || begins(b":FULLY-SPECIFIED") {
+        Some("an ASF or AMC file")
+    } else if text.iter().any(|&byte| byte < b' ' && byte != b'\t') {
+        Some("binary data")
+    } else {
+        None
+    }
+}

@@ -1,0 +1,320 @@
+//! The reader over files as they occur, and reader and writer over clips of any kind.
+
+use nalgebra::Vector3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::notice::Code;
+
+const HEAD: &str = "HIERARCHY\nROOT Hips\n{\n\tOFFSET 0 0 0\n\tCHANNELS 3 Xposition Yposition Zposition\n\
+                    \tEnd Site\n\t{\n\t\tOFFSET 0 1 0\n\t}\n}\n";
+
+fn read(text: &str) -> Parsed {
+    parse(text.as_bytes(), Options::default()).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn refuse(text: &str) -> Error {
+    parse(text.as_bytes(), Options::default()).expect_err(text)
+}
+
+fn motion(motion: &str) -> String {
+    format!("{HEAD}MOTION\n{motion}")
+}
+
+fn codes(parsed: &Parsed) -> Vec<Code> {
+    parsed.notices.iter().map(|notice| notice.code).collect()
+}
+
+/// Rows of the clip with the codes of its notices.
+fn rows(text: &str) -> (Vec<Vec<f64>>, Vec<Code>) {
+    let parsed = read(&motion(text));
+    let rows = (0..parsed.clip.frame_count()).map(|frame| parsed.clip.row(frame).to_vec()).collect();
+    (rows, codes(&parsed))
+}
+
+#[test]
+fn reads_a_plain_file() {
+    let parsed = read(&motion("Frames: 2\nFrame Time: 0.01\n1 2 3\n4 5 6\n"));
+    assert_eq!(parsed.notices, []);
+    let clip = parsed.clip;
+    assert_eq!(clip.joints()[0].name, "Hips");
+    assert_eq!(clip.joints()[1].kind, JointKind::EndSite);
+    assert_eq!(clip.joints()[1].parent, Some(0));
+    assert_eq!(clip.joints()[1].offset, Vector3::new(0.0, 1.0, 0.0));
+    assert_eq!(clip.row(1), [4.0, 5.0, 6.0]);
+    assert_eq!(clip.frame_time(), 0.01);
+}
+
+#[test]
+fn keywords_come_in_many_shapes() {
+    for header in [
+        "Frames:\t1\nFrame Time:\t0.01\n",
+        "Frames:    1\nFrame Time: 0.01\n",
+        "Frames: 1 \nFrame Time: .01 \n",
+        "Frames :1\nFrame Time : 1e-2\n",
+        "frames: 1\nframe time: +0.01\n",
+        "FRAMES: 1\nFRAME TIME: 0.01\n",
+        "\n\nFrames: 1\n\nFrame Time: 0.01\n\t\n",
+        "Frames: 1 Frame Time: 0.01\n",
+    ] {
+        let parsed = read(&motion(&format!("{header}1 2 3")));
+        assert_eq!((codes(&parsed), parsed.clip.frame_time()), (vec![], 0.01), "{header}");
+    }
+    let one_line = "hierarchy root Left Foot{offset 0 0 0 channels 1 xPosition End site{OFFSET 0 1 0}}motion";
+    assert_eq!(read(&format!("{one_line}\nFrames: 1\nFrame Time: 1\n7")).clip.joints()[0].name, "Left Foot");
+}
+
+#[test]
+fn frame_count_is_what_is_there() {
+    let time = "Frame Time: 0.01\n";
+    let two = vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]];
+    for (declared, notices) in [
+        ("Frames: 2\n", vec![]),
+        ("Frames: 3\n", vec![Code::FrameCount]),
+        ("Frames: 1\n", vec![Code::FrameCount]),
+        ("Frames: 99999999999999999999\n", vec![Code::FrameCount]),
+        ("Frames: many\n", vec![Code::FrameCount]),
+        ("", vec![Code::FrameCount]),
+    ] {
+        assert_eq!(rows(&format!("{declared}{time}1 2 3\n4 5 6")), (two.clone(), notices), "{declared}");
+    }
+}
+
+#[test]
+fn rows_wrap_and_run_over() {
+    let head = "Frames: 2\nFrame Time: 0.01\n";
+    let two = vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]];
+    assert_eq!(rows(&format!("{head}1\n2 3\n4 5\n6")), (two.clone(), vec![Code::WrappedRow]));
+    assert_eq!(rows(&format!("{head}1 2 3 9\n4 5 6 9 9")), (two.clone(), vec![Code::LongRow]));
+    assert_eq!(rows(&format!("{head}1 2 3\n4 5 6\n7 8\nend")), (two.clone(), vec![Code::TrailingMatter]));
+    assert_eq!(
+        rows(&format!("{head}1 2 3\n4 5")),
+        (two[..1].to_vec(), vec![Code::IncompleteRow, Code::FrameCount])
+    );
+
+    let error = refuse(&motion(&format!("{head}1 2\n3 4 5\n6 7 8")));
+    assert_eq!(error.problem, Problem::RaggedRow { expected: 3, found: 5, frame: 0 });
+    assert_eq!(error.place.unwrap().line, 14);
+}
+
+#[test]
+fn numbers_come_in_many_shapes() {
+    let head = "Frames: 1\nFrame Time: 0.01\n";
+    assert_eq!(rows(&format!("{head}+1.0 2e0 .3")).0, [[1.0, 2.0, 0.3]]);
+    assert_eq!(rows(&format!("{head}0.0-7.5+2")).0, [[0.0, -7.5, 2.0]]);
+}
+
+#[test]
+fn decimal_commas_are_read_if_the_file_is_consistent() {
+    let text = motion("Frames: 1\nFrame Time: 0,01\n1,5 2 3");
+    let parsed = read(&text);
+    assert_eq!((parsed.clip.row(0)[0], parsed.clip.frame_time()), (1.5, 0.01));
+    assert_eq!(codes(&parsed), [Code::DecimalComma]);
+    assert_eq!(refuse(&motion("Frames: 1\nFrame Time: 0.01\n1,5 2 3")).problem, Problem::MixedDecimals);
+}
+
+#[test]
+fn absurd_frame_times_become_a_thirtieth() {
+    for time in ["0", "-1", "30", "0.000001", "none", ""] {
+        let parsed = read(&motion(&format!("Frames: 1\nFrame Time: {time}\n1 2 3")));
+        assert_eq!((codes(&parsed), parsed.clip.frame_time()), (vec![Code::FrameTime], 1.0 / 30.0), "{time}");
+    }
+}
+
+#[test]
+fn a_skeleton_without_motion_is_a_rest_pose() {
+    for text in [HEAD.to_owned(), motion(""), motion("Frames: 0\nFrame Time: 0.01\n")] {
+        let parsed = read(&text);
+        assert_eq!((parsed.clip.frame_count(), codes(&parsed)), (0, vec![Code::NoMotion]), "{text}");
+    }
+}
+
+#[test]
+fn values_that_are_no_numbers_are_refused_or_held() {
+    for bad in ["abc", "NaN", "-inf", "1e999", "1.#QNAN"] {
+        let text = motion(&format!("Frames: 2\nFrame Time: 0.01\n1 2 3\n4  {bad} 6"));
+        let error = refuse(&text);
+        let expected = format!("15:4: expected a number, found {bad:?} (frame 1, channel Hips Yposition)");
+        assert_eq!(error.to_string(), expected);
+        assert_eq!(error.excerpt, Some(Excerpt { text: format!("4  {bad} 6"), caret: 3 }));
+
+        let lenient = parse(text.as_bytes(), Options { lenient: true, ..Options::default() }).unwrap();
+        assert_eq!((lenient.clip.row(1), codes(&lenient)), (&[4.0, 2.0, 6.0][..], vec![Code::HeldValue]));
+    }
+}
+
+#[test]
+fn a_joint_keeps_its_own_channels() {
+    let text = "HIERARCHY\nROOT a\n{\nOFFSET 1 2 3\nCHANNELS 3 Zrotation Xrotation Yrotation\nJOINT b\n{\nOFFSET 0 1 0\n\
+                CHANNELS 6 Xposition Yposition Zposition Zrotation\nJOINT b\n{\nOFFSET 0 1 0\n}\n}\n}\n";
+    let parsed = read(text);
+    assert_eq!(parsed.clip.channel_range(1), 3..7);
+    assert_eq!(codes(&parsed), [Code::ChannelCount, Code::DuplicateName, Code::NoMotion]);
+}
+
+#[test]
+fn several_roots_are_several_skeletons() {
+    let text =
+        format!("{HEAD}{}MOTION\nFrames: 1\nFrame Time: 0.01\n1 2 3 4 5 6", &HEAD["HIERARCHY\n".len()..]);
+    let parsed = read(&text);
+    assert_eq!(parsed.clip.roots().collect::<Vec<_>>(), [0, 2]);
+    assert!(codes(&parsed).contains(&Code::SeveralRoots));
+}
+
+#[test]
+fn near_zero_position_channels_are_added_to_offsets() {
+    let file = |value: &str| {
+        format!(
+            "HIERARCHY\nROOT a\n{{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT b\n{{\nOFFSET 0 5 0\n\
+             CHANNELS 3 Xposition Yposition Zposition\n}}\n}}\nMOTION\nFrames: 1\nFrame Time: 0.01\n0 {value} 0"
+        )
+    };
+    let added = read(&file("0.001"));
+    assert_eq!((added.clip.position_rule(), codes(&added)), (PositionRule::Add, vec![Code::AddedPositions]));
+    assert_eq!(read(&file("5")).clip.position_rule(), PositionRule::Replace);
+    // Written out, the offset is part of the channel.
+    assert_eq!(read(&write(&added.clip)).clip.row(0), [0.0, 5.001, 0.0]);
+}
+
+#[test]
+fn refusals_say_what_is_wrong() {
+    let place = |error: &Error| error.place.map(|place| (place.line, place.column));
+    for (text, problem) in [
+        ("", Problem::Empty),
+        (" \n\t\n", Problem::Empty),
+        ("PK\u{3}\u{4}abc", Problem::NotBvh("a zip archive")),
+        ("Kaydara FBX Binary", Problem::NotBvh("FBX")),
+        ("<!DOCTYPE html>", Problem::NotBvh("a web page")),
+        ("\u{1}\u{2}", Problem::NotBvh("binary data")),
+        ("HIERARCHY\n", Problem::NoJoints),
+        ("HIERARCHY\nMOTION\n", Problem::NoJoints),
+        ("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\n", Problem::OpenBraces { open: 1 }),
+        ("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nMOTION\n", Problem::OpenBraces { open: 1 }),
+    ] {
+        assert_eq!(refuse(text).problem, problem, "{text}");
+    }
+    let error = refuse("HIERARCHY\nROOT a\n{\n OFFSET 0 x 0\n}");
+    assert_eq!(error.problem, Problem::Unexpected { expected: "a number", found: "x".into() });
+    assert_eq!(place(&error), Some((4, 11)));
+    let error = refuse("HIERARCHY\nROOT é\n{\nCHANNELS 1 Wrotation\n}");
+    assert_eq!(
+        (error.problem.clone(), place(&error)),
+        (Problem::UnknownChannel("Wrotation".into()), Some((4, 12)))
+    );
+    let error = refuse("hello world");
+    assert_eq!(error.to_string(), "1:1: expected HIERARCHY, found \"hello\"");
+    let error = refuse("HIERARCHY\nROOT a\n{\n}\n}\n");
+    assert_eq!(place(&error), Some((5, 1)));
+}
+
+#[test]
+fn limits_hold() {
+    let limits = Limits { bytes: 200, line_bytes: 60, joints: 2, depth: 2 };
+    let problem = |text: &str| {
+        let error = parse(text.as_bytes(), Options { lenient: false, limits }).expect_err(text);
+        assert!(error.problem.is_limit());
+        error.problem
+    };
+    assert_eq!(problem(&"\n".repeat(201)), Problem::TooLarge(200));
+    assert_eq!(problem(&"a".repeat(61)), Problem::LineTooLong(60));
+    let nested = "HIERARCHY ROOT a { JOINT b {\nJOINT c {\n";
+    assert_eq!(problem(nested), Problem::TooManyJoints(2));
+    let limits = Limits { joints: 9, ..limits };
+    let error = parse(nested.as_bytes(), Options { lenient: false, limits }).unwrap_err();
+    assert_eq!(error.problem, Problem::TooDeep(2));
+}
+
+/// Clips of any shape: joints in depth-first order, each with channels of its own.
+fn any_clip() -> impl Strategy<Value = Clip> {
+    let axis = prop::sample::select(&Axis::ALL[..]);
+    let channel = (axis, any::<bool>())
+        .prop_map(|(axis, turns)| if turns { Channel::Rotation(axis) } else { Channel::Position(axis) });
+    let number = prop_oneof![-1e3..1e3, prop::num::f64::NORMAL];
+    let joint = (
+        "[\\p{L}:_.-][\\p{L}0-9 :_.-]{0,8}[\\p{L}0-9]",
+        prop::array::uniform3(number.clone()),
+        prop::collection::vec(channel, 0..4),
+        any::<prop::sample::Index>(),
+        any::<bool>(),
+    );
+    let joints = prop::collection::vec(joint, 1..8).prop_map(|drafts| {
+        let mut joints: Vec<Joint> = Vec::new();
+        for (name, offset, channels, up, is_end) in drafts {
+            // The parent is the joint before or one above it; none makes a root.
+            let mut above = Vec::new();
+            let mut next = joints.len().checked_sub(1);
+            while let Some(index) = next {
+                if joints[index].kind != JointKind::EndSite {
+                    above.push(Some(index));
+                }
+                next = joints[index].parent;
+            }
+            above.push(None);
+            let parent = *up.get(&above);
+            let kind = match (parent, is_end) {
+                (None, _) => JointKind::Root,
+                (_, true) => JointKind::EndSite,
+                _ => JointKind::Joint,
+            };
+            let end = kind == JointKind::EndSite;
+            joints.push(Joint {
+                name: if end { END_SITE.into() } else { name },
+                kind,
+                parent,
+                offset: offset.into(),
+                channels: if end { vec![] } else { channels },
+            });
+        }
+        joints
+    });
+    (joints, 1e-3..0.5_f64, 0_usize..5).prop_flat_map(move |(joints, frame_time, frames)| {
+        let width: usize = joints.iter().map(|joint| joint.channels.len()).sum();
+        prop::collection::vec(number.clone(), width * frames)
+            .prop_map(move |values| Clip::new(joints.clone(), frame_time, values))
+    })
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back(clip in any_clip()) {
+        let back = read(&write(&clip)).clip;
+        prop_assume!(back.position_rule() == PositionRule::Replace);
+        prop_assert_eq!(back, clip);
+    }
+
+    #[test]
+    fn chunks_do_not_matter(clip in any_clip(), chunk in 1_usize..50, crlf in any::<bool>()) {
+        let mut text = write(&clip);
+        if crlf {
+            text = text.replace('\n', "\r\n");
+        }
+        let mut reader = Reader::new(Options::default());
+        for chunk in text.as_bytes().chunks(chunk) {
+            reader.push(chunk).unwrap();
+        }
+        prop_assert_eq!(reader.finish().unwrap(), read(&text));
+    }
+
+    #[test]
+    fn nothing_makes_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        let _ = parse(&bytes, Options::default());
+    }
+
+    #[test]
+    fn no_damage_makes_it_panic(
+        clip in any_clip(),
+        damage in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(b"{}\n \x00-.,9eJ".to_vec())), 0..6),
+        cut in any::<prop::sample::Index>(),
+        lenient in any::<bool>(),
+    ) {
+        let mut bytes = write(&clip).into_bytes();
+        for (at, byte) in damage {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        bytes.truncate(cut.index(bytes.len()) + 1);
+        if let Ok(parsed) = parse(&bytes, Options { lenient, ..Options::default() }) {
+            prop_assert!(parsed.clip.values().iter().all(|value| value.is_finite()));
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! Foot plants in motion capture.
+#![forbid(unsafe_code)]
+
+pub mod bvh;
+pub mod labels;
+pub mod motion;
+pub mod notice;
+pub mod plants;
+pub mod score;
+pub mod skeleton;

@@ -1,0 +1,29 @@
+//! How sure a label is.
+
+use super::cluster::Evidence;
+
+/// Steepness and offset of the logistic curve, fitted on generated clips.
+const SLOPE: f64 = 7.6;
+const OFFSET: f64 = 1.4;
+
+/// Probability that each sample of one run of frames is planted.
+///
+/// `roots` are the samples' u; the margin to the threshold is averaged over
+/// `half` frames to either side.
+pub(super) fn planted_probability(roots: &[f64], evidence: &Evidence, half: usize) -> Vec<f64> {
+    let span = evidence.planted_middle - evidence.threshold;
+    let margins: Vec<f64> =
+        roots.iter().map(|root| ((root - evidence.threshold) / span).clamp(-1.0, 1.0)).collect();
+    (0..margins.len())
+        .map(|frame| {
+            let window = &margins[frame.saturating_sub(half)..(frame + half + 1).min(margins.len())];
+            let mean = window.iter().sum::<f64>() / window.len() as f64;
+            1.0 / (1.0 + (-(SLOPE * mean + OFFSET)).exp())
+        })
+        .collect()
+}
+
+/// Probability that a label is right, given that of being planted; never worse than a coin.
+pub(super) fn of_label(planted: bool, probability: f64) -> f64 {
+    if planted { probability } else { 1.0 - probability }.max(0.5)
+}

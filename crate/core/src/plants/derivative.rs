@@ -1,0 +1,76 @@
+//! Velocity from positions.
+
+use nalgebra::Vector3;
+
+/// Velocity by the central difference; one-sided at the ends.
+pub(super) fn central_difference(track: &[Vector3<f64>], frame_time: f64) -> Vec<Vector3<f64>> {
+    let last = track.len().saturating_sub(1);
+    (0..track.len())
+        .map(|frame| {
+            let (from, to) = (frame.saturating_sub(1), (frame + 1).min(last));
+            let steps = (to - from).max(1) as f64;
+            (track[to] - track[from]) / (steps * frame_time)
+        })
+        .collect()
+}
+
+/// Velocity of the parabola that fits the track best over `half` frames to either side.
+///
+/// Savitzky and Golay (1964); towards the ends, of the parabola that fits the
+/// first or last full window. Windows of less than two frames to either side,
+/// or tracks shorter than those, use the central difference.
+pub(super) fn local_quadratic(track: &[Vector3<f64>], half: usize, frame_time: f64) -> Vec<Vector3<f64>> {
+    let half = half.min(track.len().saturating_sub(1) / 2);
+    if half < 2 {
+        return central_difference(track, frame_time);
+    }
+    // With time counted from the window's middle, 1, t and t² − mean(t²) are orthogonal.
+    let times: Vec<f64> = (0..=2 * half).map(|index| index as f64 - half as f64).collect();
+    let square_sum: f64 = times.iter().map(|t| t * t).sum();
+    let square_mean = square_sum / times.len() as f64;
+    let bend: Vec<f64> = times.iter().map(|t| t * t - square_mean).collect();
+    let bend_sum: f64 = bend.iter().map(|b| b * b).sum();
+    (0..track.len())
+        .map(|frame| {
+            let middle = frame.clamp(half, track.len() - 1 - half);
+            let window = &track[middle - half..=middle + half];
+            let slope: Vector3<f64> = window.iter().zip(&times).map(|(x, t)| x * *t).sum();
+            let mut velocity = slope / square_sum;
+            if frame != middle {
+                let curve: Vector3<f64> = window.iter().zip(&bend).map(|(x, b)| x * *b).sum();
+                velocity += curve / bend_sum * (2.0 * (frame as f64 - middle as f64));
+            }
+            velocity / frame_time
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn parabolas_are_exact(
+            a in -5.0..5.0_f64, b in -5.0..5.0_f64, frames in 5_usize..30, half in 2_usize..8,
+        ) {
+            let frame_time = 0.01;
+            let place = |t: f64| Vector3::new(a * t * t + b * t, b, -a * t);
+            let track: Vec<_> = (0..frames).map(|frame| place(frame as f64 * frame_time)).collect();
+            for (frame, velocity) in local_quadratic(&track, half, frame_time).iter().enumerate() {
+                let expected = Vector3::new(2.0 * a * frame as f64 * frame_time + b, 0.0, -a);
+                prop_assert!((velocity - expected).norm() < 1e-9, "{frame}: {velocity} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn central_difference_is_one_sided_at_the_ends() {
+        let track: Vec<_> = [0.0, 1.0, 4.0].map(|x| Vector3::new(x, 0.0, 0.0)).into();
+        let speeds: Vec<f64> = central_difference(&track, 0.5).iter().map(|v| v.x).collect();
+        assert_eq!(speeds, [2.0, 4.0, 6.0]);
+        assert_eq!(central_difference(&track[..1], 0.5), [Vector3::zeros()]);
+        assert!(central_difference(&[], 0.5).is_empty());
+    }
+}

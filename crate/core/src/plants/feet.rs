@@ -1,0 +1,84 @@
+//! The positions that detection needs: ankle and toe of both feet.
+
+use crate::bvh::Clip;
+use crate::labels::Side;
+use crate::motion::{self, Track};
+use crate::skeleton::{LegRoles, Role, Skeleton, Up};
+
+/// Both feet of a clip in motion, with the measures that make them comparable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feet {
+    /// The left foot's tracks, then the right's.
+    pub tracks: [FootTracks; 2],
+    /// The hips' track, for telling travel from standing.
+    pub hips: Track,
+    /// The axis that points up.
+    pub up: Up,
+    /// Thigh plus shank, in the tracks' units.
+    pub leg: f64,
+    /// Seconds from one frame to the next.
+    pub frame_time: f64,
+}
+
+/// The tracks of one foot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FootTracks {
+    /// The ankle's, which stands for the heel.
+    pub ankle: Track,
+    /// The toe base's, or that of what stands in for it.
+    pub toe: Track,
+    /// That of the foot's end, where it has one ahead of the toe.
+    pub tip: Option<Track>,
+}
+
+/// Why a clip has no plants to find.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DetectError {
+    /// The clip is a rest pose.
+    #[error("the clip has no motion: there is nothing to detect")]
+    NoMotion,
+    /// The ankles are not known.
+    #[error("no pair of feet was found: name the joints of both ankles")]
+    NoFeet,
+}
+
+impl Feet {
+    /// The feet of one skeleton of a clip.
+    ///
+    /// # Errors
+    /// If the clip has no motion or the skeleton no feet.
+    pub fn of(clip: &Clip, skeleton: &Skeleton) -> Result<Feet, DetectError> {
+        if clip.frame_count() == 0 {
+            return Err(DetectError::NoMotion);
+        }
+        let foot = |side| {
+            let track = |joint| motion::tracks(clip, &[joint]).remove(0);
+            Some(FootTracks {
+                ankle: track(skeleton.heel(side)?),
+                toe: track(skeleton.toe(side)?),
+                tip: skeleton.roles.get(LegRoles::of(side).tip).map(track),
+            })
+        };
+        let (Some(left), Some(right), Some(leg)) = (foot(Side::Left), foot(Side::Right), skeleton.leg) else {
+            return Err(DetectError::NoFeet);
+        };
+        let hips = skeleton.roles.get(Role::Hips).unwrap_or(skeleton.root);
+        Ok(Feet {
+            tracks: [left, right],
+            hips: motion::tracks(clip, &[hips]).remove(0),
+            up: skeleton.up,
+            leg,
+            frame_time: clip.frame_time(),
+        })
+    }
+
+    /// Number of frames.
+    pub fn frame_count(&self) -> usize {
+        self.hips.len()
+    }
+
+    /// Frames that last `seconds`, rounded down; the margin keeps 0.0333 and 1/30 s alike.
+    pub(super) fn frames_in(&self, seconds: f64) -> usize {
+        (seconds / self.frame_time + 0.05).floor() as usize
+    }
+}

@@ -1,0 +1,108 @@
+//! Foot plants by spectral clustering, with nothing to tune.
+//!
+//! After Liu, Lu and Xie, *Foot plant detection based on spectral clustering
+//! algorithm for motion capture data*, Journal of Image and Graphics 19(9),
+//! 2014. Each frame of each foot is a sample of height and speed; samples that
+//! lie close together have large degrees in the graph of their similarities,
+//! and the frames on the ground are the ones that do: they are all alike.
+//!
+//! The way of the data: [`Feet`] (positions) → signals (height and speed) →
+//! samples → scale → degree → threshold → labels. [`Method::Paper`] is the
+//! published method; [`Method::Robust`] the one to use.
+
+mod clean;
+mod cluster;
+mod confidence;
+mod degree;
+mod derivative;
+mod feet;
+mod floor;
+mod paper;
+mod params;
+mod plausible;
+mod robust;
+mod samples;
+mod scale;
+mod signal;
+mod trim;
+mod two_means;
+
+pub use cluster::Evidence;
+pub use degree::Kernel;
+pub use feet::{DetectError, Feet, FootTracks};
+pub use params::{Method, ParamError, Params, ValidParams};
+
+use crate::labels::{Part, Side};
+use crate::notice::Notice;
+
+/// The labels of a clip with how they came about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Detection {
+    /// The parameters that were used.
+    pub params: ValidParams,
+    /// Contact, toe and heel; the paper's method labels toes only.
+    pub parts: Vec<PartLabels>,
+    /// Height of the ground along the up axis, in file units.
+    pub floor: f64,
+    /// What was assumed or is doubtful.
+    pub notices: Vec<Notice>,
+}
+
+/// The labels of one part of both feet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartLabels {
+    /// Contact, toe or heel.
+    pub part: Part,
+    /// The left foot's labels, then the right's.
+    pub feet: [FootLabels; 2],
+    /// How the clustering came about; `None` where there was nothing to cluster.
+    pub evidence: Option<Evidence>,
+}
+
+/// The labels of one part of one foot, per frame of the clip.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FootLabels {
+    /// Whether the foot is planted.
+    pub planted: Vec<bool>,
+    /// Probability that the label is right, from 0.5 to 1.
+    pub confidence: Vec<f64>,
+    /// Height above the lowest that the clip comes, in file units.
+    pub height: Vec<f64>,
+    /// Speed in file units per second.
+    pub speed: Vec<f64>,
+}
+
+impl Detection {
+    /// The labels of one part, if the method gives them.
+    pub fn part(&self, part: Part) -> Option<&PartLabels> {
+        self.parts.iter().find(|labels| labels.part == part)
+    }
+
+    /// The labels that say best when a foot is down: contact, or else toe.
+    pub fn principal(&self) -> &PartLabels {
+        &self.parts[0]
+    }
+}
+
+impl PartLabels {
+    /// The labels of one foot.
+    pub fn foot(&self, side: Side) -> &FootLabels {
+        &self.feet[side as usize]
+    }
+}
+
+/// Finds the frames in which each foot is planted.
+///
+/// Any frame rate, unit and up axis; the labels do not depend on them. Takes
+/// time proportional to the square of the number of frames.
+pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
+    let (parts, mut notices) = match params.method() {
+        Method::Robust => robust::detect(feet, params),
+        Method::Paper => (paper::detect(feet, params), Vec::new()),
+    };
+    notices.extend(plausible::notices(feet, &parts));
+    Detection { params, floor: floor::height(feet, &parts[0]), parts, notices }
+}
+
+#[cfg(test)]
+mod tests;

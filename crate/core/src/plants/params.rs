@@ -1,0 +1,152 @@
+//! Parameters of detection and the rules they keep.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// How plants are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Contact, toe and heel by anchored degrees: the one to use.
+    #[default]
+    Robust,
+    /// The published method, word for word: toes only.
+    Paper,
+}
+
+impl Method {
+    /// All methods, the default first.
+    pub const ALL: [Method; 2] = [Method::Robust, Method::Paper];
+
+    /// The method's name: `robust` or `paper`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Robust => "robust",
+            Method::Paper => "paper",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Method {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Method, String> {
+        Method::ALL
+            .into_iter()
+            .find(|method| method.name() == name)
+            .ok_or_else(|| format!("the method must be robust or paper, not {name:?}"))
+    }
+}
+
+/// What can be set; the defaults serve any clip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Params {
+    /// How plants are found; default [`Method::Robust`].
+    pub method: Method,
+    /// r: how far the variance of the sorted norms may grow before the knee is
+    /// reached (paper, section 2.2). Larger is more generous. Default 0.001.
+    pub tolerance: f64,
+    /// w: frames to either side that a sample takes in (paper, section 2.1). Default 1.
+    pub window: usize,
+    /// σ set by hand instead of found at the knee; default none.
+    pub scale: Option<f64>,
+}
+
+impl Default for Params {
+    fn default() -> Params {
+        Params { method: Method::Robust, tolerance: 0.001, window: 1, scale: None }
+    }
+}
+
+/// Parameters that keep their rules; made by [`Params::check`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ValidParams(Params);
+
+/// A parameter that breaks its rule.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ParamError {
+    /// [`Params::tolerance`]
+    #[error("r must be greater than 0 and finite, not {0}")]
+    Tolerance(f64),
+    /// [`Params::window`]
+    #[error("w must be at most {most}, not {0}", most = Params::MOST_WINDOW)]
+    Window(usize),
+    /// [`Params::scale`]
+    #[error("sigma must be greater than 0 and finite, not {0}")]
+    Scale(f64),
+}
+
+impl Params {
+    /// The largest window half-width.
+    pub const MOST_WINDOW: usize = 16;
+
+    /// Checks the rules.
+    ///
+    /// # Errors
+    /// If a parameter breaks its rule.
+    pub fn check(self) -> Result<ValidParams, ParamError> {
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        if !positive(self.tolerance) {
+            return Err(ParamError::Tolerance(self.tolerance));
+        }
+        if self.window > Params::MOST_WINDOW {
+            return Err(ParamError::Window(self.window));
+        }
+        match self.scale {
+            Some(scale) if !positive(scale) => Err(ParamError::Scale(scale)),
+            _ => Ok(ValidParams(self)),
+        }
+    }
+}
+
+impl ValidParams {
+    /// See [`Params::method`].
+    pub fn method(&self) -> Method {
+        self.0.method
+    }
+
+    /// See [`Params::tolerance`].
+    pub fn tolerance(&self) -> f64 {
+        self.0.tolerance
+    }
+
+    /// See [`Params::window`].
+    pub fn window(&self) -> usize {
+        self.0.window
+    }
+
+    /// See [`Params::scale`].
+    pub fn scale(&self) -> Option<f64> {
+        self.0.scale
+    }
+}
+
+impl Default for ValidParams {
+    fn default() -> ValidParams {
+        ValidParams(Params::default())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rules_are_stated_when_broken() {
+        let message = |params: Params| params.check().map_err(|error| error.to_string()).unwrap_err();
+        let default = Params::default();
+        assert_eq!(default.check(), Ok(ValidParams::default()));
+        assert_eq!(
+            message(Params { tolerance: 0.0, ..default }),
+            "r must be greater than 0 and finite, not 0"
+        );
+        assert_eq!(message(Params { window: 17, ..default }), "w must be at most 16, not 17");
+        assert!(message(Params { scale: Some(f64::NAN), ..default }).starts_with("sigma must be"));
+        assert!("best".parse::<Method>().is_err());
+    }
+}

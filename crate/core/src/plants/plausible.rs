@@ -1,0 +1,58 @@
+//! Doubts about labels and rate that a person should hear of.
+
+use super::{Feet, PartLabels};
+use crate::labels::Part;
+use crate::notice::{Code, Notice};
+
+/// Nobody's foot is faster, in legs per second.
+const FASTEST: f64 = 25.0;
+/// Nobody travels with feet slower than this, in legs per second.
+const SLOWEST: f64 = 2.0;
+/// How far the hips have to come for that to count, in legs.
+const TRAVEL: f64 = 2.0;
+/// No gait leaves both feet off the ground for longer than this share of the time.
+const AIRBORNE: f64 = 0.6;
+
+pub(super) fn notices(feet: &Feet, parts: &[PartLabels]) -> Vec<Notice> {
+    [rate(feet), airborne(parts)].into_iter().flatten().collect()
+}
+
+fn rate(feet: &Feet) -> Option<Notice> {
+    let legs_per_second =
+        |pair: &[nalgebra::Vector3<f64>]| (pair[1] - pair[0]).norm() / (feet.frame_time * feet.leg);
+    let mut speeds: Vec<f64> =
+        feet.tracks.iter().flat_map(|foot| foot.ankle.windows(2).map(legs_per_second)).collect();
+    speeds.sort_unstable_by(f64::total_cmp);
+    // A stuck-on pose is one fast step and says nothing about the rate.
+    let fastest = *speeds.get((speeds.len() as f64 * 0.995) as usize)?;
+    let start = feet.hips.first()?;
+    let travel = feet.hips.iter().map(|hips| (hips - start).norm()).fold(0.0, f64::max) / feet.leg;
+    let doubt = if fastest > FASTEST {
+        "faster than feet can be"
+    } else if fastest < SLOWEST && travel > TRAVEL {
+        "too slow for how far the hips travel"
+    } else {
+        return None;
+    };
+    let text = format!(
+        "At {:.4} Hz the feet are {doubt} ({fastest:.1} leg lengths per second): \
+         the file may state a wrong frame time. Set the true rate if you know it.",
+        1.0 / feet.frame_time
+    );
+    Some(Notice::new(Code::ImplausibleRate, text))
+}
+
+fn airborne(parts: &[PartLabels]) -> Option<Notice> {
+    let contact = parts.iter().find(|labels| labels.part == Part::Contact)?;
+    let [left, right] = [&contact.feet[0].planted, &contact.feet[1].planted];
+    let in_air = left.iter().zip(right).filter(|(left, right)| !**left && !**right).count();
+    let share = in_air as f64 / left.len().max(1) as f64;
+    (share > AIRBORNE).then(|| {
+        let text = format!(
+            "Both feet are off the ground in {:.0} % of the frames, more than any gait allows: \
+             the clip may hold no plants at all, which motion alone cannot tell.",
+            100.0 * share
+        );
+        Notice::new(Code::ImplausibleAirborne, text)
+    })
+}

@@ -1,0 +1,166 @@
+//! The method to use: contact, toe and heel.
+//!
+//! What it adds to the published one: frames that belong to no motion are left
+//! out, single-frame spikes mended, speeds smoothed over a window of time, the
+//! slower of ankle and toe taken for contact, ranges capped, degrees anchored
+//! at rest, a kernel with a long tail for contact, a threshold between medians,
+//! and runs too short for a person dropped.
+
+use std::ops::Range;
+
+use super::cluster::{Evidence, Rule, cluster};
+use super::degree::Kernel;
+use super::samples::{Ranges, Samples};
+use super::signal::{self, Signals};
+use super::{Feet, FootLabels, PartLabels, ValidParams, clean, confidence, trim};
+use crate::labels::Part;
+use crate::notice::{Code, Notice};
+
+/// Fewer frames than this are not clustered.
+const FEWEST_FRAMES: usize = 10;
+/// A clip stands still if nearly all speeds stay below this, in legs per second ...
+const STILL_SPEED: f64 = 0.35;
+/// ... and all heights within this, in legs.
+const STILL_HEIGHT: f64 = 0.15;
+/// Largest ranges that heights and speeds are divided by, in legs and legs per second.
+const HEIGHT_CAP: f64 = 0.4;
+const SPEED_CAP: f64 = 8.0;
+/// Shortest gap and shortest run, in seconds.
+const SHORTEST_RUN: f64 = 0.1;
+/// Half the window over which confidence is averaged, in seconds.
+const CONFIDENCE_WINDOW: f64 = 0.04;
+
+pub(super) fn detect(feet: &Feet, params: ValidParams) -> (Vec<PartLabels>, Vec<Notice>) {
+    let pieces = trim::pieces(feet);
+    let mut notices = trim_notices(feet, &pieces);
+    let ankle = signal::smooth(feet, &pieces, |foot| feet.tracks[foot].ankle.clone());
+    let toe = signal::smooth(feet, &pieces, |foot| feet.tracks[foot].toe.clone());
+    let sole = signal::slower(&ankle, &toe);
+
+    let work = Work { feet, pieces: &pieces, params };
+    let contact = work.label(Part::Contact, sole, Kernel::Cauchy);
+    if feet.frame_count() < FEWEST_FRAMES {
+        let text = format!("The clip has fewer than {FEWEST_FRAMES} frames: all are taken for contact.");
+        notices.push(Notice::new(Code::ShortClip, text));
+    } else if contact.evidence.is_none() {
+        let text = "The feet stand still throughout: every frame is contact.";
+        notices.push(Notice::new(Code::StandingStill, text));
+    }
+    let within = |mut part: PartLabels| {
+        for (foot, contact) in part.feet.iter_mut().zip(&contact.feet) {
+            for (planted, contact) in foot.planted.iter_mut().zip(&contact.planted) {
+                *planted &= contact;
+            }
+        }
+        part
+    };
+    let toe = within(work.label(Part::Toe, toe, Kernel::Gaussian));
+    let heel = within(work.label(Part::Heel, ankle, Kernel::Gaussian));
+    (vec![contact, toe, heel], notices)
+}
+
+fn trim_notices(feet: &Feet, pieces: &[Range<usize>]) -> Vec<Notice> {
+    let mut notices = Vec::new();
+    let (first, end) = (pieces[0].start, pieces[pieces.len() - 1].end);
+    let after = feet.frame_count() - end;
+    if first + after > 0 {
+        let text = format!(
+            "{first} frames at the start and {after} at the end jump as poses that were stuck on do: \
+             they have their neighbours' labels."
+        );
+        notices.push(Notice::new(Code::Trimmed, text));
+    }
+    for piece in &pieces[1..] {
+        let text = format!("Both feet jump at frame {}: the motion is taken for two.", piece.start);
+        notices.push(Notice::new(Code::Teleport, text));
+    }
+    notices
+}
+
+/// What the labelling of every part shares.
+struct Work<'a> {
+    feet: &'a Feet,
+    pieces: &'a [Range<usize>],
+    params: ValidParams,
+}
+
+impl Work<'_> {
+    fn label(&self, part: Part, signals: Signals, kernel: Kernel) -> PartLabels {
+        let clustered = if self.feet.frame_count() < FEWEST_FRAMES || self.stands_still(&signals) {
+            None
+        } else {
+            Some(self.cluster(&signals, kernel))
+        };
+        let [left, right] = signals;
+        let labels = |foot: usize, signal: signal::Signal| {
+            let (planted, confidence) = match &clustered {
+                Some((evidence, planted)) => self.spread(foot, evidence, planted),
+                None => (vec![true; signal.height.len()], vec![1.0; signal.height.len()]),
+            };
+            FootLabels { planted, confidence, height: signal.height, speed: signal.speed }
+        };
+        let feet = [labels(0, left), labels(1, right)];
+        PartLabels { part, feet, evidence: clustered.map(|(evidence, _)| evidence) }
+    }
+
+    fn stands_still(&self, signals: &Signals) -> bool {
+        let speeds = signal::kept(signals, self.pieces, |signal| &signal.speed).collect();
+        let (lowest, highest) = signal::extremes(signal::kept(signals, self.pieces, |signal| &signal.height));
+        let leg = self.feet.leg;
+        percentile(speeds, 0.99) < STILL_SPEED * leg && highest - lowest < STILL_HEIGHT * leg
+    }
+
+    fn cluster(&self, signals: &Signals, kernel: Kernel) -> (Evidence, Vec<bool>) {
+        let leg = self.feet.leg;
+        let window = self.params.window();
+        let ranges = Ranges::of(signals, self.pieces).capped(HEIGHT_CAP * leg, SPEED_CAP * leg);
+        let samples = Samples::of(signals, self.pieces, ranges, window);
+        // A wider window has longer norms: r is stated for w = 1.
+        let r = self.params.tolerance() * (2 * window + 1) as f64 / 3.0;
+        let frames = self.pieces.iter().cloned().flatten().collect();
+        let rule = Rule { kernel, anchored: true, between_medians: true };
+        cluster(&samples, frames, r, self.params.scale(), window, &rule)
+    }
+
+    /// Labels and confidence of one foot over all frames of the clip.
+    fn spread(&self, foot: usize, evidence: &Evidence, planted: &[bool]) -> (Vec<bool>, Vec<f64>) {
+        let count = evidence.frames.len();
+        let own = foot * count..(foot + 1) * count;
+        let (roots, planted) = (&evidence.roots[own.clone()], &planted[own]);
+        // Comparing in frames needs a margin for rates such as 0.0083333.
+        let shortest = (SHORTEST_RUN / self.feet.frame_time - 1e-3).ceil() as usize;
+        let half = self.feet.frames_in(CONFIDENCE_WINDOW);
+        let mut labels = vec![false; self.feet.frame_count()];
+        let mut confidence = vec![1.0; labels.len()];
+        let mut done = 0;
+        for piece in self.pieces {
+            let samples = done..done + piece.len();
+            let mut piece_labels = planted[samples.clone()].to_vec();
+            clean::drop_short_runs(&mut piece_labels, shortest);
+            let probability = confidence::planted_probability(&roots[samples.clone()], evidence, half);
+            for ((frame, label), p) in piece.clone().zip(piece_labels).zip(probability) {
+                labels[frame] = label;
+                confidence[frame] = confidence::of_label(label, p);
+            }
+            done = samples.end;
+        }
+        // Frames that were left out are labelled as their nearest neighbour, which nobody can vouch for.
+        let (first, last) = (self.pieces[0].start, self.pieces[self.pieces.len() - 1].end - 1);
+        for frame in (0..first).chain(last + 1..labels.len()) {
+            labels[frame] = labels[frame.clamp(first, last)];
+            confidence[frame] = 0.5;
+        }
+        (labels, confidence)
+    }
+}
+
+/// The value below which `share` of the values lie, interpolated.
+fn percentile(mut values: Vec<f64>, share: f64) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    let place = share * values.len().saturating_sub(1) as f64;
+    let (below, above) = (place.floor() as usize, place.ceil() as usize);
+    match (values.get(below), values.get(above)) {
+        (Some(low), Some(high)) => low + (high - low) * place.fract(),
+        _ => 0.0,
+    }
+}

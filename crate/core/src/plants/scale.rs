@@ -1,0 +1,70 @@
+//! The scale σ of the kernel, from the knee of the sorted norms (paper, section 2.2).
+
+/// How σ was found.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Scale {
+    /// Norms in ascending order.
+    pub sorted_norms: Vec<f64>,
+    /// Sample variance of the first norms up to each one.
+    pub running_variance: Vec<f64>,
+    /// Index of the knee: the last norm up to which the variance keeps to r.
+    pub knee: usize,
+}
+
+impl Scale {
+    /// Finds the knee for variance threshold r.
+    pub fn find(norms: &[f64], r: f64) -> Scale {
+        let mut sorted_norms = norms.to_vec();
+        sorted_norms.sort_unstable_by(f64::total_cmp);
+        let running_variance = running_variance(&sorted_norms);
+        let knee = running_variance.iter().rposition(|&variance| variance <= r).unwrap_or(0);
+        Scale { sorted_norms, running_variance, knee }
+    }
+
+    /// σ: the norm at the knee.
+    pub fn sigma(&self) -> f64 {
+        self.sorted_norms.get(self.knee).copied().unwrap_or(0.0)
+    }
+}
+
+/// Sample variance of `values[..=j]` for each j, by Welford's recurrence; 0 for the first.
+fn running_variance(values: &[f64]) -> Vec<f64> {
+    let (mut mean, mut sum) = (0.0, 0.0);
+    values
+        .iter()
+        .enumerate()
+        .map(|(index, value)| {
+            let off = value - mean;
+            mean += off / (index + 1) as f64;
+            sum += off * (value - mean);
+            sum / index.max(1) as f64
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn variance_is_the_textbook_one(values in prop::collection::vec(0.0..10.0_f64, 2..40)) {
+            let running = running_variance(&values);
+            for (index, variance) in running.iter().enumerate().skip(1) {
+                let first = &values[..=index];
+                let mean = first.iter().sum::<f64>() / first.len() as f64;
+                let sum: f64 = first.iter().map(|value| (value - mean).powi(2)).sum();
+                prop_assert!((variance - sum / index as f64).abs() < 1e-9);
+            }
+            prop_assert_eq!(running[0], 0.0);
+        }
+    }
+
+    #[test]
+    fn the_last_norm_within_r_is_the_knee() {
+        let scale = Scale::find(&[5.0, 0.0, 0.0, 0.0, 0.1], 0.01);
+        assert_eq!((scale.knee, scale.sigma()), (3, 0.1));
+        assert_eq!(Scale::find(&[1.0, 1.0], 0.01).sigma(), 1.0);
+    }
+}

@@ -1,0 +1,147 @@
+//! Height and speed of a part of the foot: what is clustered.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use super::{Feet, derivative};
+use crate::motion::Track;
+use crate::skeleton::Up;
+
+/// Height and speed per frame of one effector of one foot.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Signal {
+    /// In file units.
+    pub height: Vec<f64>,
+    /// In file units per second.
+    pub speed: Vec<f64>,
+}
+
+/// The same effector of both feet, left first.
+pub(super) type Signals = [Signal; 2];
+
+/// Half the time window of speeds, in seconds.
+const SPEED_WINDOW: f64 = 0.05;
+
+impl Signal {
+    /// Heights and speeds of a track, piece by piece.
+    pub fn of(
+        track: &Track,
+        up: Up,
+        pieces: &[Range<usize>],
+        velocity: impl Fn(&[Vector3<f64>]) -> Vec<Vector3<f64>>,
+    ) -> Signal {
+        let mut speed = vec![0.0; track.len()];
+        for piece in pieces {
+            let velocities = velocity(&track[piece.clone()]);
+            for (speed, velocity) in speed[piece.clone()].iter_mut().zip(velocities) {
+                *speed = velocity.norm();
+            }
+        }
+        Signal { height: track.iter().map(|position| up.height(position)).collect(), speed }
+    }
+
+    /// Height and speed of `frame`.
+    pub fn at(&self, frame: usize) -> [f64; 2] {
+        [self.height[frame], self.speed[frame]]
+    }
+}
+
+/// Signals of one effector by central differences over the whole clip (paper, section 2.1).
+pub(super) fn plain(feet: &Feet, effector: impl Fn(usize) -> Track) -> Signals {
+    let pieces = [0..feet.frame_count()];
+    let velocity = |track: &[Vector3<f64>]| derivative::central_difference(track, feet.frame_time);
+    let mut signals = [0, 1].map(|foot| Signal::of(&effector(foot), feet.up, &pieces, velocity));
+    ground(&mut signals, &pieces);
+    signals
+}
+
+/// Signals of one effector without spikes, their speed smoothed over a window of time.
+pub(super) fn smooth(feet: &Feet, pieces: &[Range<usize>], effector: impl Fn(usize) -> Track) -> Signals {
+    // Rates such as 0.033333 and 0.033334 s must give the same window.
+    let half = (SPEED_WINDOW / feet.frame_time + 0.55).floor() as usize;
+    let velocity = |track: &[Vector3<f64>]| derivative::local_quadratic(track, half, feet.frame_time);
+    let mut signals = [0, 1].map(|foot| {
+        let track = without_spikes(&effector(foot), pieces, feet.leg);
+        Signal::of(&track, feet.up, pieces, velocity)
+    });
+    ground(&mut signals, pieces);
+    signals
+}
+
+/// One quantity of both feet in all frames that belong to the motion.
+pub(super) fn kept(
+    signals: &Signals,
+    pieces: &[Range<usize>],
+    quantity: fn(&Signal) -> &[f64],
+) -> impl Iterator<Item = f64> {
+    signals.iter().flat_map(move |signal| {
+        pieces.iter().flat_map(move |piece| quantity(signal)[piece.clone()].iter().copied())
+    })
+}
+
+/// Smallest and largest value.
+pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
+
+/// Takes the lowest height of both feet from all heights.
+fn ground(signals: &mut Signals, pieces: &[Range<usize>]) {
+    let kept =
+        pieces.iter().flat_map(|piece| signals.iter().flat_map(|signal| &signal.height[piece.clone()]));
+    let lowest = kept.copied().fold(f64::INFINITY, f64::min);
+    for height in signals.iter_mut().flat_map(|signal| &mut signal.height) {
+        *height -= lowest;
+    }
+}
+
+/// A single frame that juts out of its neighbours is put between them.
+fn without_spikes(track: &Track, pieces: &[Range<usize>], leg: f64) -> Track {
+    let mut mended = track.clone();
+    for piece in pieces.iter().filter(|piece| piece.len() > 2) {
+        for frame in piece.start + 1..piece.end - 1 {
+            let (before, after) = (track[frame - 1], track[frame + 1]);
+            let middle = (before + after) / 2.0;
+            if (track[frame] - middle).norm() > 3.0 * (after - before).norm() + 0.05 * leg {
+                mended[frame] = middle;
+            }
+        }
+    }
+    mended
+}
+
+/// In each frame, whichever of two effectors is slower: the part of the sole that bears weight.
+pub(super) fn slower(a: &Signals, b: &Signals) -> Signals {
+    [0, 1].map(|foot| {
+        let (a, b) = (&a[foot], &b[foot]);
+        let chosen =
+            (0..a.speed.len()).map(|frame| if b.speed[frame] < a.speed[frame] { b } else { a }.at(frame));
+        let (height, speed) = chosen.map(|[height, speed]| (height, speed)).unzip();
+        Signal { height, speed }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_frame_spikes_are_mended_and_motion_is_not() {
+        let mut track: Track = (0..20).map(|frame| Vector3::x() * f64::from(frame) * 0.1).collect();
+        let straight = track.clone();
+        assert_eq!(without_spikes(&track, &[0..20], 1.0), straight);
+        track[7].y = 1.0;
+        let mended = without_spikes(&track, &[0..20], 1.0);
+        assert!((mended[7] - straight[7]).norm() < 1e-12);
+        // At the edge of a piece there is nothing to compare with.
+        assert_eq!(without_spikes(&track, &[0..8, 8..20], 1.0)[7].y, 1.0);
+    }
+
+    #[test]
+    fn the_slower_effector_is_taken() {
+        let signal = |height: f64, speed: [f64; 2]| Signal { height: vec![height; 2], speed: speed.into() };
+        let ankle = [signal(1.0, [0.0, 2.0]), signal(1.0, [0.0, 2.0])];
+        let toe = [signal(5.0, [1.0, 1.0]), signal(5.0, [1.0, 1.0])];
+        assert_eq!(slower(&ankle, &toe)[0], Signal { height: vec![1.0, 5.0], speed: vec![0.0, 1.0] });
+    }
+}

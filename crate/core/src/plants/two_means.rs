@@ -1,0 +1,63 @@
+//! Exact two-means of numbers.
+
+/// The threshold that splits `values` into the two classes with the least
+/// squared distances to their means; `None` if all are equal.
+///
+/// Every split of the sorted values is tried, so the answer is the best there
+/// is. It lies halfway between the classes; among equally good splits it is the lowest.
+pub(super) fn threshold(values: &[f64]) -> Option<f64> {
+    let count = values.len();
+    let mean = values.iter().sum::<f64>() / count as f64;
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    // With the mean at zero both classes' sums are opposite, and rounding stays small.
+    let mut low_sum = 0.0;
+    let mut best: Option<(f64, f64)> = None;
+    for split in 1..count {
+        low_sum += sorted[split - 1] - mean;
+        if sorted[split - 1] < sorted[split] {
+            let between = low_sum * low_sum * (1.0 / split as f64 + 1.0 / (count - split) as f64);
+            if best.is_none_or(|(most, _)| between > most) {
+                best = Some((between, (sorted[split - 1] + sorted[split]) / 2.0));
+            }
+        }
+    }
+    best.map(|(_, threshold)| threshold)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn scatter(values: &[f64]) -> f64 {
+        let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+        values.iter().map(|value| (value - mean).powi(2)).sum()
+    }
+
+    proptest! {
+        /// Against every way to put the values into two classes, contiguous or not.
+        #[test]
+        fn no_other_classes_are_better(values in prop::collection::vec(-1e3..1e3_f64, 2..11)) {
+            let threshold = threshold(&values);
+            prop_assume!(threshold.is_some());
+            let threshold = threshold.unwrap();
+            let classes = |in_high: &dyn Fn(usize) -> bool| {
+                let (high, low): (Vec<_>, Vec<_>) = (0..values.len()).partition(|&index| in_high(index));
+                [low, high].map(|class| class.into_iter().map(|index| values[index]).collect::<Vec<_>>())
+            };
+            let ours: f64 = classes(&|index| values[index] > threshold).iter().map(|class| scatter(class)).sum();
+            for mask in 0..1_u32 << values.len() {
+                let other: f64 = classes(&|index| mask >> index & 1 == 1).iter().map(|class| scatter(class)).sum();
+                prop_assert!(ours <= other + 1e-6 * (1.0 + other));
+            }
+        }
+    }
+
+    #[test]
+    fn equal_values_have_no_threshold() {
+        assert_eq!(threshold(&[2.0; 5]), None);
+        assert_eq!(threshold(&[]), None);
+        assert_eq!(threshold(&[1.0, 1.0, 1.0, 3.0]), Some(2.0));
+    }
+}

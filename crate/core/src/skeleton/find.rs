@@ -1,0 +1,259 @@
+//! Roles by name, and legs by shape where names fail.
+
+use nalgebra::Vector3;
+
+use super::names::{self, BodyPart, Reading};
+use super::{LegRoles, Role, Roles};
+use crate::bvh::{Clip, JointKind};
+use crate::labels::Side;
+use crate::motion;
+
+/// Finds the roles in the skeleton that hangs from `root`.
+pub(super) fn roles(clip: &Clip, root: usize) -> Roles {
+    let tree = Tree::of(clip, root);
+    let mut roles = Roles::default();
+    let legs = Side::BOTH.map(|side| tree.named_leg(side));
+    let legs = if legs.iter().all(Option::is_some) {
+        legs.map(Option::unwrap_or_default)
+    } else {
+        tree.shaped_legs().unwrap_or_default()
+    };
+    for (side, leg) in Side::BOTH.into_iter().zip(legs) {
+        let role = LegRoles::of(side);
+        roles.set(role.thigh, leg.thigh);
+        roles.set(role.shank, leg.shank);
+        roles.set(role.ankle, leg.ankle);
+        roles.set(role.toe, leg.toe);
+        roles.set(role.tip, leg.ankle.and_then(|ankle| tree.tip(leg.toe.unwrap_or(ankle))));
+    }
+    tree.name_trunk(&mut roles);
+    for side in Side::BOTH {
+        tree.name_arm(side, &mut roles);
+    }
+    roles
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Leg {
+    thigh: Option<usize>,
+    shank: Option<usize>,
+    ankle: Option<usize>,
+    toe: Option<usize>,
+}
+
+/// One skeleton of a clip with what its names say.
+struct Tree<'a> {
+    clip: &'a Clip,
+    root: usize,
+    /// Root and all joints below it, parents first.
+    members: Vec<usize>,
+    readings: Vec<Reading>,
+}
+
+impl<'a> Tree<'a> {
+    fn of(clip: &'a Clip, root: usize) -> Tree<'a> {
+        let below = clip.joints()[root + 1..].iter().take_while(|joint| joint.parent.is_some()).count();
+        let nothing = Reading { side: None, part: None };
+        let readings = clip
+            .joints()
+            .iter()
+            .map(|joint| if joint.kind == JointKind::EndSite { nothing } else { names::read(&joint.name) })
+            .collect();
+        Tree { clip, root, members: (root..=root + below).collect(), readings }
+    }
+
+    fn parent(&self, joint: usize) -> Option<usize> {
+        self.clip.joints()[joint].parent
+    }
+
+    /// The joints above `joint`, nearest first.
+    fn above(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        std::iter::successors(self.parent(joint), |&joint| self.parent(joint))
+    }
+
+    /// The members below `joint`, in file order.
+    fn below(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        self.members.iter().copied().filter(move |&member| self.above(member).any(|above| above == joint))
+    }
+
+    fn is(&self, joint: usize, side: Option<Side>, part: BodyPart) -> bool {
+        self.readings[joint] == Reading { side, part: Some(part) }
+    }
+
+    /// The leg whose names fit best: a foot with as many as possible of shank and thigh above it.
+    fn named_leg(&self, side: Side) -> Option<Leg> {
+        let is = |joint: usize, part| self.is(joint, Some(side), part);
+        let candidates = self.members.iter().copied().filter(|&joint| {
+            is(joint, BodyPart::Ankle)
+                // Under an ankle, a foot is the toe base.
+                || is(joint, BodyPart::Foot) && !self.above(joint).any(|above| is(above, BodyPart::Ankle))
+        });
+        let legs = candidates.map(|ankle| {
+            // The topmost of a part that is split in several, as with twist bones.
+            let topmost = |part| self.above(ankle).filter(|&joint| is(joint, part)).last();
+            let toe = self
+                .below(ankle)
+                .filter(|&joint| is(joint, BodyPart::Toe) || is(joint, BodyPart::Foot))
+                .min_by_key(|&joint| (self.above(joint).count(), &self.clip.joints()[joint].name));
+            Leg { thigh: topmost(BodyPart::Thigh), shank: topmost(BodyPart::Shank), ankle: Some(ankle), toe }
+        });
+        let score = |leg: &Leg| {
+            2 * usize::from(leg.thigh.is_some())
+                + 2 * usize::from(leg.shank.is_some())
+                + usize::from(leg.toe.is_some())
+        };
+        let mut best: Option<Leg> = None;
+        for leg in legs {
+            if best.is_none_or(|best| score(&leg) > score(&best)) {
+                best = Some(leg);
+            }
+        }
+        let mut leg = best?;
+        self.fill_by_place(&mut leg);
+        Some(leg)
+    }
+
+    /// Where names leave out shank or thigh, the joints above the ankle fill in.
+    fn fill_by_place(&self, leg: &mut Leg) {
+        let Some(ankle) = leg.ankle else { return };
+        let fits = |joint: &usize| self.parent(*joint).is_some();
+        leg.shank = leg.shank.or_else(|| self.parent(ankle).filter(fits));
+        leg.thigh = leg.thigh.or_else(|| self.parent(leg.shank?).filter(fits));
+    }
+
+    /// The end of the foot: the tip furthest from `joint` in the rest pose, below it.
+    fn tip(&self, joint: usize) -> Option<usize> {
+        let reach = |tip: usize| {
+            let mut offset = self.clip.joints()[tip].offset;
+            for above in self.above(tip).take_while(|&above| above != joint) {
+                offset += self.clip.joints()[above].offset;
+            }
+            offset.norm()
+        };
+        self.below(joint)
+            .filter(|&member| self.clip.children(member).next().is_none())
+            .max_by(|&a, &b| reach(a).total_cmp(&reach(b)))
+    }
+
+    /// Two mirrored chains that reach furthest from the root: the legs of a skeleton without usable names.
+    ///
+    /// Hands hang beside the hips and a head is alone, so that only feet are a
+    /// pair far from the hips. Where two pairs reach about as far (a quadruped,
+    /// a crab), there is no telling.
+    fn shaped_legs(&self) -> Option<[Leg; 2]> {
+        let tips: Vec<usize> = self
+            .members
+            .iter()
+            .copied()
+            .filter(|&member| self.clip.children(member).next().is_none())
+            .collect();
+        let mut wanted = tips.clone();
+        wanted.push(self.root);
+        let frames = motion::spread_frames(self.clip, 64);
+        let mut tracks = motion::tracks_at(self.clip, &wanted, frames);
+        let root = tracks.pop()?;
+        let mean_from_root = |track: &motion::Track| {
+            let sum: Vector3<f64> = track.iter().zip(&root).map(|(tip, root)| tip - root).sum();
+            sum / root.len() as f64
+        };
+        let means: Vec<Vector3<f64>> = tracks.iter().map(mean_from_root).collect();
+        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+        for a in 0..tips.len() {
+            for b in a + 1..tips.len() {
+                if self.are_mirrored(tips[a], tips[b]) {
+                    pairs.push(((means[a] + means[b]).norm() / 2.0, a, b));
+                }
+            }
+        }
+        pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let &(reach, a, b) = pairs.first()?;
+        let own = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
+        // A rival is a pair of other limbs that reaches nearly as far.
+        let is_rival = |&&(other, c, d): &&(f64, usize, usize)| {
+            other > 0.8 * reach && ![tips[c], tips[d]].iter().any(|&tip| self.shares_limb(tip, &own))
+        };
+        if pairs.iter().skip(1).find(is_rival).is_some() || own.iter().any(|chain| chain.len() < 3) {
+            return None;
+        }
+        let up = -(means[a] + means[b]);
+        let legs = own.map(|chain| Leg {
+            thigh: Some(chain[0]),
+            shank: Some(chain[1]),
+            ankle: Some(chain[2]),
+            toe: chain.get(3).copied().filter(|&joint| self.clip.children(joint).next().is_some()),
+        });
+        Some(if self.is_left(&legs[0], up, means[a], means[b]) { legs } else { [legs[1], legs[0]] })
+    }
+
+    /// The joints from below the fork of `tip` and `other` down to `tip`.
+    fn chain(&self, tip: usize, other: usize) -> Vec<usize> {
+        let others: Vec<usize> = self.above(other).collect();
+        let mut chain: Vec<usize> =
+            std::iter::once(tip).chain(self.above(tip)).take_while(|joint| !others.contains(joint)).collect();
+        chain.reverse();
+        chain
+    }
+
+    fn shares_limb(&self, tip: usize, limbs: &[Vec<usize>; 2]) -> bool {
+        limbs.iter().any(|limb| tip == limb[0] || self.above(tip).any(|above| above == limb[0]))
+    }
+
+    /// Whether two tips end chains of like bones.
+    fn are_mirrored(&self, a: usize, b: usize) -> bool {
+        let (a, b) = (self.chain(a, b), self.chain(b, a));
+        a.len() == b.len()
+            && a.iter().zip(&b).all(|(&a, &b)| {
+                let (a, b) = (self.clip.joints()[a].offset.norm(), self.clip.joints()[b].offset.norm());
+                (a - b).abs() <= 0.05 * a.max(b)
+            })
+    }
+
+    /// Whether the foot at `here` stands on the left of the one at `there`, going by where it points.
+    fn is_left(&self, leg: &Leg, up: Vector3<f64>, here: Vector3<f64>, there: Vector3<f64>) -> bool {
+        let forward = leg.ankle.and_then(|ankle| self.tip(ankle)).map(|tip| self.clip.joints()[tip].offset);
+        let left = up.cross(&forward.unwrap_or_else(Vector3::z));
+        left.dot(&(here - there)) > 0.0
+    }
+
+    fn name_trunk(&self, roles: &mut Roles) {
+        let first = |part| self.members.iter().copied().find(|&joint| self.is(joint, None, part));
+        let fork = |left, right| {
+            let (left, right) = (roles.get(left)?, roles.get(right)?);
+            self.above(left).find(|&joint| self.above(right).any(|above| above == joint))
+        };
+        let hips =
+            fork(Role::LeftThigh, Role::RightThigh).or_else(|| first(BodyPart::Hips)).or(Some(self.root));
+        roles.set(Role::Hips, hips);
+        roles.set(Role::Spine, first(BodyPart::Spine));
+        roles.set(Role::Neck, first(BodyPart::Neck));
+        roles.set(Role::Head, first(BodyPart::Head));
+        let chest = roles
+            .get(Role::Neck)
+            .or(roles.get(Role::Head))
+            .and_then(|neck| self.above(neck).find(|&joint| self.is(joint, None, BodyPart::Spine)));
+        roles.set(Role::Chest, chest);
+    }
+
+    fn name_arm(&self, side: Side, roles: &mut Roles) {
+        let [shoulder, arm, forearm, hand] = match side {
+            Side::Left => [Role::LeftShoulder, Role::LeftArm, Role::LeftForearm, Role::LeftHand],
+            Side::Right => [Role::RightShoulder, Role::RightArm, Role::RightForearm, Role::RightHand],
+        };
+        let first = |part| self.members.iter().copied().find(|&joint| self.is(joint, Some(side), part));
+        let elbow = first(BodyPart::Forearm);
+        roles.set(forearm, elbow);
+        roles.set(hand, first(BodyPart::Hand));
+        // Above the elbow comes the arm, be it called arm or shoulder; the topmost shoulder is the collar.
+        let above: Vec<usize> = elbow
+            .into_iter()
+            .flat_map(|elbow| self.above(elbow))
+            .filter(|&joint| {
+                self.is(joint, Some(side), BodyPart::Arm) || self.is(joint, Some(side), BodyPart::Shoulder)
+            })
+            .collect();
+        let upper = above.iter().copied().filter(|&joint| self.is(joint, Some(side), BodyPart::Arm)).last();
+        let upper = upper.or_else(|| above.first().copied());
+        roles.set(arm, upper);
+        roles.set(shoulder, above.last().copied().filter(|&joint| Some(joint) != upper));
+    }
+}

@@ -1,0 +1,78 @@
+//! Detection against contact that force plates measured.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+
+use plantigrade::labels::{Part, Side};
+use plantigrade::plants::{self, Feet, Method, Params};
+use plantigrade::score::{self, Tally, Truth};
+use plantigrade::skeleton::{Overrides, Skeleton};
+
+const FUZZY: [f64; 4] = [0.0, 0.1, 0.2, 0.3];
+
+/// Masked truth of one foot.
+fn truth(path: &Path, side: Side, frame_time: f64) -> Truth {
+    let text = fs::read_to_string(path.with_extension("json")).expect("truth beside the clip");
+    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let labels = json[side.name()].as_array().expect("labels").iter();
+    let truth: Truth = labels
+        .map(|label| match label.as_i64() {
+            Some(-1) => None,
+            label => Some(label == Some(1)),
+        })
+        .collect();
+    score::mask_near_unknown(&truth, frame_time)
+}
+
+/// Accuracy in percent over all trials, at each fuzzy period, and that of the worst trial.
+fn accuracy(corpus: &Path, method: Method, part: Part) -> ([f64; 4], [f64; 4]) {
+    let mut pooled = [Tally::default(); 4];
+    let mut worst = [100.0_f64; 4];
+    for path in support::bvh_files(&corpus.join("contact")) {
+        let clip = support::read(&path).clip;
+        let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
+        let detection =
+            plants::detect(&feet, Params { method, ..Params::default() }.check().expect("defaults"));
+        let labels = detection.part(part).expect("the method labels that part");
+        for (index, fuzzy) in FUZZY.into_iter().enumerate() {
+            let mut trial = Tally::default();
+            for side in Side::BOTH {
+                let truth = truth(&path, side, clip.frame_time());
+                trial += score::lenient(&labels.foot(side).planted, &truth, clip.frame_time(), fuzzy);
+            }
+            println!("{} p = {fuzzy}: {:.1}", path.display(), 100.0 * trial.accuracy());
+            pooled[index] += trial;
+            worst[index] = worst[index].min(100.0 * trial.accuracy());
+        }
+    }
+    assert_eq!(pooled[0].total, 8271, "foot-frames with known truth");
+    let pooled = pooled.map(|tally| 100.0 * tally.accuracy());
+    println!("{method} {}: {pooled:.2?}, worst {worst:.2?}", part.name());
+    (pooled, worst)
+}
+
+#[test]
+fn robust_contact_is_that_of_the_plates() {
+    let Some(corpus) = support::corpus() else { return };
+    let (pooled, worst) = accuracy(&corpus, Method::Robust, Part::Contact);
+    assert!(pooled[0] >= 98.4 && pooled[1] >= 99.8 && pooled[3] >= 99.8, "{pooled:?}");
+    assert!(worst[3] >= 99.0, "{worst:?}");
+}
+
+#[test]
+fn the_paper_method_has_its_known_figures() {
+    let Some(corpus) = support::corpus() else { return };
+    let (pooled, _) = accuracy(&corpus, Method::Paper, Part::Toe);
+    for (found, expected) in pooled.into_iter().zip([77.6, 80.8, 81.9, 82.0]) {
+        assert!((found - expected).abs() <= 0.3, "{pooled:?}");
+    }
+}
+
+#[test]
+fn robust_plants_are_near_contact() {
+    let Some(corpus) = support::corpus() else { return };
+    let (pooled, _) = accuracy(&corpus, Method::Robust, Part::Toe);
+    assert!(pooled[0] >= 95.0 && pooled[3] >= 99.5, "{pooled:?}");
+}

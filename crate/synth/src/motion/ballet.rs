@@ -1,0 +1,217 @@
+//! Ballet: plié, relevé, tendu, a pirouette, two small jumps, an arabesque.
+
+use plantigrade::labels::Side::{self, Left, Right};
+
+use crate::character::{Build, outward};
+use crate::curve::Track;
+use crate::plan::{Carry, Gait, Held, Hop, Landing, Lift, Place, Plan, Planner};
+use crate::random::Random;
+
+/// Outward turn of the feet in first position, in degrees.
+const TURNOUT: f64 = 42.0;
+
+/// A short study at the centre of the room.
+pub fn ballet(build: &Build, _seconds: f64, random: &mut Random) -> Plan {
+    let scale = build.scale();
+    let mut planner = Planner::standing(-1.0, Place::ORIGIN, 0.1 * scale);
+    for side in Side::BOTH {
+        planner.foot(side).start = first_position(&Place::ORIGIN, side, scale);
+    }
+    let tempo = random.vary(0.01);
+    tendu(&mut planner, scale, 3.1 * tempo);
+    pirouette(&mut planner, scale, 4.9 * tempo);
+    let landed = jumps(&mut planner, scale, 7.1 * tempo);
+    arabesque(&mut planner, scale, landed);
+    carry_body(&mut planner, scale, landed);
+    planner.finish()
+}
+
+fn first_position(cursor: &Place, side: Side, scale: f64) -> Place {
+    cursor.moved(0.0, outward(side) * 0.115 * scale).turned(outward(side) * TURNOUT)
+}
+
+fn light(scale: f64) -> Gait {
+    let walk = Gait::walk(scale);
+    Gait {
+        swing: 0.42,
+        lift: Lift { pitch: 40.0, lead: 0.22 },
+        carry: Carry {
+            clearance: 0.03 * scale,
+            peak: 0.5,
+            pitch: 40.0,
+            pitch_at: 0.5,
+            detour: 0.0,
+            ramps: (0.3, 0.3),
+            grounded: false,
+            load: 0.0,
+            held: None,
+        },
+        landing: Landing { pitch: 34.0, settle: 0.16, rest: 0.0 },
+        ..walk
+    }
+}
+
+/// The right foot is stretched to the side, rests on its toes, and closes.
+fn tendu(planner: &mut Planner, scale: f64, time: f64) {
+    let out = planner.place(Right).moved(0.24 * scale, -0.2 * scale).turned(-8.0);
+    let pointed = Landing { pitch: 58.0, settle: 0.1, rest: 56.0 };
+    planner.put(Right, time, out, &Gait { landing: pointed, ..light(scale) }).weight = 0.04;
+    let close = first_position(&Place::ORIGIN, Right, scale);
+    let lift = Lift { pitch: 58.0, lead: 0.1 };
+    planner.put(Right, time + 1.05, close, &Gait { lift, ..light(scale) });
+}
+
+/// Once round on the left foot, the right at the knee.
+fn pirouette(planner: &mut Planner, scale: f64, time: f64) {
+    let end = Place::ORIGIN.turned(360.0);
+    let step = planner.put(Right, time + 1.25, first_position(&end, Right, scale), &light(scale));
+    step.swing = 1.2;
+    step.carry.held = Some(Held {
+        keys: vec![
+            (time + 0.25, [0.22, -0.58, 0.1, 62.0, 62.0]),
+            (time + 0.9, [0.22, -0.58, 0.1, 62.0, 62.0]),
+        ],
+        ease_in: 0.26,
+        ease_out: 0.36,
+    });
+    let left = planner.foot(Left);
+    left.pivot = Track::of(&[(time + 0.12, [0.0]), (time + 0.6, [200.0]), (time + 1.16, [360.0])]);
+    left.raise = Track::of(&[
+        (0.0, [0.0]),
+        (1.55, [0.0]),
+        (1.95, [48.0]),
+        (2.3, [48.0]),
+        (2.65, [0.0]),
+        (time - 0.12, [0.0]),
+        (time + 0.16, [50.0]),
+        (time + 1.0, [50.0]),
+        (time + 1.3, [0.0]),
+    ]);
+    // Both heels rise in the first relevé.
+    planner.foot(Right).raise = Track::of(&[(1.55, [0.0]), (1.95, [48.0]), (2.3, [48.0]), (2.62, [0.0])]);
+}
+
+/// Two jumps straight up. Returns when the second has landed.
+fn jumps(planner: &mut Planner, scale: f64, time: f64) -> f64 {
+    let mut land = time;
+    let cursor = Place::ORIGIN.turned(360.0);
+    for ground in [0.0, 0.5] {
+        land += ground + 0.4;
+        for side in Side::BOTH {
+            let hop = hop(scale);
+            let place = first_position(&cursor.moved(0.02, 0.0), side, scale);
+            let gait = Gait {
+                swing: hop.flight,
+                lift: hop.lift,
+                carry: hop.carry,
+                landing: hop.landing,
+                ..light(scale)
+            };
+            planner.put(side, land, place, &gait);
+        }
+    }
+    land
+}
+
+fn hop(scale: f64) -> Hop {
+    Hop {
+        ground: 0.5,
+        flight: 0.4,
+        length: 0.0,
+        turn: 0.0,
+        width: 0.1 * scale,
+        lift: Lift { pitch: 64.0, lead: 0.18 },
+        carry: Carry { clearance: 0.13 * scale, pitch: 66.0, ..light(scale).carry },
+        landing: Landing { pitch: 44.0, settle: 0.16, rest: 0.0 },
+    }
+}
+
+/// A step onto the right foot, the left leg stretched behind; then it closes.
+fn arabesque(planner: &mut Planner, scale: f64, landed: f64) {
+    let ahead = Place::ORIGIN.turned(360.0).moved(0.46 * scale, -0.05 * scale).turned(-14.0);
+    let step = light(scale);
+    planner.put(Right, landed + 1.2, ahead, &step);
+    let close = ahead.turned(14.0).moved(-0.06 * scale, 0.2 * scale).turned(30.0);
+    let left = planner.put(Left, landed + 3.55, close, &step);
+    left.swing = 2.05;
+    left.lift = Lift { pitch: 50.0, lead: 0.24 };
+    left.carry.held = Some(Held {
+        keys: vec![
+            (landed + 1.75, [0.04, -0.8, -0.5, 80.0, 18.0]),
+            (landed + 2.2, [0.06, -0.3, -0.93, 100.0, 24.0]),
+            (landed + 2.7, [0.06, -0.27, -0.94, 102.0, 24.0]),
+            (landed + 3.15, [0.06, -0.85, -0.4, 78.0, 18.0]),
+        ],
+        ease_in: 0.3,
+        ease_out: 0.5,
+    });
+}
+
+fn carry_body(planner: &mut Planner, scale: f64, landed: f64) {
+    let body = planner.body();
+    body.arm_swing.key(0.0, [0.0]);
+    body.pelvis_turn = 0.0;
+    body.pelvis_drop = 1.5;
+    body.sway = 0.6;
+    let low = [20.0, 16.0, 34.0, 34.0, 8.0];
+    let first = [62.0, 26.0, 44.0, 62.0, 6.0];
+    let second = [16.0, 80.0, -10.0, 24.0, -4.0];
+    let fifth = [160.0, 24.0, 20.0, 44.0, 8.0];
+    let shared = [
+        (0.4, low),
+        (1.1, first),
+        (1.9, fifth),
+        (2.35, fifth),
+        (2.9, second),
+        (4.4, second),
+        (4.85, first),
+        (5.6, first),
+        (6.3, second),
+        (7.0, low),
+        (landed, low),
+        (landed + 0.6, first),
+    ];
+    for (side, arm) in body.arms.iter_mut().enumerate() {
+        for (time, angles) in shared {
+            arm.key(time, angles);
+        }
+        let reach = if side == 1 { [92.0, 8.0, 0.0, 6.0, -6.0] } else { [-6.0, 86.0, -10.0, 10.0, -8.0] };
+        arm.key(landed + 1.9, reach);
+        arm.key(landed + 2.8, reach);
+        arm.key(landed + 3.7, low);
+    }
+    for (time, trunk) in [
+        (0.0, [1.0, 0.0, 0.0]),
+        (3.2, [0.0, 0.0, 3.0]),
+        (4.6, [0.0, 0.0, 0.0]),
+        (landed + 1.2, [2.0, 0.0, 0.0]),
+        (landed + 2.2, [16.0, 0.0, 0.0]),
+        (landed + 2.75, [17.0, 0.0, 0.0]),
+        (landed + 3.6, [1.0, 0.0, 0.0]),
+    ] {
+        body.trunk.key(time, trunk);
+        body.pelvis.key(time, [1.4 * trunk[0], 0.0, 0.0]);
+    }
+    // Plié, relevé, plié before the turn, up on the ball, down.
+    for (time, sink) in [
+        (0.35, 0.0),
+        (0.95, 0.13),
+        (1.5, 0.0),
+        (1.95, -0.1),
+        (2.3, -0.1),
+        (2.7, 0.0),
+        (4.25, 0.0),
+        (4.62, 0.1),
+        (5.08, -0.1),
+        (5.85, -0.1),
+        (6.25, 0.06),
+        (6.6, 0.0),
+        (landed + 0.9, 0.03),
+        (landed + 1.7, 0.0),
+        (landed + 3.6, 0.02),
+        (landed + 4.2, 0.0),
+    ] {
+        body.sink.key(time, [sink * scale]);
+    }
+    body.look.key(0.0, [0.0, 0.0]);
+}

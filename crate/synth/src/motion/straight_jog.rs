@@ -1,0 +1,80 @@
+//! Jogging straight on: standing, getting going, an even jog, coming to a stop.
+
+use plantigrade::labels::Side;
+
+use super::other;
+use crate::character::Build;
+use crate::maths::lerp;
+use crate::plan::{ArmStyle, Carry, Gait, Landing, Lift, Place, Plan, Planner};
+use crate::random::Random;
+
+/// Stands, jogs and stands again.
+pub fn straight_jog(build: &Build, seconds: f64, random: &mut Random) -> Plan {
+    let scale = build.scale();
+    let begin = Place { x: 1.4 * scale, z: -3.0 * scale, heading: 0.0 };
+    let mut planner = Planner::standing(-1.0, begin, 0.09 * scale);
+    planner.wait_until(0.55);
+    let (walk, jog) = (Gait::walk(scale), Gait::jog(scale));
+    let mut side = Side::Left;
+    let start = planner.now();
+    // A step of walking pace that tips the body into the jog.
+    let first =
+        Gait { time: 0.62, length: 0.42 * scale, lift: Lift { pitch: 44.0, lead: 0.3 }, ..walk.clone() };
+    planner.step(side, &first);
+    side = other(side);
+    planner.step(
+        side,
+        &Gait { time: 0.48, length: 0.62 * scale, lift: Lift { pitch: 56.0, lead: 0.34 }, ..walk.clone() },
+    );
+    let mut pace: f64 = 0.0;
+    while planner.now() < seconds - 2.9 {
+        side = other(side);
+        pace = (pace + 0.25).min(1.0);
+        let gait = Gait {
+            time: jog.time * random.vary(0.012),
+            length: lerp(0.72, 1.0, pace) * jog.length * random.vary(0.025),
+            ..paced(&jog, pace)
+        };
+        planner.step(side, &gait);
+    }
+    let stop = planner.now();
+    for (length, time, swing) in
+        [(0.88, 0.37, 0.44), (0.72, 0.42, 0.4), (0.55, 0.48, 0.4), (0.3, 0.52, 0.4), (0.03, 0.54, 0.38)]
+    {
+        side = other(side);
+        let landing = if length < 0.1 { Landing { pitch: 10.0, ..Landing::BALL } } else { Landing::HEEL };
+        planner.step(side, &Gait { time, length: length * scale, swing, landing, ..walk.clone() });
+    }
+    let end = planner.now();
+
+    let body = planner.body();
+    for arm in &mut body.arms {
+        arm.key(start - 0.3, ArmStyle::LOOSE.angles());
+        arm.key(start + 0.9, ArmStyle::RUNNING.angles());
+        arm.key(stop, ArmStyle::RUNNING.angles());
+        arm.key(end + 0.5, ArmStyle::LOOSE.angles());
+    }
+    for (time, pitch, swing) in
+        [(start, 4.0, 30.0), (start + 1.2, 9.0, 42.0), (stop - 0.3, 8.0, 42.0), (end, 0.0, 25.0)]
+    {
+        body.trunk.key(time, [pitch, 0.0, 0.0]);
+        body.arm_swing.key(time, [swing]);
+    }
+    body.trunk.key(end + 0.7, [3.0, 0.0, 0.0]);
+    body.pelvis_turn = 7.0;
+    planner.finish()
+}
+
+/// The jog at a share of its full pace: flatter swings while getting going.
+fn paced(jog: &Gait, pace: f64) -> Gait {
+    Gait {
+        swing: lerp(0.40, jog.swing, pace),
+        lift: Lift { pitch: lerp(50.0, jog.lift.pitch, pace), ..jog.lift },
+        carry: Carry {
+            clearance: lerp(0.5, 1.0, pace) * jog.carry.clearance,
+            pitch: lerp(45.0, jog.carry.pitch, pace),
+            ..jog.carry.clone()
+        },
+        ..jog.clone()
+    }
+}

@@ -1,0 +1,91 @@
+//! From the feet to the pelvis: where the body is carried.
+
+mod balance;
+mod height;
+mod reach;
+mod support;
+
+pub(crate) use reach::hip;
+
+use crate::character::Build;
+use crate::curve::blur;
+use crate::feet::{FootPath, FootPose};
+use crate::grid::Grid;
+use crate::maths::{Rot, Vec3, forward, heading, leftward, turn};
+use crate::plan::Plan;
+
+/// The pelvis at one moment, with what the upper body follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PelvisPose {
+    /// The pelvis joint, in metres.
+    pub position: Vec3,
+    /// Its orientation.
+    pub rotation: Rot,
+    /// Turn of the body to the left, in radians.
+    pub heading: f64,
+    /// How far the left foot is ahead of the right, in metres.
+    pub stride: f64,
+    /// Share of the weight on the left foot less that on the right.
+    pub balance: f64,
+}
+
+/// Greatest distance of the feet that the body answers to, in metres.
+const GREATEST_STRIDE: f64 = 0.75;
+
+/// The pelvis at each point of `grid`.
+pub fn track(
+    plan: &Plan,
+    build: &Build,
+    grid: &Grid,
+    paths: &[FootPath; 2],
+    feet: &[Vec<FootPose>; 2],
+) -> Vec<PelvisPose> {
+    let support = support::Support::new(paths, grid, build);
+    let mean = |n: usize| (feet[0][n].heading + feet[1][n].heading) / 2.0;
+    let headings = blur(&(0..grid.len()).map(mean).collect::<Vec<_>>(), Grid::points(0.14));
+    let ahead = |n: usize| {
+        let apart = feet[0][n].ankle - feet[1][n].ankle;
+        apart.dot(&forward(headings[n])).clamp(-GREATEST_STRIDE, GREATEST_STRIDE)
+    };
+    let strides = blur(&(0..grid.len()).map(ahead).collect::<Vec<_>>(), Grid::points(0.05));
+    let balances = blur(&support.balance, Grid::points(0.07));
+
+    let height = height::track(plan, build, paths);
+    let heights: Vec<f64> = grid.times().map(|t| height.at(t)[0] - plan.body.sink.at(t)[0]).collect();
+    let ways = balance::ways(&support, &heights);
+
+    let mut poses: Vec<PelvisPose> = (0..grid.len())
+        .map(|n| {
+            let time = grid.time(n);
+            let [tilt, yaw, lean] = plan.body.pelvis.at(time).map(f64::to_radians);
+            let yaw = yaw - (plan.body.pelvis_turn * strides[n]).to_radians();
+            let lean = lean + (plan.body.pelvis_drop * balances[n]).to_radians();
+            let rotation = heading(headings[n] + yaw) * turn(0, tilt) * turn(2, lean);
+            let offset = counterweight(plan, build, time);
+            let position = Vec3::new(ways[0][n], heights[n], ways[1][n])
+                + offset[0] * leftward(headings[n])
+                + offset[1] * forward(headings[n]);
+            PelvisPose { position, rotation, heading: headings[n], stride: strides[n], balance: balances[n] }
+        })
+        .collect();
+    reach::lower(&mut poses, feet, build);
+    poses
+}
+
+/// Lifts the pelvis with the feet that carry it, `moved` metres each: a leg that stands
+/// on noisy ground does not shake at the knee.
+pub fn lift(poses: &mut [PelvisPose], moved: &[Vec<f64>; 2]) {
+    for (n, pose) in poses.iter_mut().enumerate() {
+        let left = (1.0 + pose.balance) / 2.0;
+        pose.position.y += left * moved[0][n] + (1.0 - left) * moved[1][n];
+    }
+}
+
+/// How far the pelvis gives way to the trunk: what is balanced is the body, and a
+/// trunk that bends forward takes the pelvis back. Left and forward, in metres.
+fn counterweight(plan: &Plan, build: &Build, time: f64) -> [f64; 2] {
+    let [pitch, _, lean] = plan.body.trunk.at(time).map(f64::to_radians);
+    let [left, ahead] = plan.body.shift.at(time);
+    let lever = 0.5 * build.trunk;
+    [left + lever * libm::sin(lean), ahead - lever * libm::sin(pitch)]
+}

@@ -1,0 +1,236 @@
+//! Writing a plan step by step, along a way.
+
+use plantigrade::labels::Side;
+
+use super::{Body, Carry, FootPlan, Landing, Lift, Place, Plan, Step};
+use crate::character::outward;
+use crate::curve::Track;
+
+/// How to take a step of a gait.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gait {
+    /// Seconds from the other foot's strike to this one's.
+    pub time: f64,
+    /// Metres the body moves on in that time.
+    pub length: f64,
+    /// Degrees it turns to the left.
+    pub turn: f64,
+    /// Metres from the body's way out to the ball of the foot.
+    pub width: f64,
+    /// Degrees the toes point outward.
+    pub toe_out: f64,
+    /// Seconds the foot is in the air.
+    pub swing: f64,
+    /// How it leaves the ground.
+    pub lift: Lift,
+    /// How it travels.
+    pub carry: Carry,
+    /// How it lands.
+    pub landing: Landing,
+}
+
+impl Gait {
+    /// Walking at an easy pace; lengths grow with `scale`.
+    pub fn walk(scale: f64) -> Gait {
+        Gait {
+            time: 0.54,
+            length: 0.66 * scale,
+            turn: 0.0,
+            width: 0.075 * scale,
+            toe_out: 6.0,
+            swing: 0.42,
+            lift: Lift { pitch: 52.0, lead: 0.24 },
+            carry: Carry {
+                clearance: 0.075 * scale,
+                peak: 0.34,
+                pitch: 8.0,
+                pitch_at: 0.62,
+                ramps: (0.24, 0.24),
+                detour: 0.012,
+                grounded: false,
+                load: 0.0,
+                held: None,
+            },
+            landing: Landing::HEEL,
+        }
+    }
+
+    /// Jogging; lengths grow with `scale`.
+    pub fn jog(scale: f64) -> Gait {
+        let walk = Gait::walk(scale);
+        Gait {
+            time: 0.365,
+            length: 1.0 * scale,
+            width: 0.05 * scale,
+            swing: 0.47,
+            lift: Lift { pitch: 58.0, lead: 0.15 },
+            carry: Carry {
+                clearance: 0.27 * scale,
+                peak: 0.36,
+                pitch: 72.0,
+                pitch_at: 0.34,
+                ramps: (0.4, 0.22),
+                ..walk.carry
+            },
+            landing: Landing { pitch: -10.0, settle: 0.06, rest: 0.0 },
+            ..walk
+        }
+    }
+}
+
+/// How to jump off and land.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hop {
+    /// Seconds on the ground before the jump.
+    pub ground: f64,
+    /// Seconds in the air.
+    pub flight: f64,
+    /// Metres forward.
+    pub length: f64,
+    /// Degrees turned to the left.
+    pub turn: f64,
+    /// Metres from the way out to the ball of a foot.
+    pub width: f64,
+    /// How the feet leave the ground.
+    pub lift: Lift,
+    /// How they travel.
+    pub carry: Carry,
+    /// How they land.
+    pub landing: Landing,
+}
+
+/// Writes a plan along a way: a cursor moves on and feet step beside it.
+pub struct Planner {
+    plan: Plan,
+    cursor: Place,
+    time: f64,
+}
+
+impl Planner {
+    /// Both feet stand beside `cursor`, `width` metres from it, from `start` on.
+    pub fn standing(start: f64, cursor: Place, width: f64) -> Planner {
+        let foot = |side: Side| FootPlan {
+            start: beside(&cursor, side, width, 8.0),
+            steps: Vec::new(),
+            raise: Track::constant([0.0]),
+            pivot: Track::constant([0.0]),
+        };
+        let plan = Plan { start, feet: Side::BOTH.map(foot), body: Body::default() };
+        Planner { plan, cursor, time: start }
+    }
+
+    /// Seconds of the clip up to which the plan is written.
+    pub fn now(&self) -> f64 {
+        self.time
+    }
+
+    /// Where the body is.
+    pub fn cursor(&self) -> Place {
+        self.cursor
+    }
+
+    /// Lets `seconds` pass.
+    pub fn wait(&mut self, seconds: f64) {
+        self.time += seconds;
+    }
+
+    /// Lets time pass until `time`.
+    pub fn wait_until(&mut self, time: f64) {
+        self.time = self.time.max(time);
+    }
+
+    /// Moves the cursor `length` metres on along an arc of `turn` degrees.
+    pub fn advance(&mut self, length: f64, turn: f64) {
+        self.cursor = self.cursor.turned(turn / 2.0).moved(length, 0.0).turned(turn / 2.0);
+    }
+
+    /// Moves the cursor to `cursor`, keeping its heading.
+    pub fn jump_to(&mut self, cursor: Place) {
+        self.cursor = Place { heading: self.cursor.heading, ..cursor };
+    }
+
+    /// Takes one step: the body moves on and the foot lands beside it.
+    pub fn step(&mut self, side: Side, gait: &Gait) {
+        self.time += gait.time;
+        self.advance(gait.length, gait.turn);
+        let place = beside(&self.cursor, side, gait.width, gait.toe_out);
+        self.put(side, self.time, place, gait);
+    }
+
+    /// Puts a foot down at `place` at the time `strike` in the manner of `gait`, the
+    /// cursor staying where it is.
+    pub fn put(&mut self, side: Side, strike: f64, place: Place, gait: &Gait) -> &mut Step {
+        let step = Step {
+            strike,
+            swing: gait.swing,
+            place,
+            lift: gait.lift,
+            carry: gait.carry.clone(),
+            landing: gait.landing,
+            weight: 1.0,
+        };
+        self.push(side, step)
+    }
+
+    /// Jumps with `feet` and lands on them.
+    pub fn jump(&mut self, feet: &[Side], hop: &Hop) {
+        self.time += hop.ground + hop.flight;
+        self.advance(hop.length, hop.turn);
+        for &side in feet {
+            let place = beside(&self.cursor, side, hop.width, 8.0);
+            let step = Step {
+                strike: self.time,
+                swing: hop.flight,
+                place,
+                lift: hop.lift,
+                carry: hop.carry.clone(),
+                landing: hop.landing,
+                weight: 1.0,
+            };
+            self.push(side, step);
+        }
+    }
+
+    /// Adds a step as it is.
+    ///
+    /// # Panics
+    /// If the foot would lift off before it has landed.
+    pub fn push(&mut self, side: Side, step: Step) -> &mut Step {
+        let steps = &mut self.plan.feet[side as usize].steps;
+        let free = steps.last().map_or(self.plan.start, |last| last.strike);
+        assert!(
+            step.off() >= free - 1e-9,
+            "the {} foot lifts at {:.2} s before landing at {free:.2} s",
+            side.name(),
+            step.off()
+        );
+        steps.push(step);
+        steps.last_mut().expect("a step was pushed")
+    }
+
+    /// The last place a foot was put.
+    pub fn place(&self, side: Side) -> Place {
+        let foot = &self.plan.feet[side as usize];
+        foot.steps.last().map_or(foot.start, |step| step.place)
+    }
+
+    /// The carriage of the body, to be keyed.
+    pub fn body(&mut self) -> &mut Body {
+        &mut self.plan.body
+    }
+
+    /// The plan of one foot, to be changed.
+    pub fn foot(&mut self, side: Side) -> &mut FootPlan {
+        &mut self.plan.feet[side as usize]
+    }
+
+    /// The finished plan.
+    pub fn finish(self) -> Plan {
+        self.plan
+    }
+}
+
+/// The place `width` metres outward of `cursor` with the toes turned out.
+pub fn beside(cursor: &Place, side: Side, width: f64, toe_out: f64) -> Place {
+    cursor.moved(0.0, outward(side) * width).turned(outward(side) * toe_out)
+}

@@ -1,0 +1,101 @@
+//! The sample clips: what they promise, and what lies in `samples/`.
+
+use std::path::Path;
+
+use plantigrade::labels::{Part, Side, intervals};
+use plantigrade_synth::{catalogue, generate, texts};
+
+/// Frames and rates of the thirteen files, in the catalogue's order.
+const TABLE: [(usize, usize); 13] = [
+    (500, 30),
+    (245, 120),
+    (370, 120),
+    (791, 24),
+    (361, 24),
+    (1000, 120),
+    (300, 60),
+    (316, 30),
+    (298, 24),
+    (744, 24),
+    (336, 24),
+    (462, 24),
+    (171, 30),
+];
+
+#[test]
+fn frames_and_rates_are_those_of_the_table() {
+    let recipes = catalogue(1.0);
+    assert_eq!(recipes.len(), TABLE.len());
+    for (recipe, (frames, rate)) in recipes.iter().zip(TABLE) {
+        let generated = generate(recipe, 0);
+        assert_eq!(generated.clip.frame_count(), frames, "{}", recipe.name);
+        assert!((generated.clip.rate() - rate as f64).abs() < 1e-3, "{}", recipe.name);
+        assert_eq!(generated.truth.frames, frames, "{}", recipe.name);
+        assert_eq!(generated.truth.rate, generated.clip.rate(), "{}", recipe.name);
+    }
+}
+
+#[test]
+fn the_seed_decides_every_byte() {
+    for recipe in catalogue(1.0) {
+        let [first, again, other] = [0, 0, 1].map(|seed| texts(&generate(&recipe, seed)));
+        assert_eq!(first, again, "{}", recipe.name);
+        assert_ne!(first.0, other.0, "{}", recipe.name);
+    }
+}
+
+#[test]
+fn the_noise_leaves_the_truth_alone() {
+    for (quiet, loud) in catalogue(0.0).iter().zip(&catalogue(2.0)) {
+        let (quiet, loud) = (generate(quiet, 0), generate(loud, 0));
+        assert_eq!(quiet.truth, loud.truth);
+        assert_ne!(quiet.clip, loud.clip);
+    }
+}
+
+#[test]
+fn labels_lie_within_the_clip_and_within_contact() {
+    for recipe in catalogue(1.0) {
+        for seed in 0..3 {
+            let truth = generate(&recipe, seed).truth;
+            for side in Side::BOTH {
+                let [contact, toe, heel] = Part::ALL.map(|part| truth.labels(side, part).unwrap());
+                let spans = truth.foot(side).contact.as_deref().unwrap();
+                assert!(spans.iter().all(|span| span.start < span.end && span.end <= truth.frames));
+                assert!(
+                    !intervals(&toe).is_empty(),
+                    "{}: the {} foot never stands",
+                    recipe.name,
+                    side.name()
+                );
+                for frame in 0..truth.frames {
+                    assert_eq!(contact[frame], toe[frame] || heel[frame], "{} {frame}", recipe.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn joints_of_the_truth_are_in_the_clip() {
+    for recipe in catalogue(1.0) {
+        let generated = generate(&recipe, 0);
+        let joints = generated.truth.joints.unwrap();
+        for name in [joints.left.heel, joints.left.toe, joints.right.heel, joints.right.toe] {
+            assert!(generated.clip.joints().iter().any(|joint| joint.name == name), "{name}");
+        }
+    }
+}
+
+#[test]
+fn samples_are_what_the_generator_writes() {
+    let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples");
+    for recipe in catalogue(1.0) {
+        let (bvh, truth) = texts(&generate(&recipe, 0));
+        for (extension, text) in [("bvh", bvh), ("json", truth)] {
+            let path = samples.join(format!("{}.{extension}", recipe.name));
+            let found = std::fs::read_to_string(&path).unwrap_or_default();
+            assert!(found == text, "{} is stale: run `cargo run -p plantigrade-synth`", path.display());
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! Reading a clip and holding it.
+
+use plantigrade::bvh::{Clip, Options, Parsed, Reader};
+use plantigrade::notice::Notice;
+use plantigrade::plants::{self, Feet, Params};
+use plantigrade::skeleton::{self, Role, Skeleton};
+use tsify::Ts;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::detection::RawDetection;
+use crate::records::{ClipFacts, DetectOptions, Failure, Overrides, from_js, to_js};
+
+/// Reads a file chunk by chunk.
+#[wasm_bindgen]
+pub struct RawReader(Reader);
+
+#[wasm_bindgen]
+impl RawReader {
+    /// A reader at the beginning of a file; a lenient one holds values over what is no number.
+    #[wasm_bindgen(constructor)]
+    pub fn new(lenient: bool) -> RawReader {
+        RawReader(Reader::new(Options { lenient, ..Options::default() }))
+    }
+
+    /// Takes the next chunk.
+    ///
+    /// # Errors
+    /// If the file cannot be read; free the reader then.
+    pub fn push(&mut self, chunk: &[u8]) -> Result<(), Failure> {
+        Ok(self.0.push(chunk)?)
+    }
+
+    /// Ends the file and uses up the reader.
+    ///
+    /// # Errors
+    /// If the file as a whole cannot be read.
+    pub fn finish(self) -> Result<RawClip, Failure> {
+        let Parsed { clip, notices } = self.0.finish()?;
+        let skeleton = Skeleton::main(&clip, &skeleton::Overrides::default());
+        Ok(RawClip { found_frame_time: clip.frame_time(), clip, notices, skeleton })
+    }
+}
+
+/// The largest file that is read, in bytes.
+#[wasm_bindgen(js_name = mostBytes)]
+pub fn most_bytes() -> f64 {
+    plantigrade::bvh::Limits::default().bytes as f64
+}
+
+/// A clip with its skeleton.
+#[wasm_bindgen]
+pub struct RawClip {
+    clip: Clip,
+    found_frame_time: f64,
+    notices: Vec<Notice>,
+    skeleton: Skeleton,
+}
+
+#[wasm_bindgen]
+impl RawClip {
+    /// What is known of it.
+    ///
+    /// # Errors
+    /// None that a clip can cause.
+    pub fn facts(&self) -> Result<Ts<ClipFacts>, Failure> {
+        let Skeleton { roles, up, leg, metres_per_unit, .. } = &self.skeleton;
+        to_js(&ClipFacts {
+            frames: self.clip.frame_count(),
+            rate: self.clip.rate(),
+            joints: self.clip.joints().iter().map(Into::into).collect(),
+            up: up.to_string(),
+            metres_per_unit: *metres_per_unit,
+            unit: skeleton::unit_name(*metres_per_unit).map(Into::into),
+            leg: leg.map(|leg| leg * metres_per_unit),
+            roles: roles.iter().map(|(role, joint)| (role.name().into(), joint)).collect(),
+            role_names: Role::ALL.map(|role| role.name().into()).into(),
+            notices: self.notices.iter().chain(&self.skeleton.notices).map(Into::into).collect(),
+        })
+    }
+
+    /// All poses: frames (or one rest pose) × joints × 3 in metres, Y up.
+    pub fn positions(&self) -> Vec<f32> {
+        self.skeleton.positions(&self.clip)
+    }
+
+    /// Puts overrides in place of those before.
+    ///
+    /// # Errors
+    /// If they name what does not exist; nothing has changed then.
+    #[wasm_bindgen(js_name = override)]
+    pub fn apply(&mut self, overrides: Ts<Overrides>) -> Result<(), Failure> {
+        let overrides = from_js(&overrides)?;
+        let checked = overrides.check(self.clip.joints().len())?;
+        let frame_time = overrides.rate.map_or(self.found_frame_time, |rate| 1.0 / rate);
+        self.clip.set_frame_time(frame_time);
+        self.skeleton = Skeleton::main(&self.clip, &checked);
+        Ok(())
+    }
+
+    /// Finds the plants.
+    ///
+    /// # Errors
+    /// If there is no motion, there are no feet, or an option breaks its rule.
+    pub fn detect(&self, options: Ts<DetectOptions>) -> Result<RawDetection, Failure> {
+        let params = Params::try_from(&from_js(&options)?)?.check()?;
+        let feet = Feet::of(&self.clip, &self.skeleton)?;
+        Ok(RawDetection::new(plants::detect(&feet, params), self.skeleton.metres_per_unit))
+    }
+
+    /// The labels of a detection as a document: `json`, `csv`, `intervals` or `events`.
+    ///
+    /// # Errors
+    /// If there is no such format.
+    pub fn save(
+        &self,
+        detection: &RawDetection,
+        format: &str,
+        name: String,
+        sha256: Option<String>,
+    ) -> Result<String, Failure> {
+        detection.save(format, name, sha256, &self.clip, &self.skeleton, &self.notices)
+    }
+}

@@ -1,0 +1,249 @@
+//! The plain objects that cross the border, and what they are made of.
+
+use std::collections::BTreeMap;
+
+use plantigrade::bvh::{Error, JointKind};
+use plantigrade::labels::Side;
+use plantigrade::notice::Notice;
+use plantigrade::plants::{DetectError, ParamError, Params};
+use plantigrade::skeleton::{self, Role};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use tsify::{Ts, Tsify};
+use wasm_bindgen::JsValue;
+
+/// Why something cannot be done, in the words a person needs.
+#[derive(Debug, Default, Serialize, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct Failure {
+    /// What is wrong.
+    pub message: String,
+    /// Line of the file, from 1.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+    /// Column of the line, from 1.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<usize>,
+    /// The offending line, shortened.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub excerpt: Option<String>,
+    /// Where in the excerpt the trouble begins, from 0.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub caret: Option<usize>,
+    /// What to do about it.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
+}
+
+/// What JavaScript catches.
+impl From<Failure> for JsValue {
+    fn from(failure: Failure) -> JsValue {
+        failure.into_ts().map_or_else(|_| JsValue::from_str(&failure.message), JsValue::from)
+    }
+}
+
+/// A record as the plain object it crosses the border as.
+pub(crate) fn to_js<T: Tsify + Serialize>(record: &T) -> Result<Ts<T>, Failure> {
+    record.into_ts().map_err(|error| Failure::from(error.to_string()))
+}
+
+/// The record that a plain object of JavaScript holds.
+pub(crate) fn from_js<T: Tsify + DeserializeOwned>(object: &Ts<T>) -> Result<T, Failure> {
+    T::from_js(object.js_value()).map_err(|error| Failure::from(error.to_string()))
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Failure {
+        Failure {
+            message: error.problem.to_string(),
+            line: error.place.map(|place| place.line),
+            column: error.place.map(|place| place.column),
+            caret: error.excerpt.as_ref().map(|excerpt| excerpt.caret),
+            excerpt: error.excerpt.map(|excerpt| excerpt.text),
+            hint: Some(error.problem.hint().into()),
+        }
+    }
+}
+
+impl From<DetectError> for Failure {
+    fn from(error: DetectError) -> Failure {
+        Failure { message: error.to_string(), ..Failure::default() }
+    }
+}
+
+impl From<ParamError> for Failure {
+    fn from(error: ParamError) -> Failure {
+        Failure { message: error.to_string(), ..Failure::default() }
+    }
+}
+
+impl From<String> for Failure {
+    fn from(message: String) -> Failure {
+        Failure { message, ..Failure::default() }
+    }
+}
+
+/// Something that was repaired, assumed or doubted.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct NoticeText {
+    /// What it is about, in kebab case.
+    pub code: String,
+    /// The notice in a sentence.
+    pub text: String,
+    /// Line of the file, from 1.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+    /// Column of the line, from 1.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<usize>,
+}
+
+impl From<&Notice> for NoticeText {
+    fn from(notice: &Notice) -> NoticeText {
+        NoticeText {
+            code: notice.code.name(),
+            text: notice.text.clone(),
+            line: notice.place.map(|place| place.line),
+            column: notice.place.map(|place| place.column),
+        }
+    }
+}
+
+/// One joint of a clip.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct JointFacts {
+    /// Its name as the file writes it.
+    pub name: String,
+    /// What it is in the hierarchy.
+    #[tsify(type = "\"root\" | \"joint\" | \"end-site\"")]
+    pub kind: String,
+    /// Index of its parent.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parent: Option<usize>,
+}
+
+impl From<&plantigrade::bvh::Joint> for JointFacts {
+    fn from(joint: &plantigrade::bvh::Joint) -> JointFacts {
+        let kind = match joint.kind {
+            JointKind::Root => "root",
+            JointKind::Joint => "joint",
+            JointKind::EndSite => "end-site",
+        };
+        JointFacts { name: joint.name.clone(), kind: kind.into(), parent: joint.parent }
+    }
+}
+
+/// What is known of a clip.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+#[tsify(hashmap_as_object)]
+#[serde(rename_all = "camelCase")]
+pub struct ClipFacts {
+    /// Number of frames; 0 where there is only a rest pose.
+    pub frames: usize,
+    /// Frames per second in force.
+    pub rate: f64,
+    /// All joints and end sites, parents first.
+    pub joints: Vec<JointFacts>,
+    /// The axis that points up.
+    #[tsify(type = "\"x\" | \"-x\" | \"y\" | \"-y\" | \"z\" | \"-z\"")]
+    pub up: String,
+    /// Metres per file unit in force.
+    pub metres_per_unit: f64,
+    /// Name of the unit, if it is a known one.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// Thigh plus shank, in metres.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leg: Option<f64>,
+    /// Role to joint index; roles that nobody plays are absent.
+    pub roles: BTreeMap<String, usize>,
+    /// All roles there are, in order.
+    pub role_names: Vec<String>,
+    /// What the reader had to say.
+    pub notices: Vec<NoticeText>,
+}
+
+/// What a person knows better; what is absent stays as found.
+#[derive(Debug, Default, Serialize, Deserialize, Tsify)]
+#[tsify(hashmap_as_object)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Overrides {
+    /// Frames per second.
+    #[tsify(optional)]
+    pub rate: Option<f64>,
+    /// The axis that points up.
+    #[tsify(optional, type = "\"x\" | \"-x\" | \"y\" | \"-y\" | \"z\" | \"-z\"")]
+    pub up: Option<String>,
+    /// Metres per file unit.
+    #[tsify(optional)]
+    pub metres_per_unit: Option<f64>,
+    /// Role to joint index; −1 empties a role.
+    #[tsify(optional)]
+    pub roles: Option<BTreeMap<String, i32>>,
+}
+
+impl Overrides {
+    /// The core's overrides, for a clip of so many joints.
+    ///
+    /// # Errors
+    /// If a role, joint or axis does not exist or a number is not positive.
+    pub fn check(&self, joints: usize) -> Result<skeleton::Overrides, Failure> {
+        let positive = |what: &str, value: Option<f64>| match value {
+            Some(value) if !(value > 0.0 && value.is_finite()) => {
+                Err(Failure::from(format!("the {what} must be greater than 0, not {value}")))
+            }
+            value => Ok(value),
+        };
+        positive("rate", self.rate)?;
+        let role = |(name, &joint): (&String, &i32)| {
+            let role = Role::named(name).ok_or_else(|| format!("there is no role {name:?}"))?;
+            match usize::try_from(joint) {
+                Err(_) => Ok((role, None)),
+                Ok(joint) if joint < joints => Ok((role, Some(joint))),
+                Ok(joint) => Err(Failure::from(format!("there is no joint {joint}"))),
+            }
+        };
+        Ok(skeleton::Overrides {
+            roles: self.roles.iter().flatten().map(role).collect::<Result<_, Failure>>()?,
+            up: self.up.as_deref().map(str::parse).transpose()?,
+            metres_per_unit: positive("scale", self.metres_per_unit)?,
+        })
+    }
+}
+
+/// How plants are to be found.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct DetectOptions {
+    /// The method.
+    #[tsify(type = "\"robust\" | \"paper\"")]
+    pub method: String,
+    /// Threshold on the running variance of the sorted norms; 0.001 serves any clip.
+    pub r: f64,
+    /// Window half-width, in frames; 1 serves any clip.
+    pub w: usize,
+}
+
+impl TryFrom<&DetectOptions> for Params {
+    type Error = Failure;
+
+    fn try_from(options: &DetectOptions) -> Result<Params, Failure> {
+        let method = options.method.parse()?;
+        Ok(Params { method, tolerance: options.r, window: options.w, scale: None })
+    }
+}
+
+/// The side of that name.
+pub(crate) fn side(name: &str) -> Result<Side, Failure> {
+    let side = Side::BOTH.into_iter().find(|side| side.name() == name);
+    side.ok_or_else(|| Failure::from(format!("the side must be left or right, not {name:?}")))
+}

@@ -1,0 +1,2 @@
+export { Cancelled, createEngine, type Detected, type Engine, type Opened } from "./engine";
+export type * from "./types";

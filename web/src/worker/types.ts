@@ -1,0 +1,77 @@
+/**
+ * What the worker hands to the page. Positions are metres, Y up, right-handed;
+ * times are seconds; frames count from 0.
+ */
+
+import type { ClipFacts } from "../wasm/plantigrade";
+
+export type {
+  DetectOptions,
+  Failure,
+  JointFacts as Joint,
+  NoticeText as Notice,
+  Overrides,
+} from "../wasm/plantigrade";
+
+/** A signed axis of the file that points up. */
+export type Up = ClipFacts["up"];
+export type Side = "left" | "right";
+export type Part = "contact" | "toe" | "heel";
+export type Method = "robust" | "paper";
+/** What labels are saved as: a document, or tables per frame, plant and gait event. */
+export type SaveFormat = "json" | "csv" | "intervals" | "events";
+
+/** A clip as it was read, with what was found out about it. */
+export interface Clip extends ClipFacts {
+  name: string;
+  /** max(frames, 1) × joints × 3; the rest pose where there is no motion. */
+  positions: Float32Array;
+}
+
+/** One part (contact, toe or heel) of one foot. */
+export interface Track {
+  /** 0 or 1 per frame. */
+  planted: Uint8Array;
+  /** Probability that the label is right, per frame, 0.5 … 1. */
+  confidence: Float32Array;
+  /** start, end, start, end … in frames, half-open. */
+  intervals: Uint32Array;
+  /** Height above the ground in metres, per frame, of the signal that was clustered. */
+  height: Float32Array;
+  /** Speed in m/s, per frame, of the signal that was clustered. */
+  speed: Float32Array;
+}
+
+/** How the clustering of one part came about. */
+export interface Evidence {
+  /** Norms of the samples, ascending (both feet). */
+  sortedNorms: Float32Array;
+  /** Variance of the first j sorted norms. */
+  runningVariance: Float32Array;
+  /** Index of the knee: sigma = sortedNorms[knee]. */
+  knee: number;
+  sigma: number;
+  /** √degree per sample: left frames, then right. */
+  roots: Float32Array;
+  threshold: number;
+}
+
+export interface Tracks {
+  left: Track;
+  right: Track;
+  /** Absent where there was nothing to cluster, as in a clip that stands still. */
+  evidence?: Evidence;
+}
+
+export interface Detection {
+  method: Method;
+  r: number;
+  w: number;
+  /** The paper's method labels toes only. */
+  parts: { contact?: Tracks; toe: Tracks; heel?: Tracks };
+  /** Height of the ground in the clip's positions, metres: subtract it from y. */
+  floor: number;
+  notices: NoticeList;
+}
+
+type NoticeList = ClipFacts["notices"];
