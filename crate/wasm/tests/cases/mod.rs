@@ -1,0 +1,94 @@
+//! What the bindings must do, wherever they run.
+
+use plantigrade::bvh;
+use plantigrade::labels::Document;
+use plantigrade::plants::{self, Feet};
+use plantigrade::skeleton::Skeleton;
+use plantigrade_wasm::{ClipFacts, DetectOptions, Failure, Overrides, RawClip, RawReader};
+use tsify::{Ts, Tsify};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const WALK: &[u8] = include_bytes!("../../../../samples/curved-walk.bvh");
+
+fn walk() -> RawClip {
+    let mut reader = RawReader::new(false);
+    for chunk in WALK.chunks(10_000) {
+        reader.push(chunk).unwrap();
+    }
+    reader.finish().unwrap()
+}
+
+fn options(method: &str) -> Ts<DetectOptions> {
+    DetectOptions { method: method.into(), r: 0.001, w: 1 }.into_ts().unwrap()
+}
+
+fn facts(clip: &RawClip) -> ClipFacts {
+    clip.facts().unwrap().to_rust().unwrap()
+}
+
+#[wasm_bindgen_test]
+fn a_clip_comes_with_its_facts() {
+    let clip = walk();
+    let facts = facts(&clip);
+    assert_eq!((facts.frames, facts.rate.round()), (245, 120.0));
+    assert!(facts.roles.contains_key("left_toe") && facts.roles.contains_key("right_toe"));
+    assert_eq!(clip.positions().len(), facts.frames * facts.joints.len() * 3);
+}
+
+#[wasm_bindgen_test]
+fn labels_are_those_of_the_core() {
+    let clip = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
+    let feet = Feet::of(&clip, &Skeleton::main(&clip, &Default::default())).unwrap();
+    let expected = plants::detect(&feet, plants::ValidParams::default());
+    let found = walk().detect(options("robust")).unwrap();
+    assert_eq!(found.parts(), ["contact", "toe", "heel"]);
+    for labels in &expected.parts {
+        let part = labels.part.name();
+        let left: Vec<u8> = labels.feet[0].planted.iter().map(|&planted| u8::from(planted)).collect();
+        assert_eq!(found.planted(part, "left").unwrap(), left);
+        assert_eq!(found.intervals(part, "left").unwrap().len() % 2, 0);
+        assert_eq!(found.confidence(part, "right").unwrap().len(), 245);
+        assert!(found.sigma(part).unwrap() > 0.0);
+        assert_eq!(found.sorted_norms(part).unwrap().len(), found.running_variance(part).unwrap().len());
+    }
+    assert!(found.planted("shoulder", "left").is_err());
+}
+
+#[wasm_bindgen_test]
+fn the_paper_method_labels_toes_only() {
+    assert_eq!(walk().detect(options("paper")).unwrap().parts(), ["toe"]);
+    assert!(walk().detect(options("best")).is_err());
+}
+
+#[wasm_bindgen_test]
+fn overrides_take_the_place_of_those_before() {
+    let mut clip = walk();
+    let overrides = Overrides { rate: Some(30.0), up: Some("z".into()), ..Overrides::default() };
+    clip.apply(overrides.into_ts().unwrap()).unwrap();
+    let changed = facts(&clip);
+    assert_eq!((changed.rate.round(), changed.up.as_str()), (30.0, "z"));
+    let wrong = Overrides { rate: Some(-1.0), ..Overrides::default() };
+    assert!(clip.apply(wrong.into_ts().unwrap()).is_err());
+    clip.apply(Overrides::default().into_ts().unwrap()).unwrap();
+    assert_eq!(facts(&clip).rate.round(), 120.0);
+}
+
+#[wasm_bindgen_test]
+fn documents_read_back() {
+    let clip = walk();
+    let labels = clip.detect(options("robust")).unwrap();
+    let text = clip.save(&labels, "json", "walk.bvh".into(), None).unwrap();
+    let document: Document = serde_json::from_str(&text).unwrap();
+    assert_eq!((document.frames, document.source.name.as_str()), (245, "walk.bvh"));
+    let table = clip.save(&labels, "csv", "walk.bvh".into(), None).unwrap();
+    assert_eq!(table.lines().count(), 246);
+}
+
+#[wasm_bindgen_test]
+fn refusals_say_where() {
+    let mut reader = RawReader::new(false);
+    let refused = reader.push(b"HIERARCHY\nROOT a\n{\n  OFFSET 0 x 0\n}\n").unwrap_err();
+    let Failure { message, line, column, hint, .. } = refused;
+    assert_eq!((line, column), (Some(4), Some(12)));
+    assert!(message.contains("expected a number") && hint.is_some());
+}

@@ -1,0 +1,103 @@
+/** What a fresh machine needs: packages, the Rust toolchain, and the wasm module with its bindings. */
+
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { ask, root, run, Stop, step } from "./run.mjs";
+
+const WASM = "wasm32-unknown-unknown";
+export const CRATES = "The crates registry (crates.io)";
+
+/** Installs what is missing and builds the wasm module. */
+export async function setup() {
+  checkNode();
+  await packages();
+  await toolchain();
+  await bindings();
+}
+
+function checkNode() {
+  const [major, minor] = process.versions.node.split(".").map(Number);
+  if (major < 20 || (major === 20 && minor < 19)) {
+    throw new Stop(`Node.js ${process.versions.node} is too old: install 20.19 or newer.`);
+  }
+}
+
+/** Installs the npm packages that the lock file names, unless they are there. */
+async function packages() {
+  const lock = createHash("sha256")
+    .update(readFileSync(join(root, "package-lock.json")))
+    .digest("hex");
+  const stamp = join(root, "node_modules", ".plantigrade-lock");
+  if (existsSync(stamp) && readFileSync(stamp, "utf8") === lock) return;
+  step("Installing npm packages");
+  await run("npm", ["ci", "--no-audit", "--no-fund"], { source: "The npm registry" });
+  writeFileSync(stamp, lock);
+}
+
+/** Sees to a Rust toolchain with the wasm target, clippy and rustfmt. */
+async function toolchain() {
+  if (ask("cc", ["--version"]) === undefined && process.platform !== "win32") {
+    throw new Stop(
+      "There is no C linker (cc), which Rust needs: install build-essential (Debian, Ubuntu), gcc (Fedora) or the Xcode command line tools (macOS).",
+    );
+  }
+  if (ask("rustup", ["--version"]) === undefined) {
+    if (ask("cargo", ["--version"]) === undefined) {
+      throw new Stop(
+        "Rust is not installed: install rustup from https://rustup.rs and open a new terminal.",
+      );
+    }
+    // A Rust from elsewhere will do if it has the wasm target.
+    const libraries = ask("rustc", ["--print", "target-libdir", "--target", WASM]);
+    if (!libraries || !existsSync(libraries)) {
+      throw new Stop(`This Rust lacks the ${WASM} target: install rustup from https://rustup.rs.`);
+    }
+    return;
+  }
+  const pinned = /channel = "(.+)"/.exec(
+    readFileSync(join(root, "rust-toolchain.toml"), "utf8"),
+  )?.[1];
+  const has = (list, ...wanted) =>
+    wanted.every((name) => list?.split("\n").some((line) => line.startsWith(name)));
+  const targets = ask("rustup", ["target", "list", "--installed", "--toolchain", pinned]);
+  const components = ask("rustup", ["component", "list", "--installed", "--toolchain", pinned]);
+  if (has(targets, WASM) && has(components, "clippy", "rustfmt")) return;
+  step(`Installing Rust ${pinned} for the browser`);
+  const args = ["toolchain", "install", pinned, "--profile", "minimal", "--no-self-update"];
+  await run("rustup", [...args, "--component", "clippy,rustfmt", "--target", WASM], {
+    source: "The Rust server (static.rust-lang.org)",
+  });
+}
+
+/** Compiles the core to wasm and writes the JavaScript and types that go with it. */
+async function bindings() {
+  step("Building the WebAssembly module");
+  await run(
+    "cargo",
+    ["build", "--locked", "--release", "--target", WASM, "-p", "plantigrade-wasm"],
+    { source: CRATES },
+  );
+  await bindgen();
+  const out = join(root, "web/src/wasm");
+  mkdirSync(out, { recursive: true });
+  const module = join(targetFolder(), WASM, "release/plantigrade_wasm.wasm");
+  const args = ["--target", "web", "--out-name", "plantigrade", "--out-dir", out, module];
+  await run(tool("wasm-bind"), args);
+}
+
+/** Builds the tools that make the bindings and run their tests. */
+export async function bindgen() {
+  await run("cargo", ["build", "--locked", "--profile", "tool", "-p", "plantigrade-bindgen"], {
+    source: CRATES,
+  });
+}
+
+/** Where a tool of the project stands once it is built. */
+export function tool(name) {
+  return join(targetFolder(), "tool", process.platform === "win32" ? `${name}.exe` : name);
+}
+
+function targetFolder() {
+  return process.env.CARGO_TARGET_DIR ?? join(root, "target");
+}
