@@ -25,7 +25,7 @@ pub enum Failure {
         /// The input.
         path: PathBuf,
         /// Where and why.
-        error: bvh::Error,
+        error: Box<bvh::Error>,
     },
     /// The clip has nothing to detect in.
     #[error("{name}: error: {error}", name = name(.path))]

@@ -65,7 +65,7 @@ pub fn overrides(args: &ReadArgs) -> Overrides {
 pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
     let path = &input.path;
     let read_error = |error| Failure::Read { path: path.clone(), error };
-    let parse_error = |error: bvh::Error| Failure::Parse { path: path.clone(), error };
+    let parse_error = |error: bvh::Error| Failure::Parse { path: path.clone(), error: error.into() };
     let mut file: Box<dyn Read> = if path == Path::new("-") {
         Box::new(io::stdin())
     } else {

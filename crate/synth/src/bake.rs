@@ -8,7 +8,7 @@ use crate::maths::{Rot, Vec3, turn};
 use crate::pose::Pose;
 
 /// Decimals of rotation channels, in degrees.
-const ANGLE_DECIMALS: i32 = 4;
+const ANGLE_DECIMALS: usize = 4;
 
 /// The clip in which `character` goes through `poses`, `frame_time` seconds apart.
 ///
@@ -75,8 +75,8 @@ fn to_file(character: &Character, rotation: Rot) -> Rot {
     }
 }
 
-fn rounded(value: f64, decimals: i32) -> f64 {
-    let scale = 10f64.powi(decimals);
+fn rounded(value: f64, decimals: usize) -> f64 {
+    let scale: f64 = std::iter::repeat_n(10.0, decimals).product();
     // Adding zero turns −0 into 0.
     (value * scale).round() / scale + 0.0
 }

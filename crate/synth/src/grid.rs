@@ -35,6 +35,11 @@ impl Grid {
         (index as f64 - self.lead as f64) / GRID_RATE as f64
     }
 
+    /// The point at or right before `time`, or the nearest there is.
+    pub fn at(&self, time: f64) -> usize {
+        ((time * GRID_RATE as f64).floor() + self.lead as f64).clamp(0.0, (self.count - 1) as f64) as usize
+    }
+
     /// All times in order.
     pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
         (0..self.count).map(|index| self.time(index))

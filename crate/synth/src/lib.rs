@@ -25,6 +25,7 @@ pub mod maths;
 pub mod motion;
 pub mod noise;
 pub mod pelvis;
+pub mod picture;
 pub mod plan;
 pub mod pose;
 pub mod random;
@@ -34,8 +35,25 @@ pub mod truth;
 pub use catalogue::catalogue;
 pub use recipe::{Generated, Motion, Recipe, generate};
 
-/// The BVH and the JSON text of a generated clip, as they stand in files.
-pub fn texts(generated: &Generated) -> (String, String) {
-    let truth = serde_json::to_string_pretty(&generated.truth).expect("a document is plain data");
-    (plantigrade::bvh::write(&generated.clip), truth + "\n")
+/// The files of one clip: name and text of BVH, truth and picture.
+pub fn files(recipe: &Recipe, seed: u64) -> [(String, String); 3] {
+    let Generated { clip, truth } = generate(recipe, seed);
+    let name = |ending| format!("{}.{ending}", recipe.name);
+    [
+        (name("bvh"), plantigrade::bvh::write(&clip)),
+        (name("json"), truth.to_json()),
+        (name("svg"), picture::picture(&clip)),
+    ]
+}
+
+/// The list of the clips for the app's gallery, as JSON: name, title and a note.
+pub fn index(recipes: &[Recipe]) -> String {
+    let entry = |recipe: &Recipe| {
+        let words = recipe.name.replace('-', " ");
+        let title = words[..1].to_uppercase() + &words[1..];
+        let note = format!("{} frames, {} Hz", recipe.frames, recipe.rate);
+        serde_json::json!({ "name": recipe.name, "title": title, "note": note })
+    };
+    let entries: Vec<_> = recipes.iter().map(entry).collect();
+    format!("{:#}\n", serde_json::Value::from(entries))
 }

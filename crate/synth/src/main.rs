@@ -4,11 +4,12 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use plantigrade_synth::{catalogue, generate, texts};
+use plantigrade_synth::{catalogue, files, index};
 
 const USAGE: &str = "usage: plantigrade-synth [--seed N] [--noise LEVEL] [--out DIR]
 
-Writes NAME.bvh and NAME.json of each sample clip into DIR.
+Writes NAME.bvh, NAME.json (truth) and NAME.svg (picture) of each sample clip
+and index.json, their list, into DIR.
 
   --seed N       variation of steps and noise, a whole number (default 0)
   --noise LEVEL  strength of the foot noise, 1 as recorded, 0 none (default 1)
@@ -61,11 +62,12 @@ fn write(options: &Options) -> Result<(), String> {
     };
     std::fs::create_dir_all(&options.out)
         .map_err(|error| format!("cannot make {}: {error}", options.out.display()))?;
-    for recipe in catalogue(options.noise) {
-        let (bvh, truth) = texts(&generate(&recipe, options.seed));
-        save(format!("{}.bvh", recipe.name), bvh)?;
-        save(format!("{}.json", recipe.name), truth)?;
+    let recipes = catalogue(options.noise);
+    for recipe in &recipes {
+        for (name, text) in files(recipe, options.seed) {
+            save(name, text)?;
+        }
         println!("{}: {} frames at {} Hz", recipe.name, recipe.frames, recipe.rate);
     }
-    Ok(())
+    save("index.json".into(), index(&recipes))
 }

@@ -3,7 +3,7 @@
 use plantigrade::bvh::Clip;
 use plantigrade::labels::{Document, Side};
 
-use crate::character::{Build, Character};
+use crate::character::{Bone, Build, Character};
 use crate::feet::{FootPath, FootPose};
 use crate::grid::Grid;
 use crate::maths::Vec3;
@@ -44,6 +44,9 @@ pub struct Generated {
     pub truth: Document,
 }
 
+/// Sway of the pelvis that goes with each degree of restlessness, in metres.
+const SWAY: f64 = 0.004;
+
 /// Seconds that are worked out beyond the clip's end.
 const MARGIN: f64 = 1.0;
 
@@ -60,6 +63,7 @@ pub fn generate(recipe: &Recipe, seed: u64) -> Generated {
     let paths = Side::BOTH.map(|side| FootPath::new(side, &plan.feet[side as usize], build));
     let mut feet = paths.each_ref().map(|path| grid.times().map(|time| path.at(time)).collect::<Vec<_>>());
     let mut pelvis = pelvis::track(&plan, build, &grid, &paths, &feet);
+    pelvis::sway(&mut pelvis, SWAY * plan.body.sway, &mut stream("sway"));
     let noise = character.noise.times(recipe.noise_level);
     let moved = Side::BOTH.map(|side| {
         let (path, feet) = (&paths[side as usize], &mut feet[side as usize]);
@@ -81,7 +85,7 @@ pub fn generate(recipe: &Recipe, seed: u64) -> Generated {
     }
     for &point in &points {
         let mut pose = Pose::rest(pelvis[point].position);
-        pose.set(crate::character::Bone::Hips, pelvis[point].rotation);
+        pose.set(Bone::Hips, pelvis[point].rotation);
         for side in Side::BOTH {
             pose::leg(&mut pose, &pelvis[point], &feet[side as usize][point], side, build);
         }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use plantigrade::labels::{Part, Side, intervals};
-use plantigrade_synth::{catalogue, generate, texts};
+use plantigrade_synth::{catalogue, files, generate, index};
 
 /// Frames and rates of the thirteen files, in the catalogue's order.
 const TABLE: [(usize, usize); 13] = [
@@ -38,9 +38,9 @@ fn frames_and_rates_are_those_of_the_table() {
 #[test]
 fn the_seed_decides_every_byte() {
     for recipe in catalogue(1.0) {
-        let [first, again, other] = [0, 0, 1].map(|seed| texts(&generate(&recipe, seed)));
+        let [first, again, other] = [0, 0, 1].map(|seed| files(&recipe, seed));
         assert_eq!(first, again, "{}", recipe.name);
-        assert_ne!(first.0, other.0, "{}", recipe.name);
+        assert_ne!(first[0], other[0], "{}", recipe.name);
     }
 }
 
@@ -90,12 +90,10 @@ fn joints_of_the_truth_are_in_the_clip() {
 #[test]
 fn samples_are_what_the_generator_writes() {
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples");
-    for recipe in catalogue(1.0) {
-        let (bvh, truth) = texts(&generate(&recipe, 0));
-        for (extension, text) in [("bvh", bvh), ("json", truth)] {
-            let path = samples.join(format!("{}.{extension}", recipe.name));
-            let found = std::fs::read_to_string(&path).unwrap_or_default();
-            assert!(found == text, "{} is stale: run `cargo run -p plantigrade-synth`", path.display());
-        }
+    let recipes = catalogue(1.0);
+    let list = ("index.json".to_owned(), index(&recipes));
+    for (name, text) in recipes.iter().flat_map(|recipe| files(recipe, 0)).chain([list]) {
+        let found = std::fs::read_to_string(samples.join(&name)).unwrap_or_default();
+        assert!(found == text, "samples/{name} is stale: run `cargo run -p plantigrade-synth`");
     }
 }

@@ -100,6 +100,21 @@ fn joints_do_not_jump() {
 }
 
 #[test]
+fn the_pelvis_moves_smoothly() {
+    for recipe in catalogue(0.0) {
+        for seed in 0..4 {
+            let (positions, generated) = walked(&recipe, seed);
+            let step = generated.clip.frame_time();
+            let track = &positions.of(Bone::Hips)[skipped(&recipe)..];
+            for (frame, three) in track.windows(3).enumerate() {
+                let push = (three[0] - 2.0 * three[1] + three[2]).norm() / (step * step);
+                assert!(push < 60.0, "{} seed {seed} frame {frame}: {push:.0} m/s²", recipe.name);
+            }
+        }
+    }
+}
+
+#[test]
 fn flight_is_free_fall() {
     // The frog jumps' flights are long enough to fit a parabola.
     let recipe = &catalogue(0.0)[0];

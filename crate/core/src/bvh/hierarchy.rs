@@ -82,6 +82,11 @@ impl Hierarchy {
         Ok(Progress::Hierarchy)
     }
 
+    /// Whether braces are open.
+    pub fn is_open(&self) -> bool {
+        !self.open.is_empty()
+    }
+
     /// Checks that the file may end here.
     pub fn finish(&self) -> Result<(), Error> {
         let problem = match self.expect {
@@ -264,7 +269,7 @@ fn word_or_brace(bytes: &[u8]) -> &[u8] {
         return &bytes[..1];
     }
     let word = number::word(bytes);
-    &word[..word.iter().position(|byte| is_brace(byte)).unwrap_or(word.len())]
+    &word[..word.iter().position(is_brace).unwrap_or(word.len())]
 }
 
 fn is_keyword(word: &[u8]) -> bool {

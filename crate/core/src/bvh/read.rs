@@ -130,7 +130,7 @@ impl Reader {
             |line, text| self.section.line(self.options, line, text),
         )?;
         if let Some((line, text)) = self.lines.finish() {
-            self.section.line(self.options, line, &text)?;
+            self.section.last_line(self.options, line, &text)?;
         }
         self.section.finish(self.options)
     }
@@ -147,6 +147,20 @@ impl Section {
                     self.line(options, line, &text[rest..])
                 }
             },
+        }
+    }
+
+    /// Takes a line that ends with the file, perhaps in the middle of a word.
+    fn last_line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
+        match self {
+            Section::Motion { rows, .. } => rows.last_line(line, text),
+            Section::Hierarchy(_) => self.line(options, line, text).map_err(|error| match self {
+                // With braces open, what is wrong is that the file was cut.
+                Section::Hierarchy(hierarchy) if hierarchy.is_open() => {
+                    hierarchy.finish().err().unwrap_or(error)
+                }
+                _ => error,
+            }),
         }
     }
 

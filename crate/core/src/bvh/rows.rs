@@ -87,6 +87,15 @@ impl Rows {
         self.row(line, text, at)
     }
 
+    /// Takes a line that ends with the file: the beginning of a number is left out.
+    pub fn last_line(&mut self, line: usize, text: &[u8]) -> Result<(), Error> {
+        let last = text.len() - text.iter().rev().take_while(|&&byte| !number::is_blank(byte)).count();
+        let word = &text[last..];
+        let is_begun =
+            number::leading(word).is_none() && word.iter().all(|byte| b"+-.,eE0123456789".contains(byte));
+        self.line(line, if is_begun { &text[..last] } else { text })
+    }
+
     /// The frame time, once all lines were taken.
     pub fn finish(&mut self) -> f64 {
         if let Some(partial) = self.partial.take() {

@@ -98,6 +98,17 @@ fn rows_wrap_and_run_over() {
 }
 
 #[test]
+fn a_file_may_end_in_the_middle_of_a_number() {
+    let head = "Frames: 2\nFrame Time: 0.01\n1 2 3\n";
+    let incomplete = vec![Code::IncompleteRow, Code::FrameCount];
+    for end in ["4 -", "4 5e", "4 5 6.1e-"] {
+        assert_eq!(rows(&format!("{head}{end}")), (vec![vec![1.0, 2.0, 3.0]], incomplete.clone()), "{end}");
+    }
+    assert!(matches!(refuse(&motion(&format!("{head}4 x"))).problem, Problem::BadValue { .. }));
+    assert_eq!(refuse("HIERARCHY\nROOT a\n{\nOFFS").problem, Problem::OpenBraces { open: 1 });
+}
+
+#[test]
 fn numbers_come_in_many_shapes() {
     let head = "Frames: 1\nFrame Time: 0.01\n";
     assert_eq!(rows(&format!("{head}+1.0 2e0 .3")).0, [[1.0, 2.0, 0.3]]);

@@ -64,7 +64,7 @@ impl Default for Params {
 }
 
 /// Parameters that keep their rules; made by [`Params::check`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ValidParams(Params);
 
 /// A parameter that breaks its rule.
@@ -123,12 +123,6 @@ impl ValidParams {
     /// See [`Params::scale`].
     pub fn scale(&self) -> Option<f64> {
         self.0.scale
-    }
-}
-
-impl Default for ValidParams {
-    fn default() -> ValidParams {
-        ValidParams(Params::default())
     }
 }
 

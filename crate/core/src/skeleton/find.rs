@@ -251,7 +251,7 @@ impl<'a> Tree<'a> {
                 self.is(joint, Some(side), BodyPart::Arm) || self.is(joint, Some(side), BodyPart::Shoulder)
             })
             .collect();
-        let upper = above.iter().copied().filter(|&joint| self.is(joint, Some(side), BodyPart::Arm)).last();
+        let upper = above.iter().copied().rfind(|&joint| self.is(joint, Some(side), BodyPart::Arm));
         let upper = upper.or_else(|| above.first().copied());
         roles.set(arm, upper);
         roles.set(shoulder, above.last().copied().filter(|&joint| Some(joint) != upper));

@@ -63,7 +63,7 @@ impl Unit {
     }
 
     /// Decimals that resolve about a hundredth of a millimetre.
-    pub fn decimals(self) -> i32 {
+    pub fn decimals(self) -> usize {
         match self {
             Unit::Metre => 5,
             Unit::Centimetre | Unit::Inch => 3,

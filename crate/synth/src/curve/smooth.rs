@@ -41,8 +41,14 @@ pub fn drift(random: &mut Random, count: usize, rate: f64, cutoff: f64) -> Vec<f
     }
     // What four passes of y = keep·y + (1 − keep)·x leave of the variance of white noise.
     let k = keep * keep;
-    let gain = (1.0 - keep).powi(8) * (1.0 + 9.0 * k + 9.0 * k * k + k * k * k) / (1.0 - k).powi(7);
+    let numerator = power(1.0 - keep, 8) * (1.0 + 9.0 * k + 9.0 * k * k + k * k * k);
+    let gain = numerator / power(1.0 - k, 7);
     samples[lead..lead + count].iter().map(|sample| sample / gain.sqrt()).collect()
+}
+
+/// A power by plain multiplication: `powi` may round differently from machine to machine.
+fn power(base: f64, exponent: usize) -> f64 {
+    std::iter::repeat_n(base, exponent).product()
 }
 
 fn low_pass<'a>(samples: impl Iterator<Item = &'a mut f64>, keep: f64) {

@@ -13,6 +13,9 @@ pub struct Key<const N: usize> {
     pub slope: Option<[f64; N]>,
 }
 
+/// Time of the key of a constant track, so far off that other keys drown it.
+const LONG_AGO: f64 = -1e9;
+
 /// A C¹ curve of `N` dimensions through keys, constant before the first and after
 /// the last.
 ///
@@ -24,9 +27,9 @@ pub struct Track<const N: usize> {
 }
 
 impl<const N: usize> Track<N> {
-    /// The track that is `value` at all times.
+    /// The track that is `value` at all times, as long as it has no other keys.
     pub fn constant(value: [f64; N]) -> Track<N> {
-        Track { keys: vec![Key { time: 0.0, value, slope: None }] }
+        Track { keys: vec![Key { time: LONG_AGO, value, slope: None }] }
     }
 
     /// The track through keys in any order; a later key replaces an earlier one of

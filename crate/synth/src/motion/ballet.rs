@@ -4,7 +4,7 @@ use plantigrade::labels::Side::{self, Left, Right};
 
 use crate::character::{Build, outward};
 use crate::curve::Track;
-use crate::plan::{Carry, Gait, Held, Hop, Landing, Lift, Place, Plan, Planner};
+use crate::plan::{Carry, Gait, Held, Landing, Lift, Place, Plan, Planner};
 use crate::random::Random;
 
 /// Outward turn of the feet in first position, in degrees.
@@ -67,10 +67,10 @@ fn pirouette(planner: &mut Planner, scale: f64, time: f64) {
     let step = planner.put(Right, time + 1.25, first_position(&end, Right, scale), &light(scale));
     step.swing = 1.2;
     step.carry.held = Some(Held {
-        keys: vec![
+        poses: Track::of(&[
             (time + 0.25, [0.22, -0.58, 0.1, 62.0, 62.0]),
             (time + 0.9, [0.22, -0.58, 0.1, 62.0, 62.0]),
-        ],
+        ]),
         ease_in: 0.26,
         ease_out: 0.36,
     });
@@ -98,31 +98,23 @@ fn jumps(planner: &mut Planner, scale: f64, time: f64) -> f64 {
     for ground in [0.0, 0.5] {
         land += ground + 0.4;
         for side in Side::BOTH {
-            let hop = hop(scale);
             let place = first_position(&cursor.moved(0.02, 0.0), side, scale);
-            let gait = Gait {
-                swing: hop.flight,
-                lift: hop.lift,
-                carry: hop.carry,
-                landing: hop.landing,
-                ..light(scale)
-            };
+            let gait = sprung(scale);
             planner.put(side, land, place, &gait);
         }
     }
     land
 }
 
-fn hop(scale: f64) -> Hop {
-    Hop {
-        ground: 0.5,
-        flight: 0.4,
-        length: 0.0,
-        turn: 0.0,
-        width: 0.1 * scale,
+/// Straight up, the feet pointed in the air.
+fn sprung(scale: f64) -> Gait {
+    let light = light(scale);
+    Gait {
+        swing: 0.4,
         lift: Lift { pitch: 64.0, lead: 0.18 },
-        carry: Carry { clearance: 0.13 * scale, pitch: 66.0, ..light(scale).carry },
+        carry: Carry { clearance: 0.13 * scale, pitch: 66.0, ..light.carry.clone() },
         landing: Landing { pitch: 44.0, settle: 0.16, rest: 0.0 },
+        ..light
     }
 }
 
@@ -136,12 +128,12 @@ fn arabesque(planner: &mut Planner, scale: f64, landed: f64) {
     left.swing = 2.05;
     left.lift = Lift { pitch: 50.0, lead: 0.24 };
     left.carry.held = Some(Held {
-        keys: vec![
+        poses: Track::of(&[
             (landed + 1.75, [0.04, -0.8, -0.5, 80.0, 18.0]),
             (landed + 2.2, [0.06, -0.3, -0.93, 100.0, 24.0]),
             (landed + 2.7, [0.06, -0.27, -0.94, 102.0, 24.0]),
             (landed + 3.15, [0.06, -0.85, -0.4, 78.0, 18.0]),
-        ],
+        ]),
         ease_in: 0.3,
         ease_out: 0.5,
     });

@@ -86,7 +86,7 @@ fn sideways(planner: &mut Planner, side: Side, scale: f64, random: &mut Random) 
     let close = beside(&Place { heading: planner.cursor().heading, ..cursor }, other(side), 0.1 * scale, 8.0);
     planner.put(other(side), planner.now(), close, &gait);
     // The way goes on from between the feet.
-    planner.jump_to(cursor);
+    planner.move_to(cursor);
 }
 
 /// The trunk reels, the arms trail after it, the head hangs.
@@ -97,6 +97,7 @@ fn carry_body(planner: &mut Planner, seconds: f64, random: &mut Random) {
         body.trunk
             .key(time, [random.between(2.0, 24.0), random.between(-14.0, 14.0), random.between(-13.0, 13.0)]);
         body.look.key(time + 0.3, [random.between(-25.0, 25.0), random.between(5.0, 34.0)]);
+        body.shift.key(time + 0.2, [random.between(-0.05, 0.05), random.between(-0.04, 0.05)]);
         body.sink.key(time, [random.between(0.0, 0.055)]);
         for arm in &mut body.arms {
             let flung = random.between(0.0, 1.0) > 0.7;

@@ -30,10 +30,11 @@ pub fn frog_jumps(build: &Build, seconds: f64, random: &mut Random) -> Plan {
     }
     let rise = landed.expect("there was a jump");
     let body = planner.body();
-    body.sink.key(rise + 0.3, [0.2 * scale]);
+    body.sink.key(rise + 0.3, [0.12 * scale]);
     body.sink.key(rise + 1.1, [0.0]);
     body.trunk.key(rise + 0.3, [44.0, 0.0, 0.0]);
     body.trunk.key(rise + 1.2, [3.0, 0.0, 0.0]);
+    body.pelvis.key(rise + 1.2, [2.0, 0.0, 0.0]);
     for arm in &mut body.arms {
         arm.key(rise + 1.25, ArmStyle::LOOSE.angles());
     }
@@ -76,15 +77,16 @@ fn key_jump(planner: &mut Planner, before: Option<f64>, off: f64, land: f64) {
     match before {
         None => {
             body.sink.key(off - 1.05, [0.0]);
+            body.pelvis.key(off - 1.05, [2.0, 0.0, 0.0]);
             body.trunk.key(off - 1.05, [3.0, 0.0, 0.0]);
             body.arms.iter_mut().for_each(|arm| arm.key(off - 1.1, ArmStyle::LOOSE.angles()));
         }
         Some(before) => {
-            body.sink.key(before + 0.3, [0.2]);
+            body.sink.key(before + 0.3, [0.12]);
             body.trunk.key(before + 0.3, [50.0, 0.0, 0.0]);
         }
     }
-    for (time, sink) in [(off - 0.4, 0.2), (off, 0.0), (land, 0.0)] {
+    for (time, sink) in [(off - 0.4, 0.11), (off, 0.0), (land, 0.0)] {
         body.sink.key(time, [sink]);
     }
     for (time, pitch) in [(off - 0.36, 54.0), (off, 16.0), (off + 0.5 * (land - off), 24.0), (land, 36.0)] {

@@ -4,6 +4,7 @@ use plantigrade::labels::Side;
 
 use super::other;
 use crate::character::Build;
+use crate::curve::Track;
 use crate::maths::lerp;
 use crate::plan::{ArmStyle, Carry, Gait, Landing, Lift, Place, Plan, Planner};
 use crate::random::Random;
@@ -115,6 +116,6 @@ fn carry_body(planner: &mut Planner, strikes: &[(f64, Side)], stop: f64) {
         arm.key(stop, ArmStyle { elbow: 70.0, ..ArmStyle::RUNNING }.angles());
         arm.key(stop + 1.8, ArmStyle::LOOSE.angles());
     }
-    body.arm_swing = crate::curve::Track::of(&[(CHANGE, [30.0]), (CHANGE + 2.0, [42.0])]);
+    body.arm_swing = Track::of(&[(CHANGE, [30.0]), (CHANGE + 2.0, [42.0])]);
     body.look.key(0.0, [0.0, 9.0]);
 }

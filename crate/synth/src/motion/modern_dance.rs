@@ -25,7 +25,7 @@ pub fn modern_dance(build: &Build, _seconds: f64, random: &mut Random) -> Plan {
     let right = planner.put(Right, 2.02, place(0.55, -0.28, 172.0), &turn);
     right.landing = Landing { pitch: 20.0, settle: 0.12, rest: 0.0 };
     right.carry.held = Some(Held {
-        keys: vec![(1.2, [0.1, -0.62, 0.2, 46.0, 42.0]), (1.62, [0.1, -0.6, 0.2, 48.0, 46.0])],
+        poses: Track::of(&[(1.2, [0.1, -0.62, 0.2, 46.0, 42.0]), (1.62, [0.1, -0.6, 0.2, 48.0, 46.0])]),
         ease_in: 0.3,
         ease_out: 0.36,
     });
@@ -41,23 +41,23 @@ pub fn modern_dance(build: &Build, _seconds: f64, random: &mut Random) -> Plan {
         landing: Landing { pitch: 18.0, settle: 0.09, rest: 0.0 },
         ..step.clone()
     };
-    let right = planner.put(Right, 3.16, place(0.56, -2.34, 182.0), &leap);
+    let right = planner.put(Right, 3.1, place(0.56, -2.34, 182.0), &leap);
     right.carry.held = Some(Held {
-        keys: vec![
-            (2.66, [0.0, -0.7, 0.3, 40.0, 4.0]),
-            (2.86, [0.0, -0.32, 0.9, 44.0, 6.0]),
-            (2.98, [0.0, -0.44, 0.84, 36.0, 6.0]),
-        ],
+        poses: Track::of(&[
+            (2.62, [0.0, -0.7, 0.3, 40.0, 4.0]),
+            (2.82, [0.0, -0.32, 0.9, 44.0, 6.0]),
+            (2.93, [0.0, -0.44, 0.84, 36.0, 6.0]),
+        ]),
         ease_in: 0.24,
         ease_out: 0.26,
     });
     let left = planner.put(Left, 3.72, place(0.3, -2.86, 196.0), &Gait { swing: 1.04, ..leap });
     left.carry.held = Some(Held {
-        keys: vec![
+        poses: Track::of(&[
             (2.82, [0.0, -0.5, -0.78, 80.0, 8.0]),
             (3.0, [0.0, -0.4, -0.86, 92.0, 10.0]),
             (3.3, [0.02, -0.42, -0.66, 84.0, 14.0]),
-        ],
+        ]),
         ease_in: 0.16,
         ease_out: 0.46,
     });
@@ -151,7 +151,7 @@ fn carry_body(planner: &mut Planner, scale: f64) {
         (2.0, 0.03),
         (2.3, 0.0),
         (3.2, 0.0),
-        (3.86, 0.18),
+        (3.86, 0.07),
         (4.4, 0.06),
         (4.9, 0.0),
     ] {

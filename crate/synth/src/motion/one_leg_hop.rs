@@ -3,6 +3,7 @@
 use plantigrade::labels::Side;
 
 use crate::character::Build;
+use crate::curve::Track;
 use crate::plan::{ArmStyle, Carry, Gait, Held, Hop, Landing, Lift, Place, Plan, Planner};
 use crate::random::Random;
 
@@ -61,7 +62,7 @@ fn put_down(planner: &mut Planner, walk: &Gait, last: f64, scale: f64) {
     step.swing = strike - 0.62;
     step.lift = Lift { pitch: 40.0, lead: 0.22 };
     step.landing = Landing { pitch: 14.0, settle: 0.1, rest: 0.0 };
-    step.carry.held = Some(Held { keys, ease_in: 0.45, ease_out: 0.5 });
+    step.carry.held = Some(Held { poses: Track::of(&keys), ease_in: 0.45, ease_out: 0.5 });
 }
 
 /// Arms out for balance, thrown up with each hop.

@@ -37,7 +37,7 @@ pub fn run_and_jump(build: &Build, seconds: f64, random: &mut Random) -> Plan {
     );
     let place = planner.place(side);
     let beside = place.moved(-0.05, if side == Side::Left { -0.22 * scale } else { 0.22 * scale });
-    planner.put(other(side), gather + 0.06, beside, &Gait { swing: 0.36, ..stride(scale, 1.0, 0.8) });
+    planner.put(other(side), gather + 0.06, beside, &Gait { swing: 0.27, ..stride(scale, 1.0, 0.8) });
     planner.jump(&Side::BOTH, &jump(scale));
     let high = planner.now() - jump(scale).flight / 2.0;
     while planner.now() < seconds + 1.5 {

@@ -4,6 +4,7 @@ use plantigrade::labels::Side;
 
 use super::other;
 use crate::character::Build;
+use crate::curve::Track;
 use crate::plan::{ArmStyle, Carry, Gait, Held, Landing, Lift, Place, Plan, Planner, Step, beside};
 use crate::random::Random;
 
@@ -72,7 +73,11 @@ fn free_step(walk: &Gait, strike: f64, swing: f64, place: Place, high: f64) -> S
     // Thigh nearly level, shank hanging, toes a little down.
     let knee_high = [0.01, -0.55, 0.26, 16.0, 0.0];
     let held = Held {
-        keys: vec![(high - 0.1, [0.0, -0.6, 0.08, 30.0, 0.0]), (high, knee_high), (high + 0.06, knee_high)],
+        poses: Track::of(&[
+            (high - 0.1, [0.0, -0.6, 0.08, 30.0, 0.0]),
+            (high, knee_high),
+            (high + 0.06, knee_high),
+        ]),
         ease_in: (high - (strike - swing) - 0.02).max(0.15),
         ease_out: (strike - high - 0.05).max(0.2),
     };

@@ -2,17 +2,19 @@
 
 mod balance;
 mod height;
+mod leap;
 mod reach;
 mod support;
 
 pub(crate) use reach::hip;
 
 use crate::character::Build;
-use crate::curve::blur;
+use crate::curve::{Track, blur, drift};
 use crate::feet::{FootPath, FootPose};
-use crate::grid::Grid;
+use crate::grid::{GRID_RATE, Grid};
 use crate::maths::{Rot, Vec3, forward, heading, leftward, turn};
 use crate::plan::Plan;
+use crate::random::Random;
 
 /// The pelvis at one moment, with what the upper body follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +30,12 @@ pub struct PelvisPose {
     /// Share of the weight on the left foot less that on the right.
     pub balance: f64,
 }
+
+/// Frequency below which a standing body sways, in hertz.
+const SWAY_BAND: f64 = 0.35;
+
+/// Rounds in which flights are fitted to the reach of the legs.
+const LEAP_ROUNDS: usize = 3;
 
 /// Greatest distance of the feet that the body answers to, in metres.
 const GREATEST_STRIDE: f64 = 0.75;
@@ -50,12 +58,10 @@ pub fn track(
     let strides = blur(&(0..grid.len()).map(ahead).collect::<Vec<_>>(), Grid::points(0.05));
     let balances = blur(&support.balance, Grid::points(0.07));
 
-    let height = height::track(plan, build, paths);
-    let heights: Vec<f64> = grid.times().map(|t| height.at(t)[0] - plan.body.sink.at(t)[0]).collect();
-    let ways = balance::ways(&support, &heights);
-
-    let mut poses: Vec<PelvisPose> = (0..grid.len())
-        .map(|n| {
+    let pose = |height: &Track<1>| -> Vec<PelvisPose> {
+        let heights: Vec<f64> = grid.times().map(|t| height.at(t)[0] - plan.body.sink.at(t)[0]).collect();
+        let ways = balance::ways(&support, &heights);
+        let pose = |n: usize| {
             let time = grid.time(n);
             let [tilt, yaw, lean] = plan.body.pelvis.at(time).map(f64::to_radians);
             let yaw = yaw - (plan.body.pelvis_turn * strides[n]).to_radians();
@@ -66,10 +72,33 @@ pub fn track(
                 + offset[0] * leftward(headings[n])
                 + offset[1] * forward(headings[n]);
             PelvisPose { position, rotation, heading: headings[n], stride: strides[n], balance: balances[n] }
-        })
-        .collect();
+        };
+        (0..grid.len()).map(pose).collect()
+    };
+
+    // Where the body is at the ends of a flight shows how high it may be there, and that
+    // in turn moves the body a little.
+    let mut leaps = leap::leaps(plan, build, paths);
+    let mut poses = pose(&height::track(plan, build, paths, &leaps));
+    for _ in 0..LEAP_ROUNDS {
+        for leap in &mut leaps {
+            let [off, land] = [leap.time.start, leap.time.end]
+                .map(|time| reach::shortfall(&poses, feet, build, grid, time));
+            leap.lower(off, land);
+        }
+        poses = pose(&height::track(plan, build, paths, &leaps));
+    }
     reach::lower(&mut poses, feet, build);
     poses
+}
+
+/// Sways the pelvis a little, as a body does even when it stands: `amount` is the
+/// standard deviation in metres.
+pub fn sway(poses: &mut [PelvisPose], amount: f64, random: &mut Random) {
+    let [left, ahead] = std::array::from_fn(|_| drift(random, poses.len(), GRID_RATE as f64, SWAY_BAND));
+    for (n, pose) in poses.iter_mut().enumerate() {
+        pose.position += amount * (left[n] * leftward(pose.heading) + ahead[n] * forward(pose.heading));
+    }
 }
 
 /// Lifts the pelvis with the feet that carry it, `moved` metres each: a leg that stands

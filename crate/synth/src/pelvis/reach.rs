@@ -14,6 +14,9 @@ const STRETCH: f64 = 0.983;
 /// Seconds over which the lowering is spread.
 const SPREAD: f64 = 0.1;
 
+/// Seconds around the end of a flight in which the legs must reach the ground.
+const NEAR: f64 = 0.05;
+
 /// Lowers the pelvis smoothly wherever a standing foot would be out of reach.
 pub fn lower(poses: &mut [PelvisPose], feet: &[Vec<FootPose>; 2], build: &Build) {
     let excess: Vec<f64> = (0..poses.len())
@@ -41,6 +44,22 @@ pub fn lower(poses: &mut [PelvisPose], feet: &[Vec<FootPose>; 2], build: &Build)
             .map(|(k, weight)| weight * wide[(n + k).saturating_sub(half).min(last)]);
         pose.position.y -= spread.sum::<f64>() / total;
     }
+}
+
+/// How much too high the pelvis is around `time`, in metres; 0 if it is not.
+pub fn shortfall(
+    poses: &[PelvisPose],
+    feet: &[Vec<FootPose>; 2],
+    build: &Build,
+    grid: &Grid,
+    time: f64,
+) -> f64 {
+    let half = Grid::points(NEAR) as usize;
+    let centre = grid.at(time);
+    let around = centre.saturating_sub(half)..(centre + half + 1).min(poses.len());
+    let excesses =
+        around.flat_map(|n| Side::BOTH.map(|side| excess(&poses[n], &feet[side as usize][n], side, build)));
+    excesses.fold(0.0, f64::max)
 }
 
 /// How much too high the pelvis is for one foot, in metres; negative if it is not.

@@ -144,8 +144,8 @@ impl Planner {
         self.cursor = self.cursor.turned(turn / 2.0).moved(length, 0.0).turned(turn / 2.0);
     }
 
-    /// Moves the cursor to `cursor`, keeping its heading.
-    pub fn jump_to(&mut self, cursor: Place) {
+    /// Moves the cursor to `cursor`, keeping the heading.
+    pub fn move_to(&mut self, cursor: Place) {
         self.cursor = Place { heading: self.cursor.heading, ..cursor };
     }
 

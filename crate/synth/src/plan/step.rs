@@ -73,7 +73,7 @@ impl Step {
         let held = self.carry.held.as_ref()?;
         let share = rise(time, self.off(), self.off() + held.ease_in)
             * (1.0 - rise(time, self.strike - held.ease_out, self.strike));
-        Some((Track::of(&held.keys).at(time), share))
+        Some((held.poses.at(time), share))
     }
 }
 
@@ -112,10 +112,9 @@ pub struct Carry {
 /// A leg posed relative to the body while its foot is in the air.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Held {
-    /// The poses: time in seconds, then the ankle left of, above and ahead of the hip
-    /// (in leg lengths, outward for either foot), pitch of the foot and outward turn of
-    /// the knee in degrees.
-    pub keys: Vec<(f64, [f64; 5])>,
+    /// The poses: the ankle outward of, above and ahead of the hip in leg lengths, pitch
+    /// of the foot and outward turn of the knee in degrees.
+    pub poses: Track<5>,
     /// Seconds from the lift until the leg is in the first pose.
     pub ease_in: f64,
     /// Seconds from the last pose's end until the landing.

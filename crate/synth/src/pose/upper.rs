@@ -15,7 +15,7 @@ use crate::random::Random;
 const LOOK_AHEAD: f64 = 0.25;
 
 /// Shoulders turn against the pelvis: times the pelvis's own turn.
-const COUNTER_TURN: f64 = 1.7;
+const COUNTER_TURN: f64 = 2.3;
 
 /// The slow unrest of a living body: smooth noise for each of its angles.
 pub struct Restlessness([Vec<f64>; 9]);

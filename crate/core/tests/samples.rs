@@ -1,0 +1,61 @@
+//! Detection on the project's own samples, against the truth that was generated with them.
+
+#[expect(dead_code, reason = "samples are always there")]
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use plantigrade::labels::{Document, Part, Side};
+use plantigrade::plants::{self, Feet, Method, Params};
+use plantigrade::score::{self, Tally, Truth};
+use plantigrade::skeleton::{Overrides, Skeleton};
+
+const FUZZY: f64 = 0.3;
+
+fn samples() -> Vec<PathBuf> {
+    let files = support::bvh_files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples"));
+    assert_eq!(files.len(), 13);
+    files
+}
+
+/// Accuracy in percent, pooled over all samples, and the least of a sample.
+fn accuracy(method: Method, part: Part) -> (f64, f64) {
+    let mut pooled = Tally::default();
+    let mut worst = 100.0_f64;
+    for path in samples() {
+        let clip = support::read(&path).clip;
+        let text = fs::read_to_string(path.with_extension("json")).expect("truth beside the sample");
+        let document: Document = serde_json::from_str(&text).expect("a labels document");
+        let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
+        let params = Params { method, ..Params::default() }.check().expect("defaults");
+        let detection = plants::detect(&feet, params);
+        let mut sample = Tally::default();
+        for side in Side::BOTH {
+            let truth: Truth = document.labels(side, part).expect("truth").into_iter().map(Some).collect();
+            let labels = &detection.part(part).expect("labels").foot(side).planted;
+            sample += score::lenient(labels, &truth, clip.frame_time(), FUZZY);
+        }
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        println!("{method} {} {name}: {:.2} %", part.name(), 100.0 * sample.accuracy());
+        pooled += sample;
+        worst = worst.min(100.0 * sample.accuracy());
+    }
+    let pooled = 100.0 * pooled.accuracy();
+    println!("{method} {} pooled: {pooled:.2} %, worst {worst:.2} %", part.name());
+    (pooled, worst)
+}
+
+#[test]
+fn robust_finds_contact_and_plants() {
+    for part in [Part::Contact, Part::Toe] {
+        let (pooled, worst) = accuracy(Method::Robust, part);
+        assert!(pooled >= 98.5 && worst >= 90.0, "{}: {pooled}, {worst}", part.name());
+    }
+}
+
+#[test]
+fn the_paper_method_finds_plants_but_for_its_known_failure() {
+    let (pooled, _) = accuracy(Method::Paper, Part::Toe);
+    assert!(pooled >= 85.0, "{pooled}");
+}
