@@ -12,6 +12,10 @@ const OFFSET: f64 = 1.4;
 /// `half` frames to either side.
 pub(super) fn planted_probability(roots: &[f64], evidence: &Evidence, half: usize) -> Vec<f64> {
     let span = evidence.planted_middle - evidence.threshold;
+    // Samples that are all alike have no threshold: there is nothing to doubt.
+    if !span.is_finite() {
+        return vec![1.0; roots.len()];
+    }
     let margins: Vec<f64> =
         roots.iter().map(|root| ((root - evidence.threshold) / span).clamp(-1.0, 1.0)).collect();
     (0..margins.len())

@@ -1,1 +1,224 @@
+//! What detection must do, on feet that walk by formula.
 
+use nalgebra::Vector3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::bvh::Axis;
+use crate::labels;
+use crate::notice::Code;
+use crate::skeleton::Up;
+
+/// Seconds of a step cycle, and the share of it that a foot stands.
+const CYCLE: f64 = 1.2;
+const STANCE: f64 = 0.6;
+
+/// A foot in metres, Y up, at a time of its own cycle: standing, then swinging 1.3 m ahead.
+fn foot(time: f64) -> Vector3<f64> {
+    let (cycles, phase) = ((time / CYCLE).floor(), (time / CYCLE).fract());
+    let swing = ((phase - STANCE) / (1.0 - STANCE)).max(0.0);
+    let eased = swing * swing * (3.0 - 2.0 * swing);
+    Vector3::new(0.1, 0.15 * (std::f64::consts::PI * swing).sin().powi(2), 1.3 * (cycles + eased))
+}
+
+/// Two feet of a person with legs of 0.8 m, half a cycle apart.
+fn walk(frames: usize, rate: f64) -> Feet {
+    let tracks = [0.0, CYCLE / 2.0].map(|ahead| {
+        let at = |lift: Vector3<f64>| -> Vec<_> {
+            (0..frames).map(|frame| foot(frame as f64 / rate + ahead) + lift).collect()
+        };
+        FootTracks {
+            ankle: at(Vector3::new(0.0, 0.08, -0.13)),
+            toe: at(Vector3::new(0.0, 0.02, 0.0)),
+            tip: None,
+        }
+    });
+    let hips = (0..frames).map(|frame| Vector3::new(0.0, 0.9, 1.08 * frame as f64 / rate)).collect();
+    Feet { tracks, hips, up: Up::Y, leg: 0.8, frame_time: 1.0 / rate }
+}
+
+/// The same feet with every position changed.
+fn changed(feet: &Feet, up: Up, scale: f64, change: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Feet {
+    let all = |track: &[Vector3<f64>]| track.iter().map(|position| change(*position)).collect();
+    Feet {
+        tracks: feet.tracks.clone().map(|foot| FootTracks {
+            ankle: all(&foot.ankle),
+            toe: all(&foot.toe),
+            tip: None,
+        }),
+        hips: all(&feet.hips),
+        up,
+        leg: feet.leg * scale,
+        frame_time: feet.frame_time,
+    }
+}
+
+fn params(method: Method) -> ValidParams {
+    Params { method, ..Params::default() }.check().unwrap()
+}
+
+fn planted(detection: &Detection) -> Vec<&[bool]> {
+    detection.parts.iter().flat_map(|part| &part.feet).map(|foot| foot.planted.as_slice()).collect()
+}
+
+fn has(detection: &Detection, code: Code) -> bool {
+    detection.notices.iter().any(|notice| notice.code == code)
+}
+
+#[test]
+fn a_walk_is_labelled_as_it_was_made() {
+    for rate in [24.0, 30.0, 60.0, 120.0, 250.0] {
+        let feet = walk((8.0 * rate) as usize, rate);
+        for method in Method::ALL {
+            let detection = detect(&feet, params(method));
+            for (side, ahead) in [(0, 0.0), (1, CYCLE / 2.0)] {
+                let labels = &detection.principal().feet[side].planted;
+                let wrong = labels.iter().enumerate().filter(|(frame, planted)| {
+                    let phase = ((*frame as f64 / rate + ahead) / CYCLE).fract();
+                    // Within a tenth of a second of a boundary either label will do.
+                    let near = [0.0, STANCE, 1.0].iter().any(|edge| (phase - edge).abs() * CYCLE < 0.1);
+                    !near && **planted != (phase < STANCE)
+                });
+                assert_eq!(wrong.count(), 0, "{method} at {rate} Hz");
+            }
+        }
+    }
+}
+
+#[test]
+fn evidence_is_what_the_labels_follow_from() {
+    let feet = walk(300, 60.0);
+    for method in Method::ALL {
+        let detection = detect(&feet, params(method));
+        for part in &detection.parts {
+            let evidence = part.evidence.as_ref().expect("a walk is clustered");
+            assert_eq!(evidence.roots.len(), 600);
+            assert!(evidence.sorted_norms.is_sorted());
+            assert_eq!(evidence.sigma, evidence.sorted_norms[evidence.knee]);
+            let r = detection.params.tolerance();
+            assert!(evidence.running_variance[evidence.knee] <= r);
+            assert!(evidence.running_variance[evidence.knee + 1..].iter().all(|&variance| variance > r));
+        }
+    }
+}
+
+#[test]
+fn a_scale_set_by_hand_is_used() {
+    let set = Params { method: Method::Paper, scale: Some(0.17), ..Params::default() }.check().unwrap();
+    let detection = detect(&walk(300, 60.0), set);
+    assert_eq!(detection.principal().evidence.as_ref().map(|evidence| evidence.sigma), Some(0.17));
+}
+
+#[test]
+fn heel_and_toe_lie_within_contact() {
+    let detection = detect(&walk(300, 60.0), params(Method::Robust));
+    let contact = detection.part(Part::Contact).unwrap();
+    for part in [Part::Toe, Part::Heel] {
+        for side in Side::BOTH {
+            let inner = &detection.part(part).unwrap().foot(side).planted;
+            assert!(inner.iter().zip(&contact.foot(side).planted).all(|(inner, outer)| !inner || *outer));
+        }
+    }
+}
+
+#[test]
+fn standing_still_is_contact_throughout() {
+    let sway = |position: Vector3<f64>| Vector3::new(0.1, 0.02 + position.y * 0.05, 0.003 * position.z.sin());
+    let feet = changed(&walk(600, 60.0), Up::Y, 1.0, sway);
+    let detection = detect(&feet, params(Method::Robust));
+    assert!(has(&detection, Code::StandingStill));
+    assert!(planted(&detection).concat().iter().all(|&planted| planted));
+    assert!(detection.principal().evidence.is_none());
+}
+
+#[test]
+fn a_pose_stuck_on_the_front_changes_nothing() {
+    let clean = walk(400, 120.0);
+    let mut stuck = clean.clone();
+    for track in stuck.tracks.iter_mut().flat_map(|foot| [&mut foot.ankle, &mut foot.toe]) {
+        track[0] += Vector3::new(5.0, -0.4, 3.0);
+    }
+    let detection = detect(&stuck, params(Method::Robust));
+    assert!(has(&detection, Code::Trimmed));
+    let expected = detect(&clean, params(Method::Robust));
+    for (found, expected) in planted(&detection).into_iter().zip(planted(&expected)) {
+        let wrong = found.iter().zip(expected).filter(|(found, expected)| found != expected).count();
+        assert!(wrong <= 3, "{wrong}");
+    }
+}
+
+#[test]
+fn short_clips_are_contact_with_a_notice() {
+    for frames in 1..10 {
+        let detection = detect(&walk(frames, 30.0), params(Method::Robust));
+        assert!(has(&detection, Code::ShortClip));
+        assert_eq!(planted(&detection)[0], vec![true; frames]);
+    }
+}
+
+#[test]
+fn a_wrong_rate_is_doubted() {
+    let slow = Feet { frame_time: 1.0, ..walk(400, 120.0) };
+    let fast = Feet { frame_time: 1e-3, ..walk(400, 60.0) };
+    for feet in [slow, fast] {
+        assert!(has(&detect(&feet, params(Method::Robust)), Code::ImplausibleRate));
+    }
+    assert!(!has(&detect(&walk(400, 120.0), params(Method::Robust)), Code::ImplausibleRate));
+}
+
+#[test]
+fn the_floor_is_where_planted_feet_are() {
+    let floor = detect(&walk(400, 60.0), params(Method::Robust)).floor;
+    assert!((floor - 0.02).abs() < 0.005, "{floor}");
+}
+
+#[test]
+fn units_and_axes_change_no_label() {
+    let feet = walk(300, 60.0);
+    let turned = changed(&feet, Up { axis: Axis::Z, negative: false }, 1.0, |p| Vector3::new(p.x, -p.z, p.y));
+    for method in Method::ALL {
+        let expected = detect(&feet, params(method));
+        for scale in [0.01, 2.54, 100.0] {
+            let scaled = changed(&feet, Up::Y, scale, |position| position * scale);
+            assert_eq!(planted(&detect(&scaled, params(method))), planted(&expected), "{method} × {scale}");
+        }
+        assert_eq!(planted(&detect(&turned, params(method))), planted(&expected), "{method}, Z up");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Feet that do anything: no panic, nothing that is no number, labels for every frame.
+    #[test]
+    fn nothing_makes_it_panic(
+        places in prop::collection::vec(prop::array::uniform3(prop_oneof![Just(0.0), -2.0..2.0_f64]), 1..60),
+        repeats in 1_usize..4,
+        rate in 10.0..300.0_f64,
+        window in 0_usize..5,
+        tolerance in 1e-6..1.0_f64,
+    ) {
+        let track: Vec<Vector3<f64>> =
+            places.iter().flat_map(|place| vec![Vector3::from(*place); repeats]).collect();
+        let other = track.iter().rev().copied().collect::<Vec<_>>();
+        let foot = |ankle: &Vec<_>, toe: &Vec<_>| FootTracks { ankle: ankle.clone(), toe: toe.clone(), tip: None };
+        let feet = Feet {
+            tracks: [foot(&track, &other), foot(&other, &track)],
+            hips: track.clone(),
+            up: Up::Y,
+            leg: 0.8,
+            frame_time: 1.0 / rate,
+        };
+        for method in Method::ALL {
+            let params = Params { method, window, tolerance, scale: None }.check().unwrap();
+            let detection = detect(&feet, params);
+            prop_assert!(detection.floor.is_finite());
+            for foot in detection.parts.iter().flat_map(|part| &part.feet) {
+                prop_assert_eq!(foot.planted.len(), track.len());
+                prop_assert!(foot.confidence.iter().all(|p| (0.5..=1.0).contains(p)), "{:?}", foot.confidence);
+                prop_assert!(foot.height.iter().chain(&foot.speed).all(|value| value.is_finite()));
+            }
+            let _ = labels::intervals(&detection.principal().feet[0].planted);
+        }
+    }
+}

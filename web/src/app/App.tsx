@@ -1,0 +1,77 @@
+import { useEffect, useRef } from "preact/hooks";
+import { Panel } from "../panels/Panel";
+import { Timeline } from "../timeline/Timeline";
+import { Viewer } from "../viewer/Viewer";
+import { Dialogs } from "./Dialogs";
+import { listenForDrops } from "./drop";
+import { Empty } from "./Empty";
+import { FailureCard } from "./FailureCard";
+import { releaseFocus } from "./focus";
+import { Head } from "./Head";
+import { onKey } from "./keys";
+import { openFiles, openFromAddress } from "./open";
+import { Progress } from "./Progress";
+import { announcement, dragging, openClip, phase } from "./state";
+
+export function App() {
+  const picker = useRef<HTMLInputElement>(null);
+  const pick = () => picker.current?.click();
+  useEffect(() => {
+    const off = new AbortController();
+    const quiet = { signal: off.signal };
+    addEventListener("keydown", (event) => onKey(event, pick), quiet);
+    addEventListener("hashchange", () => void openFromAddress(), quiet);
+    listenForDrops(off.signal);
+    releaseFocus(off.signal);
+    void openFromAddress();
+    return () => off.abort();
+  }, []);
+  const held = openClip.value;
+  useEffect(() => {
+    document.title = held ? `${held.name} – Plantigrade` : "Plantigrade";
+  }, [held]);
+  return (
+    <div class="shell" data-state={phase.value} data-clip={held ? "open" : "none"}>
+      <Head pick={pick} />
+      <main>
+        <Viewer />
+        {held ? <Timeline /> : <Empty pick={pick} />}
+        <input
+          ref={picker}
+          class="hidden"
+          type="file"
+          accept=".bvh,text/plain"
+          multiple
+          tabIndex={-1}
+          aria-label="Open BVH files"
+          onChange={(event) => {
+            const input = event.currentTarget;
+            void openFiles([...(input.files ?? [])]);
+            // The same file may be chosen again after it was changed.
+            input.value = "";
+          }}
+        />
+        <FailureCard />
+        <Progress />
+      </main>
+      {held && (
+        <Panel
+          open={
+            <button type="button" class="button strong open-low" onClick={pick}>
+              Open
+            </button>
+          }
+        />
+      )}
+      <Dialogs />
+      <p class="hidden" role="status">
+        {announcement}
+      </p>
+      {dragging.value && (
+        <div class="drop">
+          <p>Drop to open</p>
+        </div>
+      )}
+    </div>
+  );
+}

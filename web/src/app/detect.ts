@@ -1,0 +1,69 @@
+import { batch } from "@preact/signals";
+import { latest } from "../lib/latest";
+import type { DetectOptions, Overrides } from "../worker/types";
+import { engine } from "./engine";
+import {
+  clip,
+  detectFailure,
+  detection,
+  failure,
+  hero,
+  loop,
+  loopRegion,
+  options,
+  overrides,
+  source,
+} from "./state";
+
+/** Labels the clip on show; an answer that comes too late for it is dropped. */
+export async function detectNow(asked: DetectOptions = options.value): Promise<void> {
+  const about = clip.value;
+  if (!about) return;
+  try {
+    const detected = await engine.detect(asked);
+    if (clip.value !== about) return;
+    batch(() => {
+      detection.value = detected.ok ? detected.detection : null;
+      detectFailure.value = detected.ok ? null : detected.failure;
+      // Plants have moved: a loop on one of them would repeat something else.
+      if (loop.value === "plant") loop.value = "clip";
+      loopRegion.value = null;
+    });
+  } catch (error) {
+    if (clip.value !== about) return;
+    batch(() => {
+      detection.value = null;
+      detectFailure.value = { message: messageOf(error), hint: "Change a setting to try again." };
+    });
+  }
+}
+
+const detectLatest = latest(detectNow);
+
+export function setOptions(change: Partial<DetectOptions>) {
+  options.value = { ...options.value, ...change };
+  detectLatest(options.value);
+}
+
+const overrideLatest = latest(async (asked: Overrides) => {
+  const about = source.value;
+  try {
+    const opened = await engine.override(asked);
+    if (source.value !== about) return;
+    if (opened.ok) clip.value = opened.clip;
+    else failure.value = { name: about?.name ?? "", failure: opened.failure };
+    await detectNow();
+  } catch (error) {
+    failure.value = { name: about?.name ?? "", failure: { message: messageOf(error) } };
+  }
+});
+
+/** Replaces what a person corrected; at once in force. */
+export function setOverrides(next: Overrides) {
+  if (hero.value) return;
+  overrides.value = next;
+  overrideLatest(next);
+}
+
+export const messageOf = (error: unknown) =>
+  error instanceof Error ? error.message : String(error);

@@ -1,0 +1,106 @@
+import {
+  changeSpeed,
+  cycleLoop,
+  fitTimeline,
+  pause,
+  seek,
+  step,
+  stepEdge,
+  togglePlay,
+  zoomTimeline,
+} from "./playback";
+import { save } from "./save";
+import { type CameraView, clip, dialog, frameAllRequests, look, openClip } from "./state";
+
+/** Every key of the page, in the words of the dialog that lists them. */
+export const keyTable: readonly (readonly [
+  group: string,
+  rows: readonly (readonly [string, string])[],
+])[] = [
+  [
+    "Play",
+    [
+      ["Space", "Play or pause"],
+      ["← →", "One frame back, ahead"],
+      ["Shift ← →", "Previous, next plant edge"],
+      ["Home End", "First, last frame"],
+      [", .", "Slower, faster"],
+      ["L", "Loop: clip, plant, off"],
+    ],
+  ],
+  [
+    "Look",
+    [
+      ["1 2 3 4", "Perspective, front, side, top"],
+      ["F", "Frame everything"],
+      ["+ −", "Zoom the timeline"],
+      ["0", "Fit the timeline"],
+    ],
+  ],
+  [
+    "File",
+    [
+      ["Ctrl O", "Open"],
+      ["Ctrl S", "Save labels as JSON"],
+      ["?", "These keys"],
+    ],
+  ],
+];
+
+const views: Record<string, CameraView> = { 1: "perspective", 2: "front", 3: "side", 4: "top" };
+
+/** Keys a focused control needs for itself. */
+function belongsToControl(event: KeyboardEvent): boolean {
+  const at = event.target;
+  if (!(at instanceof HTMLElement)) return false;
+  if (at.closest("[role=slider]")) return false;
+  if (at.matches("input[type=range]")) return /^(Arrow|Home|End|Page)/.test(event.key);
+  if (at.closest("input, select, textarea, [role=tablist], [contenteditable]")) return true;
+  return event.key === " " && at.closest("button, a, summary") !== null;
+}
+
+export function onKey(event: KeyboardEvent, openPicker: () => void) {
+  if (event.defaultPrevented) return;
+  if ((event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey) {
+    if (event.key === "o") {
+      event.preventDefault();
+      openPicker();
+    } else if (event.key === "s" && openClip.value) {
+      event.preventDefault();
+      void save("json");
+    }
+    return;
+  }
+  if (event.ctrlKey || event.metaKey || event.altKey || dialog.value) return;
+  if (belongsToControl(event)) return;
+  if (event.key === "?") {
+    dialog.value = "keys";
+    return;
+  }
+  if (!openClip.value) return;
+  if (act(event)) event.preventDefault();
+}
+
+function act(event: KeyboardEvent): boolean {
+  const view = views[event.key];
+  if (view) look(view);
+  else if (event.key === " ") togglePlay();
+  else if (event.key === "ArrowLeft") event.shiftKey ? stepEdge(-1) : step(-1);
+  else if (event.key === "ArrowRight") event.shiftKey ? stepEdge(1) : step(1);
+  else if (event.key === "Home") jump(0);
+  else if (event.key === "End") jump(clip.value?.frames ?? 0);
+  else if (event.key === ",") changeSpeed(-1);
+  else if (event.key === ".") changeSpeed(1);
+  else if (event.key === "l" || event.key === "L") cycleLoop();
+  else if (event.key === "f" || event.key === "F") frameAllRequests.value++;
+  else if (event.key === "0") fitTimeline();
+  else if (event.key === "+" || event.key === "=") zoomTimeline(0.7);
+  else if (event.key === "-") zoomTimeline(1 / 0.7);
+  else return false;
+  return true;
+}
+
+function jump(to: number) {
+  pause();
+  seek(to);
+}

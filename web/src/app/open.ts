@@ -1,0 +1,179 @@
+import { batch } from "@preact/signals";
+import { nameOfUrl, parseHash } from "../lib/hash";
+import { bytes } from "../lib/time";
+import { clampView } from "../lib/timeView";
+import type { Clip, Failure } from "../worker/types";
+import { detectNow, messageOf } from "./detect";
+import { engine } from "./engine";
+import { fetchBlob } from "./fetch";
+import { pause, play, prefersStill } from "./playback";
+import { heroSample, samples } from "./samples";
+import type { Source } from "./state";
+import * as state from "./state";
+
+/** Larger files are refused before a byte is read: a worker's memory ends at a few times that. */
+export const sizeLimit = 2 ** 30;
+
+/** Tells a stale opening from the one a person waits for. */
+let turn = 0;
+let controller = new AbortController();
+
+function begin(name: string, stage: state.Task["stage"]): { mine: number; signal: AbortSignal } {
+  controller.abort();
+  controller = new AbortController();
+  batch(() => {
+    state.failure.value = null;
+    state.dialog.value = null;
+    state.task.value = { name, stage };
+  });
+  return { mine: ++turn, signal: controller.signal };
+}
+
+function fail(name: string, failure: Failure) {
+  batch(() => {
+    state.task.value = null;
+    state.failure.value = { name, failure };
+  });
+}
+
+/** Stops what is being opened; the clip before it stays. */
+export function cancelOpening() {
+  turn++;
+  controller.abort();
+  engine.cancel();
+  state.task.value = null;
+}
+
+/** Opens the first file that can be read; the others wait in a list. */
+export async function openFiles(files: readonly File[]): Promise<void> {
+  if (!files.length) return;
+  const sources = files.map((file): Source => ({ name: file.name, data: file }));
+  for (const source of sources) {
+    if (await openSource(source)) {
+      state.dropped.value = sources.length > 1 ? sources : [];
+      state.failure.value = null;
+      address("");
+      return;
+    }
+    if (!state.failure.value) return;
+  }
+}
+
+export async function openSource(source: Source): Promise<boolean> {
+  if (source.data.size > sizeLimit) {
+    fail(source.name, {
+      message: `The file has ${bytes(source.data.size)}; the limit is 1 GiB.`,
+      hint: "Split the clip, or leave out joints nobody needs, and export it again.",
+    });
+    return false;
+  }
+  const { mine, signal } = begin(source.name, "read");
+  try {
+    const opened = await Promise.race([
+      engine.open(source.data, source.name, (share) => {
+        if (mine === turn) state.task.value = { name: source.name, stage: "read", share };
+      }),
+      aborted(signal),
+    ]);
+    if (mine !== turn) return false;
+    if (!opened.ok) {
+      fail(source.name, opened.failure);
+      return false;
+    }
+    present(opened.clip, source, false);
+    state.task.value = { name: source.name, stage: "detect" };
+    await Promise.race([detectNow(), aborted(signal)]);
+    if (mine === turn) state.task.value = null;
+    return true;
+  } catch (error) {
+    if (mine === turn) fail(source.name, { message: messageOf(error) });
+    return false;
+  }
+}
+
+/** Puts a clip on show from its first frame. */
+function present(clip: Clip, source: Source, asHero: boolean) {
+  batch(() => {
+    pause();
+    state.hero.value = asHero;
+    state.source.value = source;
+    state.overrides.value = {};
+    state.detection.value = null;
+    state.detectFailure.value = null;
+    state.loopRegion.value = null;
+    if (state.loop.value === "plant") state.loop.value = "clip";
+    state.playhead.value = 0;
+    state.timeView.value = clampView({ start: 0, end: clip.frames }, clip.frames);
+    state.clip.value = clip;
+  });
+  if (!prefersStill()) play();
+}
+
+async function openRemote(url: string, name: string, stage: state.Task["stage"]): Promise<boolean> {
+  const { mine, signal } = begin(name, stage);
+  try {
+    const data = await fetchBlob(url, signal, sizeLimit, (share) => {
+      if (mine !== turn) return;
+      state.task.value = share === undefined ? { name, stage } : { name, stage, share };
+    });
+    if (mine !== turn) return false;
+    state.dropped.value = [];
+    return await openSource({ name, data });
+  } catch (error) {
+    if (mine === turn) {
+      fail(name, {
+        message: messageOf(error),
+        hint: "Download the file and drop it here instead.",
+      });
+    }
+    return false;
+  }
+}
+
+export const openUrl = (url: string) => openRemote(url, nameOfUrl(url), "fetch");
+
+export async function openSample(name: string): Promise<boolean> {
+  const sample = samples.find((s) => s.name === name);
+  if (sample) {
+    const opened = await openRemote(sample.url, `${sample.name}.bvh`, "read");
+    if (opened) address(`#sample=${encodeURIComponent(name)}`);
+    return opened;
+  }
+  fail(name, { message: `There is no sample called "${name}".`, hint: "Choose one below." });
+  return false;
+}
+
+/** What is open stands in the address, so that it can be passed on and comes back on reload. */
+function address(hash: string) {
+  history.replaceState(null, "", hash || location.pathname + location.search);
+}
+
+/** Follows `#url=` or `#sample=`; otherwise lets a sample move behind the empty page. */
+export async function openFromAddress(): Promise<void> {
+  const link = parseHash(location.hash);
+  if (link?.kind === "url" && (await openUrl(link.url))) return;
+  if (link?.kind === "sample" && (await openSample(link.name))) return;
+  if (!state.clip.value) await showHero();
+}
+
+async function showHero(): Promise<void> {
+  if (!heroSample) return;
+  const mine = turn;
+  try {
+    const data = await (await fetch(heroSample.url)).blob();
+    const source = { name: `${heroSample.name}.bvh`, data };
+    if (mine !== turn) return;
+    const opened = await engine.open(data, source.name);
+    if (mine !== turn || !opened.ok) return;
+    present(opened.clip, source, true);
+    await detectNow();
+  } catch {
+    // Only a picture: the page is whole without it.
+  }
+}
+
+function aborted(signal: AbortSignal): Promise<never> {
+  return new Promise((_, reject) => {
+    signal.addEventListener("abort", () => reject(new Error("cancelled")), { once: true });
+  });
+}

@@ -1,0 +1,120 @@
+import { computed, signal } from "@preact/signals";
+import { plantEdges, plantsOf } from "../lib/plants";
+import type { TimeView } from "../lib/timeView";
+import type { Clip, Detection, DetectOptions, Failure, Overrides } from "../worker/types";
+
+/** A clip that can be opened: a dropped file, a sample, a link. */
+export interface Source {
+  name: string;
+  data: Blob;
+}
+
+export interface Task {
+  name: string;
+  stage: "fetch" | "read" | "detect";
+  /** 0 … 1; undefined where nobody knows how much is left. */
+  share?: number;
+}
+
+export type CameraView = "perspective" | "front" | "side" | "top";
+export type Tab = "detect" | "labels" | "clip";
+export type Loop = "off" | "clip" | "plant";
+
+/** The clip on show; null before the first one is read. */
+export const clip = signal<Clip | null>(null);
+
+/** Where the clip on show came from. */
+export const source = signal<Source | null>(null);
+
+/** The clip on show is only the moving picture behind the empty page. */
+export const hero = signal(true);
+
+/** The labels of the clip on show; null while there are none. */
+export const detection = signal<Detection | null>(null);
+
+/** Why there are no labels, when the detector could not find any. */
+export const detectFailure = signal<Failure | null>(null);
+
+/** Why the last file could not be opened; the clip before it stays. */
+export const failure = signal<{ name: string; failure: Failure } | null>(null);
+
+/** What is being opened right now. */
+export const task = signal<Task | null>(null);
+
+/** All files of the last drop, when there were several. */
+export const dropped = signal<readonly Source[]>([]);
+
+/** What the detector is asked for; kept from clip to clip. */
+export const options = signal<DetectOptions>({ method: "robust", r: 0.001, w: 1 });
+
+/** What a person corrected about the clip on show. */
+export const overrides = signal<Overrides>({});
+
+/** The moment on show in frames; between two frames while playing. */
+export const playhead = signal(0);
+
+export const playing = signal(false);
+
+/** Speed of playback: 1 is as recorded. */
+export const speed = signal(1);
+
+/** What playback repeats. */
+export const loop = signal<Loop>("clip");
+
+/** The frames a loop of one plant repeats, half-open. */
+export const loopRegion = signal<TimeView | null>(null);
+
+/** The part of the clip the timeline shows. */
+export const timeView = signal<TimeView>({ start: 0, end: 1 });
+
+/** The side the camera was last asked to look from. */
+export const cameraView = signal<CameraView>("perspective");
+
+/** Counts those requests: asking again for the same side turns back to it. */
+export const cameraRequests = signal(0);
+
+export function look(view: CameraView) {
+  cameraView.value = view;
+  cameraRequests.value++;
+}
+
+/** The camera travels with the character. */
+export const follow = signal(true);
+
+/** Counts requests to frame everything; the viewer answers each one. */
+export const frameAllRequests = signal(0);
+
+export const tab = signal<Tab>("detect");
+
+/** On a phone the panel is a sheet; this is whether it is up. */
+export const sheetOpen = signal(false);
+
+export const dialog = signal<"keys" | "notices" | null>(null);
+
+/** Files are being dragged over the page. */
+export const dragging = signal(false);
+
+/** What a screen reader is told next. */
+export const announcement = signal("");
+
+export const phase = computed(() => {
+  if (failure.value) return "error";
+  if (task.value) return "loading";
+  return clip.value && !hero.value ? "ready" : "empty";
+});
+
+/** The clip a person opened: nothing while the page is empty. */
+export const openClip = computed(() => (hero.value ? null : clip.value));
+
+/** Whole frame under the playhead. */
+export const frame = computed(() => Math.floor(playhead.value + 1e-6));
+
+export const plants = computed(() => (detection.value ? plantsOf(detection.value) : []));
+
+export const edges = computed(() => plantEdges(plants.value, clip.value?.frames ?? 1));
+
+/** Everything the reader and the detector had to say. */
+export const notices = computed(() => [
+  ...(openClip.value?.notices ?? []),
+  ...(openClip.value && detection.value ? detection.value.notices : []),
+]);

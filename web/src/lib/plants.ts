@@ -1,0 +1,105 @@
+import type { Detection, Side, Track, Tracks } from "../worker/types";
+
+/** One stay of one foot on the ground, frames half-open. */
+export interface Plant {
+  /** Counts from 1 in order of time, both feet together. */
+  number: number;
+  side: Side;
+  start: number;
+  end: number;
+}
+
+/** The tracks that say where a foot is planted: contact, or toe where the method knows no other. */
+export function plantTracks(detection: Detection): Tracks {
+  return detection.parts.contact ?? detection.parts.toe;
+}
+
+export function plantsOf(detection: Detection): Plant[] {
+  const tracks = plantTracks(detection);
+  const plants: Plant[] = [];
+  for (const side of ["left", "right"] as const) {
+    const { intervals } = tracks[side];
+    for (let i = 0; i + 1 < intervals.length; i += 2) {
+      plants.push({ number: 0, side, start: intervals[i] ?? 0, end: intervals[i + 1] ?? 0 });
+    }
+  }
+  plants.sort((a, b) => a.start - b.start || a.end - b.end);
+  plants.forEach((plant, i) => {
+    plant.number = i + 1;
+  });
+  return plants;
+}
+
+/** The interval of a track that holds a frame, as its place in `intervals`, or -1. */
+export function intervalAt(intervals: Uint32Array, frame: number): number {
+  let low = 0;
+  let high = intervals.length / 2 - 1;
+  while (low <= high) {
+    const middle = (low + high) >> 1;
+    if (frame < (intervals[2 * middle] ?? 0)) high = middle - 1;
+    else if (frame >= (intervals[2 * middle + 1] ?? 0)) low = middle + 1;
+    else return 2 * middle;
+  }
+  return -1;
+}
+
+export function plantAt(plants: readonly Plant[], frame: number, side?: Side): Plant | undefined {
+  let found: Plant | undefined;
+  for (const plant of plants) {
+    if (plant.start > frame) break;
+    if (frame < plant.end && (!side || plant.side === side)) found = plant;
+  }
+  return found;
+}
+
+/** Every frame where a plant begins or ends, ascending, each once. */
+export function plantEdges(plants: readonly Plant[], frames: number): number[] {
+  const edges = new Set<number>();
+  for (const { start, end } of plants) {
+    edges.add(start);
+    edges.add(Math.min(end, frames - 1));
+  }
+  return [...edges].sort((a, b) => a - b);
+}
+
+/** The edge next to a frame in the given direction, or undefined at the end. */
+export function nextEdge(edges: readonly number[], frame: number, direction: 1 | -1) {
+  if (direction > 0) return edges.find((edge) => edge > frame);
+  return edges.findLast((edge) => edge < frame);
+}
+
+/** Share of frames planted, 0 … 1. */
+export function plantedShare(track: Track): number {
+  let planted = 0;
+  for (let i = 0; i < track.planted.length; i++) planted += track.planted[i] ?? 0;
+  return track.planted.length ? planted / track.planted.length : 0;
+}
+
+/** How planted a moment is, 0 … 1: the labels averaged over ± `reach` frames, so that light swells and fades. */
+export function plantedness(planted: Uint8Array, frame: number, reach: number): number {
+  const from = Math.max(0, frame - reach);
+  const to = Math.min(planted.length, frame + reach);
+  if (to <= from) return planted[Math.floor(frame)] ?? 0;
+  let sum = 0;
+  for (let i = Math.floor(from); i < to; i++) {
+    const covered = Math.min(i + 1, to) - Math.max(i, from);
+    sum += (planted[i] ?? 0) * covered;
+  }
+  return sum / (to - from);
+}
+
+/** Stretches of planted frames whose confidence is below `limit`: start, end, start, end … */
+export function doubtful(track: Track, limit = 0.75): Uint32Array {
+  const runs: number[] = [];
+  let start = -1;
+  const n = track.planted.length;
+  for (let i = 0; i <= n; i++) {
+    const low = i < n && track.planted[i] === 1 && (track.confidence[i] ?? 1) < limit;
+    if (low && start < 0) start = i;
+    if (!low && start >= 0) {
+      runs.push(start, i);
+      start = -1;
+    }
+  }
+  return Uint32Array.from(runs);
+}

@@ -1,0 +1,14 @@
+import { render } from "preact";
+import { App } from "./app/App";
+import "./styles/font.css";
+import "./styles/tokens.css";
+import "./styles/base.css";
+import "./styles/shell.css";
+import "./styles/empty.css";
+import "./styles/overlays.css";
+import "./styles/viewer.css";
+import "./styles/timeline.css";
+import "./styles/panel.css";
+
+const root = document.getElementById("app");
+if (root) render(<App />, root);

@@ -1,0 +1,188 @@
+import { setOverrides } from "../app/detect";
+import { openSource } from "../app/open";
+import { clip, dropped, openClip, overrides, source } from "../app/state";
+import { bytes, count, hertz, span } from "../lib/time";
+import type { Clip, Overrides, Up } from "../worker/types";
+
+const ups: readonly Up[] = ["y", "z", "x", "-y", "-z", "-x"];
+const footRole = /^(hips|(left|right)_(thigh|shank|ankle|toe|tip))$/;
+
+export function ClipPanel() {
+  const held = openClip.value;
+  if (!held) return null;
+  return (
+    <>
+      {dropped.value.length > 1 && <Dropped />}
+      <div class="field">
+        <h2>Clip</h2>
+        <Facts clip={held} />
+      </div>
+      <div class="field">
+        <h2>Read it as</h2>
+        <Reading clip={held} />
+      </div>
+      <div class="field">
+        <h2>Joints of the feet</h2>
+        <Roles clip={held} />
+      </div>
+    </>
+  );
+}
+
+function Dropped() {
+  return (
+    <div class="field">
+      <h2>Files dropped</h2>
+      <ul class="files">
+        {dropped.value.map((from) => (
+          <li key={from.name}>
+            <button
+              type="button"
+              class="file"
+              aria-current={from === source.value ? "true" : undefined}
+              onClick={() => openSource(from)}
+            >
+              <span>{from.name}</span>
+              <span class="quiet">{bytes(from.data.size)}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function Facts({ clip: held }: { clip: Clip }) {
+  const facts: [string, string][] = [
+    ["File", held.name],
+    ["Size", bytes(source.value?.data.size ?? 0)],
+    ["Frames", count(held.frames)],
+    ["Duration", span(held.frames / held.rate)],
+    ["Rate", hertz(held.rate)],
+    ["Joints", count(held.joints.filter((joint) => joint.kind !== "end-site").length)],
+    ["Up axis", axis(held.up)],
+    ["Unit", held.unit ?? `${Number(held.metresPerUnit.toPrecision(3))} m`],
+  ];
+  if (held.leg) facts.push(["Leg", `${(100 * held.leg).toFixed(0)} cm`]);
+  return (
+    <dl class="facts">
+      {facts.map(([name, value]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+/** `z`, or `−z` with a real minus. */
+const axis = (up: Up) => up.replace("-", "−").toUpperCase();
+
+/** The same overrides with one thing changed, or back as found. */
+function change<K extends keyof Overrides>(key: K, value: Overrides[K] | undefined) {
+  const next = { ...overrides.value };
+  if (value === undefined) delete next[key];
+  else next[key] = value;
+  setOverrides(next);
+}
+
+function Reading({ clip: held }: { clip: Clip }) {
+  const { rate, up } = overrides.value;
+  return (
+    <div class="rows">
+      <label>
+        <span>Rate</span>
+        <input
+          class="input"
+          type="number"
+          min="1"
+          max="1000"
+          step="any"
+          inputMode="decimal"
+          placeholder={`${Number(held.rate.toFixed(2))} as found`}
+          value={rate === undefined ? "" : String(rate)}
+          onChange={(event) => {
+            const asked = event.currentTarget.valueAsNumber;
+            change("rate", asked >= 1 && asked <= 1000 ? asked : undefined);
+          }}
+        />
+      </label>
+      <label>
+        <span>Up axis</span>
+        <select
+          class="select"
+          value={up ?? ""}
+          onChange={(event) =>
+            change("up", (event.currentTarget.value || undefined) as Up | undefined)
+          }
+        >
+          <option value="">{up ? "As found" : `${axis(held.up)} as found`}</option>
+          {ups.map((name) => (
+            <option key={name} value={name}>
+              {axis(name)}
+            </option>
+          ))}
+        </select>
+      </label>
+    </div>
+  );
+}
+
+function Roles({ clip: held }: { clip: Clip }) {
+  const chosen = overrides.value.roles ?? {};
+  const choose = (role: string, value: string) => {
+    const roles = { ...chosen };
+    if (value === "") delete roles[role];
+    else roles[role] = Number(value);
+    change("roles", Object.keys(roles).length ? roles : undefined);
+  };
+  return (
+    <div class="rows">
+      {held.roleNames
+        .filter((role) => footRole.test(role))
+        .map((role) => {
+          const override = chosen[role];
+          const found = held.roles[role];
+          return (
+            <label key={role}>
+              <span>{words(role)}</span>
+              <select
+                class="select"
+                value={override === undefined ? "" : String(override)}
+                onChange={(event) => choose(role, event.currentTarget.value)}
+              >
+                <option value="">
+                  {override !== undefined
+                    ? "As found"
+                    : found === undefined
+                      ? "None found"
+                      : jointName(found)}
+                </option>
+                <option value="-1">None</option>
+                {held.joints.map((_, i) => (
+                  <option key={i} value={String(i)}>
+                    {jointName(i)}
+                  </option>
+                ))}
+              </select>
+            </label>
+          );
+        })}
+    </div>
+  );
+}
+
+function words(role: string) {
+  const text = role.replace("_", " ");
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+/** End sites have no name of their own. */
+function jointName(index: number): string {
+  const joints = clip.value?.joints ?? [];
+  const joint = joints[index];
+  if (!joint) return "None";
+  if (joint.name) return joint.name;
+  return `End of ${joints[joint.parent ?? 0]?.name ?? "root"}`;
+}

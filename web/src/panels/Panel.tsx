@@ -1,0 +1,74 @@
+import { useRef } from "preact/hooks";
+import { sheetOpen, type Tab, tab } from "../app/state";
+import { ClipPanel } from "./ClipPanel";
+import { DetectPanel } from "./DetectPanel";
+import { LabelsPanel } from "./LabelsPanel";
+
+const tabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
+  ["detect", "Detect", DetectPanel],
+  ["labels", "Labels", LabelsPanel],
+  ["clip", "Clip", ClipPanel],
+];
+
+/** The panel at the right; on a phone a sheet over the lower half, `open` is what stands beside its handle. */
+export function Panel({ open }: { open: preact.ComponentChildren }) {
+  const list = useRef<HTMLDivElement>(null);
+  const choose = (next: Tab) => {
+    // On a phone the tab that is up already puts the sheet down again.
+    sheetOpen.value = !(sheetOpen.value && tab.value === next);
+    tab.value = next;
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    const at = tabs.findIndex(([id]) => id === tab.value);
+    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: tabs.length - 1 }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    const next = tabs[(to + tabs.length) % tabs.length];
+    if (!next) return;
+    tab.value = next[0];
+    list.current?.querySelector<HTMLElement>(`#tab-${next[0]}`)?.focus();
+  };
+  const Body = tabs.find(([id]) => id === tab.value)?.[2] ?? DetectPanel;
+  return (
+    <aside class="panel" aria-label="Settings and labels" data-open={sheetOpen.value}>
+      <button
+        type="button"
+        class="sheet-handle"
+        aria-expanded={sheetOpen.value}
+        aria-label={sheetOpen.value ? "Lower the panel" : "Raise the panel"}
+        onClick={() => {
+          sheetOpen.value = !sheetOpen.value;
+        }}
+      />
+      <div class="panel-head">
+        <div class="tabs" role="tablist" aria-label="Panel" ref={list} onKeyDown={onKeyDown}>
+          {tabs.map(([id, name]) => (
+            <button
+              key={id}
+              type="button"
+              role="tab"
+              id={`tab-${id}`}
+              aria-selected={tab.value === id}
+              aria-controls="panel-body"
+              tabIndex={tab.value === id ? 0 : -1}
+              onClick={() => choose(id)}
+            >
+              {name}
+            </button>
+          ))}
+        </div>
+        {open}
+      </div>
+      <div
+        class="panel-body"
+        role="tabpanel"
+        id="panel-body"
+        aria-labelledby={`tab-${tab.value}`}
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard
+        tabIndex={0}
+      >
+        <Body />
+      </div>
+    </aside>
+  );
+}

@@ -1,0 +1,41 @@
+import { seekPlant } from "../app/playback";
+import { openClip, plants } from "../app/state";
+
+/** More rows than this help nobody who listens; the Labels panel lists them all. */
+const most = 500;
+
+/** The lanes in words, for screen readers: reached by browsing, not in the way of Tab. */
+export function PlantTable() {
+  const rate = openClip.value?.rate ?? 1;
+  const listed = plants.value.slice(0, most);
+  if (!listed.length) return null;
+  return (
+    <table class="hidden">
+      <caption>
+        {plants.value.length} plants{plants.value.length > most ? `, the first ${most} listed` : ""}
+      </caption>
+      <thead>
+        <tr>
+          <th>Plant</th>
+          <th>Foot</th>
+          <th>Start</th>
+          <th>Duration</th>
+        </tr>
+      </thead>
+      <tbody>
+        {listed.map((plant) => (
+          <tr key={plant.number}>
+            <td>
+              <button type="button" tabIndex={-1} onClick={() => seekPlant(plant)}>
+                Go to plant {plant.number}
+              </button>
+            </td>
+            <td>{plant.side}</td>
+            <td>{(plant.start / rate).toFixed(2)} s</td>
+            <td>{((plant.end - plant.start) / rate).toFixed(2)} s</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}

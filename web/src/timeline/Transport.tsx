@@ -1,0 +1,80 @@
+import { useComputed } from "@preact/signals";
+import { Icon } from "../app/icons";
+import { cycleLoop, fitTimeline, speeds, togglePlay } from "../app/playback";
+import { frame, loop, loopRegion, openClip, plants, playing, speed } from "../app/state";
+import { clock, count } from "../lib/time";
+
+export function Transport() {
+  const held = openClip.value;
+  const rate = held?.rate ?? 1;
+  const time = useComputed(() => clock(frame.value / (openClip.value?.rate ?? 1)));
+  const number = useComputed(() => count(frame.value));
+  const still = (held?.frames ?? 0) < 2;
+  return (
+    <div class="transport">
+      <button
+        type="button"
+        class="play"
+        disabled={still}
+        aria-label={playing.value ? "Pause" : "Play"}
+        title={playing.value ? "Pause (Space)" : "Play (Space)"}
+        onClick={togglePlay}
+      >
+        <Icon name={playing.value ? "pause" : "play"} />
+      </button>
+      <p class="clock" title={`${clock((held?.frames ?? 0) / rate)} in all`}>
+        {time}
+      </p>
+      <p class="frame-count">
+        <span class="quiet">frame</span> {number}{" "}
+        <span class="quiet">/ {count(held?.frames ?? 0)}</span>
+      </p>
+      <span class="spring" />
+      <button
+        type="button"
+        class="button plain loop"
+        aria-pressed={loop.value !== "off"}
+        title="Loop the clip, a plant, nothing (L)"
+        onClick={cycleLoop}
+        disabled={still}
+      >
+        <Icon name="loop" />
+        <LoopName />
+      </button>
+      <label class="speed">
+        <span class="hidden">Speed</span>
+        <select
+          class="select small"
+          title="Speed (, and .)"
+          value={String(speed.value)}
+          disabled={still}
+          onChange={(event) => {
+            speed.value = Number(event.currentTarget.value);
+          }}
+        >
+          {speeds.map((s) => (
+            <option key={s} value={String(s)}>
+              {s}×
+            </option>
+          ))}
+        </select>
+      </label>
+      <button
+        type="button"
+        class="button fit"
+        title="Show the whole clip (0)"
+        onClick={fitTimeline}
+        disabled={still}
+      >
+        Fit
+      </button>
+    </div>
+  );
+}
+
+function LoopName() {
+  if (loop.value === "off") return <span>Loop off</span>;
+  if (loop.value === "clip") return <span>Loop clip</span>;
+  const plant = plants.value.find((p) => p.start === loopRegion.value?.start);
+  return <span>Loop plant {plant?.number}</span>;
+}

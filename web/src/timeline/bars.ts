@@ -1,0 +1,143 @@
+import { doubtful, type Plant } from "../lib/plants";
+import { toX } from "../lib/timeView";
+import type { Track } from "../worker/types";
+import type { Ink } from "./ink";
+import type { Bars } from "./layout";
+import { font, type Scene } from "./scene";
+
+const doubts = new WeakMap<Track, Uint32Array>();
+
+export function bracket(
+  pen: CanvasRenderingContext2D,
+  color: string,
+  from: number,
+  to: number,
+  y: number,
+  tall: number,
+) {
+  pen.fillStyle = color;
+  const left = Math.round(from);
+  const right = Math.max(left + 2, Math.round(to));
+  pen.fillRect(left, y - tall / 2, 2, tall);
+  pen.fillRect(right - 2, y - tall / 2, 2, tall);
+  pen.fillRect(left, y - 1, right - left, 2);
+}
+
+export function bar(
+  pen: CanvasRenderingContext2D,
+  ink: Ink,
+  lane: Bars,
+  from: number,
+  to: number,
+  y: number,
+  height: number,
+) {
+  const width = Math.max(1.5, to - from - 1);
+  pen.beginPath();
+  pen.roundRect(from, y, width, height, Math.min(3, width / 2));
+  if (lane.kind === "toe") {
+    pen.fillStyle = ink[lane.side];
+    pen.fill();
+    return;
+  }
+  pen.fillStyle = ink.hatch[lane.side];
+  pen.fill();
+  pen.beginPath();
+  pen.roundRect(
+    from + 0.75,
+    y + 0.75,
+    Math.max(0.5, width - 1.5),
+    height - 1.5,
+    Math.min(2.5, width / 2),
+  );
+  pen.lineWidth = 1.5;
+  pen.strokeStyle = ink[lane.side];
+  pen.stroke();
+}
+
+export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
+  const { view, ink } = scene;
+  if (lane.kind !== "contact") {
+    pen.fillStyle = ink.lane;
+    pen.fillRect(0, lane.y, inner, lane.height);
+  }
+  const { intervals } = lane.track;
+  for (let i = firstAfter(intervals, view.start); i < intervals.length; i += 2) {
+    const start = intervals[i] as number;
+    if (start > view.end) break;
+    const from = toX(view, start, inner);
+    const to = toX(view, intervals[i + 1] as number, inner);
+    if (lane.kind === "contact")
+      bracket(pen, ink[lane.side], from, to - 1, lane.y + lane.height / 2, lane.height - 4);
+    else bar(pen, ink, lane, from, to, lane.y, lane.height);
+  }
+  if (lane.kind === "contact") numberPlants(pen, scene, lane, inner);
+  else {
+    const runs = doubtsOf(lane.track);
+    pen.fillStyle = ink.erode;
+    for (let i = firstAfter(runs, view.start); i < runs.length; i += 2) {
+      const start = runs[i] as number;
+      if (start > view.end) break;
+      const from = toX(view, start, inner);
+      pen.fillRect(
+        from,
+        lane.y + 2,
+        Math.max(1, toX(view, runs[i + 1] as number, inner) - from),
+        lane.height - 4,
+      );
+    }
+    if (lane.kind === "toe" && !scene.layout.lanes.some((other) => other.kind === "contact")) {
+      numberPlants(pen, scene, lane, inner);
+    }
+  }
+}
+
+function numberPlants(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
+  const { view, ink } = scene;
+  pen.font = font(10, 600);
+  pen.textAlign = "center";
+  const middle = lane.y + lane.height / 2;
+  const fits = (plant: Plant) =>
+    toX(view, plant.end, inner) - toX(view, plant.start, inner) >=
+    pen.measureText(String(plant.number)).width + 20;
+  const seen = scene.plants.filter(
+    (plant) => plant.side === lane.side && plant.start < view.end && plant.end > view.start,
+  );
+  // A number here and there would look like a gap in the count: most of them, or none.
+  if (seen.filter(fits).length < 0.6 * seen.length) return;
+  for (const plant of seen) {
+    if (!fits(plant)) continue;
+    const from = Math.max(0, toX(view, plant.start, inner));
+    const to = Math.min(inner, toX(view, plant.end, inner));
+    const width = pen.measureText(String(plant.number)).width + 8;
+    if (to - from < width) continue;
+    const x = (from + to) / 2;
+    if (lane.kind === "contact") {
+      pen.fillStyle = ink.ground;
+      pen.fillRect(x - width / 2, lane.y, width, lane.height);
+      pen.fillStyle = ink[lane.side];
+    } else pen.fillStyle = ink.onSide;
+    pen.fillText(String(plant.number), x, middle + 0.5);
+  }
+}
+
+function doubtsOf(track: Track): Uint32Array {
+  let runs = doubts.get(track);
+  if (!runs) {
+    runs = doubtful(track);
+    doubts.set(track, runs);
+  }
+  return runs;
+}
+
+/** Place of the first interval that ends after a frame. */
+function firstAfter(intervals: Uint32Array, frame: number): number {
+  let low = 0;
+  let high = intervals.length / 2;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((intervals[2 * middle + 1] as number) <= frame) low = middle + 1;
+    else high = middle;
+  }
+  return 2 * low;
+}

@@ -1,0 +1,96 @@
+import { minMaxColumns, quantile } from "../lib/reduce";
+import { niceTop } from "../lib/ruler";
+import { toX } from "../lib/timeView";
+import type { Track } from "../worker/types";
+import type { Curves } from "./layout";
+import type { Scene } from "./scene";
+
+let columns = new Float32Array(0);
+const tops = new WeakMap<Track, { height: number; speed: number }>();
+
+function topOf(track: Track, kind: "height" | "speed"): number {
+  let top = tops.get(track);
+  if (!top) {
+    top = { height: quantile(track.height, 0.995), speed: quantile(track.speed, 0.995) };
+    tops.set(track, top);
+  }
+  return top[kind];
+}
+
+function laneTop(lane: Curves): number {
+  return niceTop(Math.max(topOf(lane.left, lane.kind), topOf(lane.right, lane.kind)));
+}
+
+/** What the height of the lane stands for. */
+export function scaleText(lane: Curves): string {
+  const top = laneTop(lane);
+  if (lane.kind === "speed") return `0–${Number(top.toPrecision(3))} m/s`;
+  return top < 1
+    ? `0–${Number((100 * top).toPrecision(3))} cm`
+    : `0–${Number(top.toPrecision(3))} m`;
+}
+
+export function paintCurves(
+  pen: CanvasRenderingContext2D,
+  scene: Scene,
+  lane: Curves,
+  inner: number,
+) {
+  const { ink, view } = scene;
+  pen.fillStyle = ink.lane;
+  pen.fillRect(0, lane.y, inner, lane.height);
+  const top = laneTop(lane);
+  const n = Math.max(1, Math.floor(inner));
+  if (columns.length < 2 * n) columns = new Float32Array(2 * n);
+  const low = lane.y + lane.height - 3;
+  const scale = (lane.height - 6) / top;
+  pen.save();
+  pen.beginPath();
+  pen.rect(0, lane.y, inner, lane.height);
+  pen.clip();
+  for (const side of ["right", "left"] as const) {
+    pen.beginPath();
+    if (view.end - view.start < n)
+      traceFrames(pen, scene, lane[side][lane.kind], inner, low, scale);
+    else {
+      minMaxColumns(lane[side][lane.kind], view.start, view.end, n, columns);
+      traceColumns(pen, n, low, scale, top);
+    }
+    pen.strokeStyle = ink[side];
+    pen.lineWidth = 1.5;
+    pen.lineJoin = "round";
+    pen.stroke();
+  }
+  pen.restore();
+}
+
+/** Close by, a curve goes from frame to frame. */
+function traceFrames(
+  pen: CanvasRenderingContext2D,
+  { view }: Scene,
+  values: Float32Array,
+  inner: number,
+  low: number,
+  scale: number,
+) {
+  const last = Math.min(values.length - 1, Math.ceil(view.end));
+  for (let f = Math.max(0, Math.floor(view.start)); f <= last; f++) {
+    pen.lineTo(toX(view, f, inner), low - (values[f] as number) * scale);
+  }
+}
+
+/** From afar, each column spans from its least to its greatest value. */
+function traceColumns(
+  pen: CanvasRenderingContext2D,
+  n: number,
+  low: number,
+  scale: number,
+  top: number,
+) {
+  for (let x = 0; x < n; x++) {
+    const max = Math.min(columns[2 * x + 1] as number, top * 1.02);
+    const min = Math.min(columns[2 * x] as number, top * 1.02);
+    pen.lineTo(x + 0.5, low - max * scale);
+    if (max - min > 0.02 * top) pen.lineTo(x + 0.5, low - min * scale);
+  }
+}

@@ -1,0 +1,184 @@
+import { batch } from "@preact/signals";
+import { pause, seek, seekPlant } from "../app/playback";
+import { clip, plants, timeView } from "../app/state";
+import { intervalAt } from "../lib/plants";
+import { moveEdge, pan, toFrame, toX, zoomAt } from "../lib/timeView";
+import { isBars, type Layout } from "./layout";
+import { margin } from "./scene";
+
+type Drag = "scrub" | "pan" | "map" | "map-start" | "map-end" | "pinch";
+
+/** Wheel, mouse and fingers on the canvas; returns how to let go. */
+export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () => void {
+  const frames = () => clip.value?.frames ?? 1;
+  const fingers = new Map<number, { x: number; y: number }>();
+  let drag: Drag | null = null;
+  let from = { x: 0, y: 0 };
+  let moved = false;
+
+  const place = (event: MouseEvent) => {
+    const box = canvas.getBoundingClientRect();
+    const layout = layoutNow();
+    return {
+      x: event.clientX - box.left - layout.labels,
+      y: event.clientY - box.top,
+      inner: box.width - layout.labels - margin,
+    };
+  };
+
+  const wheel = (event: WheelEvent) => {
+    event.preventDefault();
+    const { x, inner } = place(event);
+    const line = event.deltaMode === 1 ? 16 : 1;
+    const view = timeView.value;
+    const perPixel = (view.end - view.start) / inner;
+    if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+      const by = (event.deltaX || event.deltaY) * line * perPixel;
+      timeView.value = pan(view, by, frames());
+      return;
+    }
+    // A pinch on a trackpad arrives as small steps with ctrl held.
+    const factor = Math.exp(event.deltaY * line * (event.ctrlKey ? 0.01 : 0.0016));
+    timeView.value = zoomAt(view, toFrame(view, x, inner), factor, frames());
+  };
+
+  const partOf = (event: PointerEvent): Drag => {
+    const { x, y, inner } = place(event);
+    const { minimap } = layoutNow();
+    if (y >= minimap.y - 3) {
+      const whole = { start: 0, end: frames() };
+      const reach = event.pointerType === "touch" ? 18 : 7;
+      const start = toX(whole, timeView.value.start, inner);
+      const end = toX(whole, timeView.value.end, inner);
+      // On a narrow window the edges give way to its middle.
+      const near = Math.min(reach, (end - start) / 3 + 2);
+      if (Math.abs(x - start) < near) return "map-start";
+      if (Math.abs(x - end) < near) return "map-end";
+      return "map";
+    }
+    return event.shiftKey || event.button === 1 ? "pan" : "scrub";
+  };
+
+  const down = (event: PointerEvent) => {
+    if (event.button > 1) return;
+    event.preventDefault();
+    canvas.setPointerCapture(event.pointerId);
+    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (fingers.size === 2) {
+      drag = "pinch";
+      return;
+    }
+    from = { x: event.clientX, y: event.clientY };
+    moved = false;
+    drag = partOf(event);
+    const { x, y, inner } = place(event);
+    if (drag === "map") {
+      const at = toFrame({ start: 0, end: frames() }, x, inner);
+      const { start, end } = timeView.value;
+      if (at < start || at > end)
+        timeView.value = pan(timeView.value, at - (start + end) / 2, frames());
+    }
+    // On a bar a press waits: it may become a click that goes to the plant's start.
+    if (drag === "scrub" && (y < layoutNow().ruler.height || !laneAt(y))) scrub(x, inner);
+  };
+
+  const laneAt = (y: number) =>
+    layoutNow().lanes.find((lane) => isBars(lane) && y >= lane.y && y <= lane.y + lane.height);
+
+  const scrub = (x: number, inner: number) => {
+    batch(() => {
+      pause();
+      // The playhead must not drag the view along while it is being dragged.
+      const view = timeView.value;
+      seek(Math.min(Math.max(toFrame(view, x, inner), view.start), view.end));
+    });
+  };
+
+  const move = (event: PointerEvent) => {
+    const { x, y, inner } = place(event);
+    const finger = fingers.get(event.pointerId);
+    if (!finger) {
+      const part = partOf(event);
+      canvas.style.cursor =
+        part === "map-start" || part === "map-end"
+          ? "ew-resize"
+          : part === "map"
+            ? "grab"
+            : barAt(x, y, inner)
+              ? "pointer"
+              : "default";
+      return;
+    }
+    const dx = event.clientX - finger.x;
+    if (Math.hypot(event.clientX - from.x, event.clientY - from.y) > 3) moved = true;
+    const view = timeView.value;
+    const perPixel = (view.end - view.start) / inner;
+    const whole = { start: 0, end: frames() };
+    if (drag === "pinch") pinch(event, x, inner);
+    else if (drag === "scrub" && moved) scrub(x, inner);
+    else if (drag === "pan") timeView.value = pan(view, -dx * perPixel, frames());
+    else if (drag === "map") timeView.value = pan(view, (dx * frames()) / inner, frames());
+    else if (drag === "map-start")
+      timeView.value = moveEdge(view, "start", toFrame(whole, x, inner), frames());
+    else if (drag === "map-end")
+      timeView.value = moveEdge(view, "end", toFrame(whole, x, inner), frames());
+    finger.x = event.clientX;
+    finger.y = event.clientY;
+  };
+
+  const pinch = (event: PointerEvent, x: number, inner: number) => {
+    const finger = fingers.get(event.pointerId);
+    const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
+    if (!finger || !other) return;
+    const box = canvas.getBoundingClientRect();
+    const otherX = other.x - box.left - layoutNow().labels;
+    const was = Math.max(20, Math.abs(finger.x - other.x));
+    const is = Math.max(20, Math.abs(event.clientX - other.x));
+    const view = timeView.value;
+    const middle = toFrame(view, (x + otherX) / 2, inner);
+    const zoomed = zoomAt(view, middle, was / is, frames());
+    const shift = ((event.clientX - finger.x) / 2 / inner) * (zoomed.end - zoomed.start);
+    timeView.value = pan(zoomed, -shift, frames());
+  };
+
+  const barAt = (x: number, y: number, inner: number) => {
+    const lane = laneAt(y);
+    if (!lane || !isBars(lane)) return undefined;
+    const at = intervalAt(lane.track.intervals, toFrame(timeView.value, x, inner));
+    return at < 0
+      ? undefined
+      : { lane, start: lane.track.intervals[at] ?? 0, end: lane.track.intervals[at + 1] ?? 0 };
+  };
+
+  const up = (event: PointerEvent) => {
+    if (!fingers.delete(event.pointerId)) return;
+    if (drag === "scrub" && !moved && event.type === "pointerup") click(event);
+    if (!fingers.size) drag = null;
+  };
+
+  const click = (event: PointerEvent) => {
+    const { x, y, inner } = place(event);
+    if (y < layoutNow().ruler.height) return;
+    const bar = barAt(x, y, inner);
+    if (!bar) {
+      scrub(x, inner);
+      return;
+    }
+    const { side } = bar.lane;
+    const plant = plants.value.find(
+      (p) => p.side === side && p.start < bar.end && p.end > bar.start,
+    );
+    pause();
+    if (plant) seekPlant(plant);
+    if (!plant || plant.start !== bar.start) seek(bar.start);
+  };
+
+  const off = new AbortController();
+  const quiet = { signal: off.signal };
+  canvas.addEventListener("wheel", wheel, { passive: false, ...quiet });
+  canvas.addEventListener("pointerdown", down, quiet);
+  canvas.addEventListener("pointermove", move, quiet);
+  canvas.addEventListener("pointerup", up, quiet);
+  canvas.addEventListener("pointercancel", up, quiet);
+  return () => off.abort();
+}

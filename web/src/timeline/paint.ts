@@ -1,0 +1,87 @@
+import { toX } from "../lib/timeView";
+import { bar, bracket, paintBars } from "./bars";
+import { paintCurves, scaleText } from "./curves";
+import type { Ink } from "./ink";
+import { type Bars, isBars, type Lane } from "./layout";
+import { paintRuler } from "./rulerPaint";
+import { font, margin, type Scene } from "./scene";
+
+/** Draws everything but the playhead, which is an element of its own. */
+export function paint(pen: CanvasRenderingContext2D, scene: Scene) {
+  const { layout, ink, width } = scene;
+  pen.fillStyle = ink.ground;
+  pen.fillRect(0, 0, width, layout.height);
+  const inner = width - layout.labels - margin;
+  pen.textBaseline = "middle";
+  for (const lane of layout.lanes) paintLabel(pen, scene, lane);
+  pen.save();
+  pen.translate(layout.labels, 0);
+  paintRuler(pen, scene, inner);
+  pen.beginPath();
+  pen.rect(0, 0, inner, layout.height);
+  pen.clip();
+  for (const lane of layout.lanes) {
+    if (isBars(lane)) paintBars(pen, scene, lane, inner);
+    else paintCurves(pen, scene, lane, inner);
+  }
+  paintMinimap(pen, scene, inner);
+  pen.restore();
+}
+
+function paintLabel(pen: CanvasRenderingContext2D, { ink, layout }: Scene, lane: Lane) {
+  const middle = lane.y + lane.height / 2 + 0.5;
+  const left = layout.labels > 100 ? 16 : 12;
+  pen.textAlign = "left";
+  pen.font = font(12);
+  pen.fillStyle = ink.muted;
+  if (!isBars(lane)) {
+    pen.fillText(lane.kind === "height" ? "Toe height" : "Toe speed", left, middle - 8);
+    pen.font = font(11);
+    pen.fillText(scaleText(lane), left, middle + 8);
+    return;
+  }
+  // The swatch repeats the texture of the bar: a legend that needs no room.
+  swatch(pen, ink, lane, left, middle - 5);
+  pen.fillStyle = lane.kind === "contact" ? ink.text : ink.muted;
+  pen.fillText(`${lane.side === "left" ? "L" : "R"} ${lane.kind}`, left + 20, middle);
+}
+
+function swatch(pen: CanvasRenderingContext2D, ink: Ink, lane: Bars, x: number, y: number) {
+  if (lane.kind === "contact") bracket(pen, ink[lane.side], x, x + 12, y + 5, 8);
+  else bar(pen, ink, lane, x, x + 12, y, 10);
+}
+
+function paintMinimap(pen: CanvasRenderingContext2D, scene: Scene, inner: number) {
+  const { ink, layout, plants, frames, view } = scene;
+  const { y, height } = layout.minimap;
+  pen.fillStyle = ink.lane;
+  pen.beginPath();
+  pen.roundRect(0, y, inner, height, 3);
+  pen.fill();
+  const whole = { start: 0, end: frames };
+  const row = (height - 8) / 2;
+  for (const plant of plants) {
+    const x = toX(whole, plant.start, inner);
+    const width = Math.max(1, toX(whole, plant.end, inner) - x - 0.5);
+    pen.fillStyle = ink[plant.side];
+    pen.fillRect(x, y + 3 + (plant.side === "left" ? 0 : row + 2), width, row);
+  }
+  const from = toX(whole, view.start, inner);
+  const to = toX(whole, view.end, inner);
+  pen.globalAlpha = 0.62;
+  pen.fillStyle = ink.ground;
+  pen.fillRect(0, y, from, height);
+  pen.fillRect(to, y, inner - to, height);
+  pen.globalAlpha = 1;
+  pen.strokeStyle = ink.text;
+  pen.lineWidth = 1.5;
+  pen.beginPath();
+  pen.roundRect(from + 0.75, y + 0.75, Math.max(3, to - from - 1.5), height - 1.5, 3);
+  pen.stroke();
+  pen.fillStyle = ink.text;
+  for (const x of [from, to - 4]) {
+    pen.beginPath();
+    pen.roundRect(x, y + height / 2 - 5, 4, 10, 2);
+    pen.fill();
+  }
+}

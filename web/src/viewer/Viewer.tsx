@@ -1,0 +1,161 @@
+import { effect, signal, useComputed } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { prefersStill } from "../app/playback";
+import {
+  type CameraView,
+  cameraRequests,
+  cameraView,
+  clip,
+  detection,
+  follow,
+  frameAllRequests,
+  hero,
+  look,
+  openClip,
+  plants,
+  playhead,
+  source,
+} from "../app/state";
+import { theme } from "../app/theme";
+import { gridStep, sizeOf } from "../lib/travel";
+import { Pills } from "./Pills";
+import type { Stage } from "./stage";
+
+/** Why there is no picture; empty while there is one. */
+const trouble = signal<"" | "missing" | "lost">("");
+
+const views: readonly (readonly [CameraView, string])[] = [
+  ["perspective", "Perspective"],
+  ["front", "Front"],
+  ["side", "Side"],
+  ["top", "Top"],
+];
+
+export function Viewer() {
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => (host.current ? direct(host.current) : undefined), []);
+  const label = useComputed(() =>
+    openClip.value ? `The skeleton of ${openClip.value.name}` : "A walking skeleton",
+  );
+  return (
+    <section class="viewer" aria-label="View">
+      <div class="stage" ref={host} role="img" aria-label={label} />
+      {trouble.value && <p class="viewer-trouble">{troubleText[trouble.value]}</p>}
+      {openClip.value && (
+        <>
+          <div class="viewer-tools" hidden={trouble.value === "missing"}>
+            <fieldset class="segmented">
+              <legend class="hidden">Camera</legend>
+              {views.map(([view, name], i) => (
+                <button
+                  key={view}
+                  type="button"
+                  aria-pressed={cameraView.value === view}
+                  title={`${name} (${i + 1})`}
+                  onClick={() => look(view)}
+                >
+                  {name}
+                </button>
+              ))}
+            </fieldset>
+            <button
+              type="button"
+              class="chip"
+              aria-pressed={follow.value}
+              title="The camera travels with the character"
+              onClick={() => {
+                follow.value = !follow.value;
+              }}
+            >
+              Follow
+            </button>
+          </div>
+          <Pills />
+          <p class="scale" hidden={trouble.value === "missing"}>
+            Grid {gridStep(sizeOf(openClip.value))} m
+          </p>
+        </>
+      )}
+    </section>
+  );
+}
+
+const troubleText = {
+  missing:
+    "This browser shows no 3D (WebGL is off or missing). The timeline and the labels work without it.",
+  lost: "The graphics driver dropped the picture. It comes back by itself when the driver does; the timeline works meanwhile.",
+} as const;
+
+/** Builds the stage when three.js has come, keeps it at what the state says; returns how to end it. */
+function direct(host: HTMLElement): () => void {
+  let ended = false;
+  let end = () => {};
+  void import("./stage").then(({ Stage }) => {
+    if (ended) return;
+    let stage: Stage;
+    try {
+      stage = new Stage(host, prefersStill());
+    } catch {
+      trouble.value = "missing";
+      return;
+    }
+    stage.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      trouble.value = "lost";
+    });
+    stage.canvas.addEventListener("webglcontextrestored", () => {
+      trouble.value = "";
+      stage.invalidate();
+    });
+    const stops = connect(stage);
+    end = () => {
+      for (const stop of stops) stop();
+      stage.dispose();
+    };
+  });
+  return () => {
+    ended = true;
+    end();
+  };
+}
+
+function connect(stage: Stage): (() => void)[] {
+  let shown: unknown;
+  let up: unknown;
+  return [
+    effect(() => {
+      void theme.value;
+      const reframe = shown !== source.value || up !== clip.value?.up;
+      shown = source.value;
+      up = clip.value?.up;
+      stage.load(clip.value, reframe);
+      if (reframe) cameraView.value = "perspective";
+    }),
+    effect(() => {
+      void theme.value;
+      void clip.value;
+      stage.label(detection.value, plants.value);
+    }),
+    effect(() => stage.seek(playhead.value)),
+    effect(() => stage.setFollow(follow.value || hero.value)),
+    effect(() => stage.setAside(hero.value)),
+    skipFirst(
+      () => cameraRequests.value,
+      () => stage.look(cameraView.peek()),
+    ),
+    skipFirst(
+      () => frameAllRequests.value,
+      () => stage.frameAll(),
+    ),
+  ];
+}
+
+/** An effect for requests: what was asked before there was a stage is past. */
+function skipFirst<T>(read: () => T, act: (value: T) => void): () => void {
+  let first = true;
+  return effect(() => {
+    const value = read();
+    if (!first) act(value);
+    first = false;
+  });
+}

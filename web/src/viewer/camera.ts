@@ -1,0 +1,144 @@
+import CameraControls from "camera-controls";
+import {
+  Box3,
+  MathUtils,
+  Matrix4,
+  PerspectiveCamera,
+  Quaternion,
+  Raycaster,
+  Sphere,
+  Spherical,
+  Vector2,
+  Vector3,
+  Vector4,
+} from "three";
+import type { CameraView } from "../app/state";
+
+CameraControls.install({
+  THREE: {
+    Box3,
+    MathUtils,
+    Matrix4,
+    Quaternion,
+    Raycaster,
+    Sphere,
+    Spherical,
+    Vector2,
+    Vector3,
+    Vector4,
+  },
+});
+
+const fov = 32;
+/** The part of the picture's height a person takes. */
+const share = 0.6;
+/** Degrees from straight above. */
+const tilt = 76 * MathUtils.DEG2RAD;
+
+/** The camera and what it looks at: a person, from an angle, that travels along if asked. */
+export class Camera {
+  readonly camera = new PerspectiveCamera(fov, 1, 0.05, 200);
+  readonly controls: CameraControls;
+  /** Whether the character stands beside the middle of the picture. */
+  aside = false;
+  /** Nobody has moved the camera since the character was framed: a new window size frames it again. */
+  private framed = true;
+  private readonly target = new Vector3();
+  private size = 1.75;
+  private middle = 0.9;
+  private x = 0;
+  private z = 0;
+
+  constructor(canvas: HTMLElement, still: boolean) {
+    this.controls = new CameraControls(this.camera, canvas);
+    const { controls } = this;
+    controls.smoothTime = still ? 0 : 0.11;
+    controls.draggingSmoothTime = still ? 0 : 0.06;
+    controls.maxPolarAngle = 89 * MathUtils.DEG2RAD;
+    controls.dollyToCursor = false;
+    controls.addEventListener("controlstart", () => {
+      this.framed = false;
+    });
+    const { ACTION } = CameraControls;
+    controls.mouseButtons.right = ACTION.TRUCK;
+    controls.mouseButtons.middle = ACTION.TRUCK;
+    controls.mouseButtons.wheel = ACTION.DOLLY;
+    controls.touches.two = ACTION.TOUCH_DOLLY_TRUCK;
+    controls.touches.three = ACTION.TOUCH_TRUCK;
+  }
+
+  resize(width: number, height: number) {
+    const { camera } = this;
+    camera.aspect = width / Math.max(height, 1);
+    const right = this.aside && width > 720 ? 0.2 * width : 0;
+    // Low enough to leave a phone's words alone, high enough for the gallery's.
+    const up = this.aside ? (right ? 0.07 : -0.03) * height : 0;
+    camera.setViewOffset(width, height, -right, up, width, height);
+    if (this.framed) this.frame(false);
+  }
+
+  /** Takes the measure of a character: its height, and where it stands. */
+  measure(size: number, x: number, z: number) {
+    this.size = size;
+    this.middle = size * 0.5;
+    this.x = x;
+    this.z = z;
+    this.camera.near = size / 40;
+    this.camera.far = size * 120;
+    this.camera.updateProjectionMatrix();
+    this.controls.minDistance = size * 0.3;
+    this.controls.maxDistance = size * 40;
+  }
+
+  private distance(radius: number) {
+    const half = Math.tan((fov / 2) * MathUtils.DEG2RAD);
+    // A narrow picture is short of width before it is short of height.
+    return radius / half / Math.min(1, this.camera.aspect * 1.15);
+  }
+
+  /** Looks at the character from one of the four sides; `facing` is an azimuth. */
+  look(view: CameraView, facing: number, glide: boolean) {
+    const azimuth = { perspective: -0.62, front: 0, side: -Math.PI / 2, top: -Math.PI / 2 }[view];
+    const polar = view === "top" ? 0 : view === "perspective" ? tilt : 86 * MathUtils.DEG2RAD;
+    this.controls.normalizeRotations();
+    void this.controls.rotateTo(facing + azimuth, polar, glide);
+  }
+
+  /** Brings the whole character into the picture. */
+  frame(glide: boolean) {
+    this.framed = true;
+    void this.controls.moveTo(this.x, this.middle, this.z, glide);
+    void this.controls.dollyTo(this.distance(this.size / share / 2), glide);
+  }
+
+  /** Brings a whole stretch of floor into the picture. */
+  frameBox(low: { x: number; z: number }, high: { x: number; z: number }, glide: boolean) {
+    this.framed = false;
+    const radius = Math.max(Math.hypot(high.x - low.x, high.z - low.z) / 2, this.size / share / 2);
+    void this.controls.moveTo((low.x + high.x) / 2, this.middle, (low.z + high.z) / 2, glide);
+    void this.controls.dollyTo(this.distance(radius), glide);
+  }
+
+  /** The character has moved; the camera goes along if it follows. */
+  travel(x: number, z: number, follow: boolean) {
+    const dx = x - this.x;
+    const dz = z - this.z;
+    this.x = x;
+    this.z = z;
+    if (!follow || (dx === 0 && dz === 0)) return;
+    this.controls.getTarget(this.target);
+    void this.controls.moveTo(this.target.x + dx, this.target.y, this.target.z + dz, false);
+  }
+
+  get azimuth() {
+    return this.controls.azimuthAngle;
+  }
+
+  get polar() {
+    return this.controls.polarAngle;
+  }
+
+  dispose() {
+    this.controls.dispose();
+  }
+}

@@ -1,0 +1,304 @@
+import { DirectionalLight, HemisphereLight, Scene, WebGLRenderer } from "three";
+import type { CameraView } from "../app/state";
+import { footOf } from "../lib/feet";
+import { footprintOf } from "../lib/footprints";
+import { type Plant, plantedness } from "../lib/plants";
+import { extentOf, facingOf, sizeOf, travelOf } from "../lib/travel";
+import type { Clip, Detection } from "../worker/types";
+import { Bones } from "./bones";
+import { Camera } from "./camera";
+import { Floor } from "./floor";
+import { type Numeral, Numerals } from "./numerals";
+import { readPalette } from "./palette";
+import { Rings } from "./rings";
+import { Shadow } from "./shadow";
+import { Soles } from "./soles";
+
+/** Seconds before and after an edge within which a foot's light swells or fades. */
+const swell = 0.045;
+
+/** Everything drawn for one clip. */
+interface Cast {
+  clip: Clip;
+  size: number;
+  /** Without labels nobody knows the floor: the lowest joint of the first frame stands on it. */
+  lowest: number;
+  path: Float32Array;
+  floor: Floor;
+  bones: Bones;
+  shadow: Shadow;
+  rings: Rings;
+}
+
+/** Everything drawn for its labels. */
+interface Prints {
+  detection: Detection;
+  soles: Soles;
+  numbers: Numerals;
+}
+
+/** The three.js scene. Draws only when something asked for it. */
+export class Stage {
+  follow = true;
+  private readonly host: HTMLElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera: Camera;
+  private readonly shares = new Float32Array(5);
+  private readonly observer: ResizeObserver;
+  private cast: Cast | null = null;
+  private prints: Prints | null = null;
+  /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
+  private readonly retired: { dispose: () => void }[] = [];
+  private moment = 0;
+  private due = 0;
+  private before = 0;
+
+  /** Throws where the browser has no WebGL. */
+  constructor(host: HTMLElement, still: boolean) {
+    this.host = host;
+    this.renderer = new WebGLRenderer({ antialias: true });
+    const canvas = this.renderer.domElement;
+    host.append(canvas);
+    this.scene.background = readPalette(host).ground;
+    this.camera = new Camera(canvas, still);
+    for (const event of ["control", "wake", "transitionstart"] as const) {
+      this.camera.controls.addEventListener(event, () => this.invalidate());
+    }
+    const key = new DirectionalLight(0xffffff, 2.1);
+    key.position.set(-1.2, 1.6, 1.4);
+    // The key light sits on the camera's shoulder: no side of the skeleton is ever black.
+    this.camera.camera.add(key);
+    this.scene.add(this.camera.camera, new HemisphereLight(0xffffff, 0x8794a3, 1.5));
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(host);
+    this.resize();
+  }
+
+  get canvas() {
+    return this.renderer.domElement;
+  }
+
+  private resize() {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (!width || !height) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height);
+    this.camera.resize(width, height);
+    // At once: a cleared canvas must not flash.
+    this.draw();
+  }
+
+  /** Shows another clip; `reframe` also brings the camera to it. */
+  load(clip: Clip | null, reframe: boolean) {
+    this.label(null, []);
+    const before = this.cast;
+    this.cast = clip && this.castOf(clip);
+    this.strike(before);
+    if (this.cast && reframe) {
+      const [x, z] = this.whereabouts(this.cast);
+      this.camera.measure(this.cast.size, x, z);
+      this.camera.frame(false);
+      this.look("perspective", false);
+    }
+    this.invalidate();
+  }
+
+  private castOf(clip: Clip): Cast {
+    const palette = readPalette(this.host);
+    const size = sizeOf(clip);
+    const hips = clip.roles.hips ?? 0;
+    const feet = [footOf(clip, "left"), footOf(clip, "right")];
+    const bones = new Bones(clip, size, palette);
+    const cast: Cast = {
+      clip,
+      size,
+      lowest: extentOf(clip, 0).low,
+      path: travelOf(clip, hips),
+      floor: new Floor(palette, size),
+      bones,
+      shadow: new Shadow(bones, size, palette.shadow),
+      rings: new Rings(feet, size, palette),
+    };
+    this.scene.background = palette.ground;
+    this.scene.add(cast.floor.mesh, cast.shadow.mesh, cast.rings.mesh, bones.group);
+    return cast;
+  }
+
+  /** Shows the labels of the clip on stage. */
+  label(detection: Detection | null, plants: readonly Plant[]) {
+    const before = this.prints;
+    this.prints = this.printsOf(detection, plants);
+    if (before) {
+      this.scene.remove(before.soles.mesh, before.numbers.mesh);
+      this.retired.push(before.soles, before.numbers);
+    }
+    this.invalidate();
+  }
+
+  private printsOf(detection: Detection | null, plants: readonly Plant[]): Prints | null {
+    const { cast } = this;
+    if (!cast || !detection) return null;
+    const { clip, size } = cast;
+    const palette = readPalette(this.host);
+    const feet = { left: footOf(clip, "left"), right: footOf(clip, "right") };
+    const known = plants.filter((plant) => feet[plant.side]);
+    const prints = known.map((plant) => footprintOf(clip, feet[plant.side] ?? noFoot, plant));
+    const soles = new Soles(known, prints, clip.rate, palette);
+    const numbers = new Numerals(
+      known.map((plant, i): Numeral => {
+        const print = prints[i] ?? { x: 0, z: 0, dx: 0, dz: 1, length: 0 };
+        const back = print.length * 0.5 + 0.06 * size;
+        return {
+          x: print.x - print.dx * back,
+          z: print.z - print.dz * back,
+          height: 0.062 * size,
+          number: plant.number,
+          from: plant.start / clip.rate,
+          to: plant.end / clip.rate,
+        };
+      }),
+      palette.muted,
+      8 * size,
+    );
+    this.scene.add(soles.mesh, numbers.mesh);
+    return { detection, soles, numbers };
+  }
+
+  seek(moment: number) {
+    this.moment = Math.max(0, moment);
+    this.invalidate();
+  }
+
+  look(view: CameraView, glide = true) {
+    if (!this.cast) return;
+    const frame = Math.floor(this.moment);
+    const facing = facingOf(
+      this.cast.clip,
+      Math.min(frame, Math.max(this.cast.clip.frames - 1, 0)),
+    );
+    this.camera.look(view, Math.atan2(facing.x, facing.z), glide);
+    this.invalidate();
+  }
+
+  /** The character, or all of its way where the camera stands still. */
+  frameAll() {
+    const { cast } = this;
+    if (!cast) return;
+    if (this.follow) this.camera.frame(true);
+    else {
+      const low = { x: Number.POSITIVE_INFINITY, z: Number.POSITIVE_INFINITY };
+      const high = { x: Number.NEGATIVE_INFINITY, z: Number.NEGATIVE_INFINITY };
+      for (let i = 0; i < cast.path.length; i += 2) {
+        const [x = 0, z = 0] = [cast.path[i], cast.path[i + 1]];
+        low.x = Math.min(low.x, x);
+        low.z = Math.min(low.z, z);
+        high.x = Math.max(high.x, x);
+        high.z = Math.max(high.z, z);
+      }
+      this.camera.frameBox(low, high, true);
+    }
+    this.invalidate();
+  }
+
+  /** Behind the empty page the character stands aside from the words. */
+  setAside(aside: boolean) {
+    this.camera.aside = aside;
+    this.resize();
+  }
+
+  setFollow(follow: boolean) {
+    const began = follow && !this.follow;
+    this.follow = follow;
+    if (began) this.camera.frame(true);
+    this.invalidate();
+  }
+
+  invalidate() {
+    if (!this.due) this.due = requestAnimationFrame(this.tick);
+  }
+
+  private readonly tick = (now: number) => {
+    this.due = 0;
+    const elapsed = Math.min((now - this.before) / 1000, 0.1);
+    this.before = now;
+    const moving = this.camera.controls.update(elapsed);
+    this.draw();
+    if (moving) this.invalidate();
+  };
+
+  private whereabouts({ path }: Cast): [number, number] {
+    const last = path.length / 2 - 1;
+    const frame = Math.min(Math.floor(this.moment), last);
+    const next = Math.min(frame + 1, last);
+    const share = Math.min(this.moment, last) - frame;
+    place[0] = mix(path[2 * frame] as number, path[2 * next] as number, share);
+    place[1] = mix(path[2 * frame + 1] as number, path[2 * next + 1] as number, share);
+    return place;
+  }
+
+  private draw() {
+    const { cast, prints, shares } = this;
+    if (cast) {
+      const { clip, bones } = cast;
+      this.whereabouts(cast);
+      const x = place[0];
+      const z = place[1];
+      this.camera.travel(x, z, this.follow);
+      this.camera.controls.update(0);
+      cast.floor.moveTo(x, z);
+      bones.show(
+        clip,
+        Math.min(this.moment, Math.max(clip.frames - 1, 0)),
+        prints?.detection.floor ?? cast.lowest,
+      );
+      shares.fill(0);
+      if (prints) this.measureLight(prints.detection, swell * clip.rate);
+      bones.light(shares);
+      cast.shadow.show(bones);
+      cast.rings.show(
+        bones,
+        Math.max(shares[1] as number, shares[2] as number),
+        Math.max(shares[3] as number, shares[4] as number),
+      );
+      const seconds = this.moment / clip.rate;
+      prints?.soles.show(seconds);
+      prints?.numbers.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
+    }
+    this.renderer.render(this.scene, this.camera.camera);
+    for (const part of this.retired) part.dispose();
+    this.retired.length = 0;
+  }
+
+  private measureLight({ parts }: Detection, reach: number) {
+    const { shares, moment } = this;
+    const heel = parts.heel ?? parts.contact;
+    shares[2] = plantedness(parts.toe.left.planted, moment, reach);
+    shares[4] = plantedness(parts.toe.right.planted, moment, reach);
+    if (!heel) return;
+    shares[1] = plantedness(heel.left.planted, moment, reach);
+    shares[3] = plantedness(heel.right.planted, moment, reach);
+  }
+
+  private strike(cast: Cast | null) {
+    if (!cast) return;
+    this.scene.remove(cast.floor.mesh, cast.shadow.mesh, cast.rings.mesh, cast.bones.group);
+    this.retired.push(cast.floor, cast.shadow, cast.rings, cast.bones);
+  }
+
+  dispose() {
+    cancelAnimationFrame(this.due);
+    this.observer.disconnect();
+    this.label(null, []);
+    cancelAnimationFrame(this.due);
+    this.strike(this.cast);
+    for (const part of this.retired) part.dispose();
+    this.camera.dispose();
+    this.renderer.dispose();
+    this.canvas.remove();
+  }
+}
+
+const place: [number, number] = [0, 0];
+const noFoot = { ankle: 0, toe: 0, tip: 0 };
+const mix = (a: number, b: number, share: number) => a + (b - a) * share;
