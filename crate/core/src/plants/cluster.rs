@@ -37,6 +37,9 @@ pub(super) struct Rule {
     pub between_medians: bool,
 }
 
+/// A scale no larger than this is none: so many samples are at rest that the knee is among them.
+const AT_REST: f64 = 1e-30;
+
 /// The evidence and whether each sample is planted.
 ///
 /// Two-means parts the roots of the degrees; the class of the lower mean norm
@@ -55,7 +58,7 @@ pub(super) fn cluster(
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
         samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect::<Vec<_>>()
     });
-    let roots: Vec<f64> = if sigma > 0.0 {
+    let roots: Vec<f64> = if sigma > AT_REST {
         let degrees = degree::degrees(samples, sigma, rule.kernel, weights.as_deref());
         degrees.into_iter().map(f64::sqrt).collect()
     } else {

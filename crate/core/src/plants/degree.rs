@@ -5,6 +5,10 @@
 //! the square roots of the degrees, with eigenvalue 1: no eigensolver is
 //! needed. Where the graph falls apart numerically, √d is still the answer
 //! while a solver returns any mixture.
+//!
+//! Every pair of samples is looked at once, in blocks that the compiler turns
+//! into SIMD: single precision within a block, double across blocks. Against
+//! double precision throughout, the relative error stays below 1e-5.
 
 use super::samples::Samples;
 
@@ -17,32 +21,131 @@ pub enum Kernel {
     Cauchy,
 }
 
-impl Kernel {
-    fn of_square(self, square: f64) -> f64 {
-        match self {
-            Kernel::Gaussian => (-square).exp(),
-            Kernel::Cauchy => 1.0 / (1.0 + square),
+/// Samples that are compared with one other at a time.
+const LANES: usize = 16;
+/// Samples in a block: their sums stay in single precision.
+const BLOCK: usize = 256;
+
+type Lanes = [f32; LANES];
+
+/// Σ over j ≠ i of `weights[j]` × likeness of samples i and j, for each i; weights of 1 where none are given.
+///
+/// Takes time proportional to the square of the number of samples.
+pub(super) fn degrees(samples: &Samples, sigma: f64, kernel: Kernel, weights: Option<&[f64]>) -> Vec<f64> {
+    match kernel {
+        // exp(−x²) = 2^(−x² log₂ e): the factor goes into the coordinates.
+        Kernel::Gaussian => {
+            Columns::new(samples, std::f64::consts::LOG2_E.sqrt() / sigma, weights).degrees(power_of_two)
         }
+        Kernel::Cauchy => Columns::new(samples, 1.0 / sigma, weights)
+            .degrees(|squares| squares.map(|square| 1.0 / (1.0 + square))),
     }
 }
 
-/// Σ over j ≠ i of `weights[j]` × likeness of samples i and j, for each i; weights of 1 where none are given.
-pub(super) fn degrees(samples: &Samples, sigma: f64, kernel: Kernel, weights: Option<&[f64]>) -> Vec<f64> {
-    let count = samples.len();
-    let per_square = 1.0 / (sigma * sigma);
-    let mut degrees = vec![0.0; count];
-    for i in 0..count {
-        let point = samples.point(i);
-        let mut degree = 0.0;
-        for j in i + 1..count {
-            let square: f64 = point.iter().zip(samples.point(j)).map(|(a, b)| (a - b) * (a - b)).sum();
-            let likeness = kernel.of_square(square * per_square);
-            degree += weights.map_or(1.0, |weights| weights[j]) * likeness;
-            degrees[j] += weights.map_or(1.0, |weights| weights[i]) * likeness;
+/// 2^−x for each x ≥ 0, with a relative error of 2e-7; from 60 on, 2^−60.
+#[inline(always)]
+fn power_of_two(squares: Lanes) -> Lanes {
+    // Adding and taking away this rounds to a whole number, which stays in the low bits.
+    const ROUND: f32 = 1.5 * (1 << 23) as f32;
+    squares.map(|square| {
+        let x = -square.min(60.0);
+        let rounded = x + ROUND;
+        let f = x - (rounded - ROUND);
+        // Taylor's series of 2^f for |f| ≤ ½.
+        let power = 1.0
+            + f * (0.693_147_2
+                + f * (0.240_226_5
+                    + f * (0.055_504_11 + f * (0.009_618_129 + f * (0.001_333_356 + f * 0.000_154_035_3)))));
+        f32::from_bits(power.to_bits().wrapping_add(rounded.to_bits() << 23))
+    })
+}
+
+/// Samples by coordinate, filled up to whole blocks with samples that weigh nothing.
+struct Columns {
+    /// Number of samples.
+    count: usize,
+    /// Dimension × padded count.
+    coordinates: Vec<f32>,
+    padded: usize,
+    weights: Vec<f32>,
+}
+
+impl Columns {
+    fn new(samples: &Samples, factor: f64, weights: Option<&[f64]>) -> Columns {
+        let count = samples.len();
+        let padded = count.next_multiple_of(BLOCK);
+        let mut coordinates = vec![0.0; samples.dimension * padded];
+        for (axis, column) in coordinates.chunks_exact_mut(padded.max(1)).enumerate() {
+            for (sample, place) in column[..count].iter_mut().enumerate() {
+                *place = (samples.point(sample)[axis] * factor) as f32;
+            }
         }
-        degrees[i] += degree;
+        let mut padded_weights = vec![0.0; padded];
+        for (sample, weight) in padded_weights[..count].iter_mut().enumerate() {
+            *weight = weights.map_or(1.0, |weights| weights[sample] as f32);
+        }
+        Columns { count, coordinates, padded, weights: padded_weights }
     }
-    degrees
+
+    fn degrees(&self, likeness: impl Fn(Lanes) -> Lanes + Copy) -> Vec<f64> {
+        let mut degrees = vec![0.0; self.padded];
+        for first in (0..self.padded).step_by(BLOCK) {
+            for second in (first..self.padded).step_by(BLOCK) {
+                let [rows, columns] = self.block(first, second, likeness);
+                let mut add = |start: usize, sums: &[f32; BLOCK]| {
+                    for (degree, sum) in degrees[start..start + BLOCK].iter_mut().zip(sums) {
+                        *degree += f64::from(*sum);
+                    }
+                };
+                add(first, &rows);
+                // A block with itself has both of each pair among its rows.
+                if second > first {
+                    add(second, &columns);
+                }
+            }
+        }
+        degrees.truncate(self.count);
+        degrees
+    }
+
+    /// What two blocks of samples add to each other's degrees.
+    #[inline(always)]
+    fn block(&self, first: usize, second: usize, likeness: impl Fn(Lanes) -> Lanes) -> [[f32; BLOCK]; 2] {
+        let (mut rows, mut columns) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for (row, sum) in rows.iter_mut().enumerate() {
+            let i = first + row;
+            let mut lanes: Lanes = [0.0; LANES];
+            for (chunk, column_sums) in columns.chunks_exact_mut(LANES).enumerate() {
+                let j = second + chunk * LANES;
+                let mut alike = likeness(self.squares(i, j));
+                if (j..j + LANES).contains(&i) {
+                    // A sample is not its own neighbour.
+                    alike[i - j] = 0.0;
+                }
+                let weights = &self.weights[j..j + LANES];
+                for lane in 0..LANES {
+                    lanes[lane] += weights[lane] * alike[lane];
+                    column_sums[lane] += self.weights[i] * alike[lane];
+                }
+            }
+            *sum = lanes.iter().sum();
+        }
+        [rows, columns]
+    }
+
+    /// Squared distances from sample i to those from j on.
+    #[inline(always)]
+    fn squares(&self, i: usize, j: usize) -> Lanes {
+        let mut squares = [0.0; LANES];
+        for column in self.coordinates.chunks_exact(self.padded) {
+            let here = column[i];
+            for (square, there) in squares.iter_mut().zip(&column[j..j + LANES]) {
+                let off = here - there;
+                *square += off * off;
+            }
+        }
+        squares
+    }
 }
 
 #[cfg(test)]
@@ -58,6 +161,24 @@ mod tests {
         Samples { norms: norms.collect(), dimension, points }
     }
 
+    /// The definition, in double precision throughout.
+    fn plain(samples: &Samples, sigma: f64, kernel: Kernel, weights: &[f64]) -> Vec<f64> {
+        let affinity = affinity(samples, sigma, kernel);
+        (affinity * DVector::from_column_slice(weights)).iter().copied().collect()
+    }
+
+    fn affinity(samples: &Samples, sigma: f64, kernel: Kernel) -> DMatrix<f64> {
+        DMatrix::from_fn(samples.len(), samples.len(), |i, j| {
+            let between = samples.point(i).iter().zip(samples.point(j));
+            let square = between.map(|(a, b)| (a - b).powi(2)).sum::<f64>() / (sigma * sigma);
+            match kernel {
+                _ if i == j => 0.0,
+                Kernel::Gaussian => (-square).exp(),
+                Kernel::Cauchy => 1.0 / (1.0 + square),
+            }
+        })
+    }
+
     /// Ω^½ D^-½ A D^-½ Ω^½ with D the weighted degrees, and its eigenvectors by a dense solver.
     fn dense(
         samples: &Samples,
@@ -66,11 +187,7 @@ mod tests {
         weights: &[f64],
     ) -> SymmetricEigen<f64, nalgebra::Dyn> {
         let count = samples.len();
-        let affinity = DMatrix::from_fn(count, count, |i, j| {
-            let between = samples.point(i).iter().zip(samples.point(j));
-            let square: f64 = between.map(|(a, b)| (a - b).powi(2)).sum();
-            if i == j { 0.0 } else { kernel.of_square(square / (sigma * sigma)) }
-        });
+        let affinity = affinity(samples, sigma, kernel);
         let degree = &affinity * DVector::from_column_slice(weights);
         let side = DMatrix::from_diagonal(&DVector::from_fn(count, |i, _| (weights[i] / degree[i]).sqrt()));
         SymmetricEigen::new(&side * affinity * &side)
@@ -98,7 +215,7 @@ mod tests {
                     continue;
                 }
                 prop_assert!((eigen.eigenvalues[order[0]] - 1.0).abs() < 1e-10);
-                let found = degrees(&samples, sigma, kernel, Some(&weights));
+                let found = plain(&samples, sigma, kernel, &weights);
                 let ours = DVector::from_iterator(
                     samples.len(),
                     found.iter().zip(&weights).map(|(degree, weight)| (degree * weight).sqrt()),
@@ -109,10 +226,34 @@ mod tests {
         }
     }
 
+    proptest! {
+        #[test]
+        fn blocks_add_up_to_the_definition(
+            seed in prop::collection::vec(0.0..1.0_f64, 6 * 3..6 * 40),
+            copies in 1_usize..20,
+            sigma in 0.05..2.0_f64,
+            anchored in any::<bool>(),
+        ) {
+            // Many samples from few, each a little off its original.
+            let seed = &seed[..seed.len() / 6 * 6];
+            let points = (0..copies).flat_map(|copy| seed.iter().map(move |x| x + copy as f64 * 1e-3)).collect();
+            let samples = samples(points, 6);
+            let weights: Vec<f64> =
+                samples.norms.iter().map(|norm| if anchored { (-norm * norm).exp() } else { 1.0 }).collect();
+            for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
+                let found = degrees(&samples, sigma, kernel, anchored.then_some(&weights));
+                let expected = plain(&samples, sigma, kernel, &weights);
+                for (found, expected) in found.iter().zip(expected) {
+                    prop_assert!((found - expected).abs() <= 1e-5 * expected + 1e-12, "{found} {expected}");
+                }
+            }
+        }
+    }
+
     #[test]
     fn a_sample_is_not_its_own_neighbour() {
         let alone = samples(vec![0.0, 0.0, 9e9, 0.0], 2);
-        assert_eq!(degrees(&alone, 1.0, Kernel::Gaussian, None), [0.0, 0.0]);
+        assert!(degrees(&alone, 1.0, Kernel::Gaussian, None).iter().all(|degree| *degree < 1e-17));
         let twins = samples(vec![0.5, 0.0, 0.5, 0.0], 2);
         assert_eq!(degrees(&twins, 1.0, Kernel::Cauchy, Some(&[2.0, 3.0])), [3.0, 2.0]);
     }
