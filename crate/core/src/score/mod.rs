@@ -1,5 +1,9 @@
 //! Accuracy of labels against truth whose boundaries are fuzzy (paper, section 3.1).
 
+mod events;
+
+pub use events::{EventScore, Events, events};
+
 use std::ops::AddAssign;
 
 /// Truth of one foot per frame; `None` where it is not known.
@@ -59,6 +63,43 @@ pub fn lenient(labels: &[bool], truth: &[Option<bool>], frame_time: f64, fuzzy: 
     tally
 }
 
+/// Strict accuracy of one foot's labels.
+///
+/// Each boundary of the truth moves by at most `fuzzy` / 2 seconds, never past
+/// the middle of a segment beside it, to where it agrees best with the labels;
+/// then labels and truth are compared frame by frame. Unlike [`lenient`], a plant
+/// that was missed altogether is never forgiven.
+///
+/// # Panics
+/// If `labels` and `truth` differ in length.
+pub fn strict(labels: &[bool], truth: &[Option<bool>], frame_time: f64, fuzzy: f64) -> Tally {
+    assert_eq!(labels.len(), truth.len(), "labels and truth are of one clip");
+    let most = (fuzzy / 2.0 / frame_time + 1e-9).floor() as isize;
+    let mut moved = truth.to_vec();
+    let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
+    for run in truth.chunk_by(|a, b| a == b) {
+        let start = runs.last().map_or(0, |run| run.end);
+        runs.push(start..start + run.len());
+    }
+    for pair in runs.windows(2) {
+        let (before, after) = (&pair[0], &pair[1]);
+        let (Some(left), Some(right)) = (truth[before.start], truth[after.start]) else { continue };
+        let boundary = after.start as isize;
+        let back = most.min((before.len() / 2) as isize);
+        let ahead = most.min((after.len() / 2) as isize);
+        let range = (boundary - back) as usize..(boundary + ahead) as usize;
+        let agreement = |shift: isize| {
+            let split = (boundary + shift) as usize;
+            range.clone().filter(|&frame| labels[frame] == if frame < split { left } else { right }).count()
+        };
+        let best = (-back..=ahead).max_by_key(|&shift| (agreement(shift), -shift.abs())).unwrap_or(0);
+        for frame in range {
+            moved[frame] = Some(if (frame as isize) < boundary + best { left } else { right });
+        }
+    }
+    lenient(labels, &moved, frame_time, 0.0)
+}
+
 /// Truth from force plates without the frames that only seem to be off the ground.
 ///
 /// Off a plate, "no force" means only that there is no plate: a frame without
@@ -80,6 +121,8 @@ pub fn mask_near_unknown(truth: &[Option<bool>], frame_time: f64) -> Truth {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn truth(text: &str) -> Truth {
@@ -98,6 +141,35 @@ mod tests {
         assert_eq!(lenient(&found, &truth, 0.1, 0.0), Tally { right: 6, total: 12 });
         assert_eq!(lenient(&found, &truth, 0.1, 0.1), Tally { right: 8, total: 12 });
         assert_eq!(lenient(&found, &truth, 0.1, 0.3), Tally { right: 10, total: 12 });
+    }
+
+    #[test]
+    fn strict_moves_boundaries_but_forgives_no_missed_plant() {
+        let late = truth("....####....");
+        assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.4), Tally { right: 12, total: 12 });
+        assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.2), Tally { right: 10, total: 12 });
+        let missed = labels("............");
+        assert_eq!(lenient(&missed, &late, 0.1, 0.4).right, 12);
+        // Each boundary goes to the middle of the plant at most: nothing is left of it but its place.
+        assert_eq!(strict(&missed, &late, 0.1, 0.2), Tally { right: 10, total: 12 });
+    }
+
+    proptest! {
+        #[test]
+        fn a_longer_fuzzy_period_never_costs(
+            pairs in prop::collection::vec((any::<bool>(), prop::option::weighted(0.9, any::<bool>())), 1..60),
+            fuzzy in 0.0..0.4_f64,
+        ) {
+            let (labels, truth): (Vec<bool>, Truth) = pairs.into_iter().unzip();
+            for score in [lenient, strict] {
+                let less = score(&labels, &truth, 0.02, fuzzy);
+                let more = score(&labels, &truth, 0.02, fuzzy + 0.1);
+                prop_assert!(less.right <= more.right && less.total == more.total);
+            }
+            let plain = lenient(&labels, &truth, 0.02, 0.0);
+            prop_assert_eq!(strict(&labels, &truth, 0.02, 0.0), plain);
+            prop_assert!(strict(&labels, &truth, 0.02, fuzzy).right >= plain.right);
+        }
     }
 
     #[test]
