@@ -45,6 +45,35 @@ pub(super) fn local_quadratic(track: &[Vector3<f64>], half: usize, frame_time: f
         .collect()
 }
 
+/// Velocity that does not blur the moments in which a foot stops and starts.
+///
+/// A window that reaches across such a moment takes the foot to be moving when
+/// it already stands, or still stands. So where the straight line that fits the
+/// first or the second half of the window is flatter than [`local_quadratic`],
+/// its slope is taken.
+pub(super) fn edge_preserving(track: &[Vector3<f64>], half: usize, frame_time: f64) -> Vec<Vector3<f64>> {
+    let mut velocities = local_quadratic(track, half, frame_time);
+    let half = half.min(track.len().saturating_sub(1)).max(1);
+    for (start, line) in track.windows(half + 1).enumerate() {
+        let slope = slope(line) / frame_time;
+        // The line is the second half of its first frame's window and the first half of its last one's.
+        for frame in [start, start + half] {
+            if slope.norm_squared() < velocities[frame].norm_squared() {
+                velocities[frame] = slope;
+            }
+        }
+    }
+    velocities
+}
+
+/// Slope per frame of the straight line that fits best.
+fn slope(track: &[Vector3<f64>]) -> Vector3<f64> {
+    let middle = (track.len() - 1) as f64 / 2.0;
+    let times = (0..track.len()).map(|frame| frame as f64 - middle);
+    let square_sum: f64 = times.clone().map(|t| t * t).sum();
+    track.iter().zip(times).map(|(x, t)| x * t).sum::<Vector3<f64>>() / square_sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -62,6 +91,25 @@ mod tests {
                 let expected = Vector3::new(2.0 * a * frame as f64 * frame_time + b, 0.0, -a);
                 prop_assert!((velocity - expected).norm() < 1e-9, "{frame}: {velocity} {expected}");
             }
+        }
+    }
+
+    #[test]
+    fn a_stop_is_not_blurred() {
+        // A metre per second until frame 20, then rest.
+        let track: Vec<_> = (0..40).map(|frame| Vector3::x() * f64::from(frame.min(20)) * 0.01).collect();
+        let speeds = |velocities: Vec<Vector3<f64>>| velocities.iter().map(|v| v.norm()).collect::<Vec<_>>();
+        let blurred = speeds(local_quadratic(&track, 5, 0.01));
+        let sharp = speeds(edge_preserving(&track, 5, 0.01));
+        assert!(blurred[22] > 0.1 && sharp[20..].iter().all(|&speed| speed < 1e-12));
+        assert!(sharp[..16].iter().all(|&speed| (speed - 1.0).abs() < 1e-9));
+    }
+
+    #[test]
+    fn any_length_has_a_velocity() {
+        for frames in 0..12 {
+            let track = vec![Vector3::x(); frames];
+            assert_eq!(edge_preserving(&track, 4, 0.01), vec![Vector3::zeros(); frames]);
         }
     }
 

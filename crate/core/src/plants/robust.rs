@@ -1,9 +1,9 @@
 //! The method to use: contact, toe and heel.
 //!
 //! What it adds to the published one: frames that belong to no motion are left
-//! out, single-frame spikes mended, speeds smoothed over a window of time, the
-//! slower of ankle and toe taken for contact, ranges capped, degrees anchored
-//! at rest, a kernel with a long tail for contact, a threshold between medians,
+//! out, single-frame spikes mended, speeds smoothed over a window of time
+//! without blurring stops and starts, the slower of ankle and toe taken for
+//! contact (of two still ones the lower), ranges capped, degrees anchored at rest, a kernel with a long tail for contact, a threshold between medians,
 //! and runs too short for a person dropped.
 
 use std::ops::Range;
@@ -18,7 +18,7 @@ use crate::notice::{Code, Notice};
 
 /// Fewer frames than this are not clustered.
 const FEWEST_FRAMES: usize = 10;
-/// A clip stands still if nearly all speeds stay below this, in legs per second ...
+/// A foot is still below this speed, in legs per second; a clip stands still if nearly all speeds are ...
 const STILL_SPEED: f64 = 0.35;
 /// ... and all heights within this, in legs.
 const STILL_HEIGHT: f64 = 0.15;
@@ -35,7 +35,7 @@ pub(super) fn detect(feet: &Feet, params: ValidParams) -> (Vec<PartLabels>, Vec<
     let mut notices = trim_notices(feet, &pieces);
     let ankle = signal::smooth(feet, &pieces, |foot| feet.tracks[foot].ankle.clone());
     let toe = signal::smooth(feet, &pieces, |foot| feet.tracks[foot].toe.clone());
-    let sole = signal::slower(&ankle, &toe);
+    let sole = signal::bearing(&ankle, &toe, STILL_SPEED * feet.leg);
 
     let work = Work { feet, pieces: &pieces, params };
     let contact = work.label(Part::Contact, sole, Kernel::Cauchy);

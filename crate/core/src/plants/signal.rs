@@ -60,7 +60,7 @@ pub(super) fn plain(feet: &Feet, effector: impl Fn(usize) -> Track) -> Signals {
 pub(super) fn smooth(feet: &Feet, pieces: &[Range<usize>], effector: impl Fn(usize) -> Track) -> Signals {
     // Rates such as 0.033333 and 0.033334 s must give the same window.
     let half = (SPEED_WINDOW / feet.frame_time + 0.55).floor() as usize;
-    let velocity = |track: &[Vector3<f64>]| derivative::local_quadratic(track, half, feet.frame_time);
+    let velocity = |track: &[Vector3<f64>]| derivative::edge_preserving(track, half, feet.frame_time);
     let mut signals = [0, 1].map(|foot| {
         let track = without_spikes(&effector(foot), pieces, feet.leg);
         Signal::of(&track, feet.up, pieces, velocity)
@@ -111,11 +111,15 @@ fn without_spikes(track: &Track, pieces: &[Range<usize>], leg: f64) -> Track {
 }
 
 /// In each frame, whichever of two effectors is slower: the part of the sole that bears weight.
-pub(super) fn slower(a: &Signals, b: &Signals) -> Signals {
+///
+/// Where both are slower than `still`, the lower one: on tiptoe the ankle stands
+/// as still as the toe, but high.
+pub(super) fn bearing(a: &Signals, b: &Signals, still: f64) -> Signals {
     [0, 1].map(|foot| {
         let (a, b) = (&a[foot], &b[foot]);
+        let rank = |signal: &Signal, frame: usize| (signal.speed[frame].max(still), signal.height[frame]);
         let chosen =
-            (0..a.speed.len()).map(|frame| if b.speed[frame] < a.speed[frame] { b } else { a }.at(frame));
+            (0..a.speed.len()).map(|frame| if rank(b, frame) < rank(a, frame) { b } else { a }.at(frame));
         let (height, speed) = chosen.map(|[height, speed]| (height, speed)).unzip();
         Signal { height, speed }
     })
@@ -138,10 +142,12 @@ mod tests {
     }
 
     #[test]
-    fn the_slower_effector_is_taken() {
+    fn the_slower_effector_bears_weight_or_the_lower_of_two_still_ones() {
         let signal = |height: f64, speed: [f64; 2]| Signal { height: vec![height; 2], speed: speed.into() };
         let ankle = [signal(1.0, [0.0, 2.0]), signal(1.0, [0.0, 2.0])];
         let toe = [signal(5.0, [1.0, 1.0]), signal(5.0, [1.0, 1.0])];
-        assert_eq!(slower(&ankle, &toe)[0], Signal { height: vec![1.0, 5.0], speed: vec![0.0, 1.0] });
+        assert_eq!(bearing(&ankle, &toe, 0.5)[0], Signal { height: vec![1.0, 5.0], speed: vec![0.0, 1.0] });
+        // With both slower than 3, the ankle is the lower one throughout.
+        assert_eq!(bearing(&toe, &ankle, 3.0)[0].height, vec![1.0, 1.0]);
     }
 }
