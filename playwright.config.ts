@@ -1,0 +1,27 @@
+import { defineConfig } from "@playwright/test";
+
+// A sandbox cannot be had by root, as in most containers.
+const asRoot = process.getuid?.() === 0;
+const executablePath = process.env.CHROMIUM_PATH;
+
+export default defineConfig({
+  testDir: "tests/browser",
+  outputDir: "test-results",
+  reporter: "list",
+  fullyParallel: true,
+  forbidOnly: Boolean(process.env.CI),
+  workers: 2,
+  // The 3D picture is drawn by the processor where there is no graphics card.
+  timeout: 60_000,
+  expect: { timeout: 15_000 },
+  use: {
+    browserName: "chromium",
+    viewport: { width: 1440, height: 900 },
+    // Clips stay at the frame a test puts them; tests of motion ask for it.
+    contextOptions: { reducedMotion: "reduce" },
+    launchOptions: {
+      args: asRoot ? ["--no-sandbox"] : [],
+      ...(executablePath ? { executablePath } : {}),
+    },
+  },
+});

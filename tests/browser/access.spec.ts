@@ -1,0 +1,47 @@
+import AxeBuilder from "@axe-core/playwright";
+import { type App, expect, test } from "./app";
+import { bad, good } from "./clips";
+
+/** Every state of the page, and how to get there. */
+const states: Record<string, (app: App) => Promise<void>> = {
+  "the empty page": (app) => app.empty(),
+  "the Detect tab": (app) => app.sample("bowling"),
+  "the Labels tab": async (app) => {
+    await app.sample("bowling");
+    await app.tab("Labels");
+  },
+  "the Clip tab": async (app) => {
+    await app.sample("bowling");
+    await app.tab("Clip");
+  },
+  "the list of keys": async (app) => {
+    await app.sample("bowling");
+    await app.page.keyboard.press("?");
+    await expect(app.dialog).toBeVisible();
+  },
+  "the list of notices": async (app) => {
+    await app.with(good("breaks-off"));
+    await app.head.getByRole("button", { name: /notice/ }).click();
+    await expect(app.dialog).toBeVisible();
+  },
+  "a file refused": async (app) => {
+    await app.with(good("plain"));
+    await app.drop(bad("not-a-number"));
+    await expect(app.alert).toBeVisible();
+  },
+  "a skeleton without motion": (app) => app.with(good("no-motion")),
+};
+
+for (const colorScheme of ["dark", "light"] as const) {
+  for (const [name, reach] of Object.entries(states)) {
+    test(`${name} is accessible in the ${colorScheme}`, async ({ app, page }) => {
+      await page.emulateMedia({ colorScheme });
+      await reach(app);
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      const found = violations.flatMap(({ id, nodes }) =>
+        nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")} ${failureSummary}`),
+      );
+      expect(found).toEqual([]);
+    });
+  }
+}

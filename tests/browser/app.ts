@@ -1,0 +1,222 @@
+/** The page as a test uses it. A test fails on anything the browser complains of meanwhile. */
+
+import { readFileSync } from "node:fs";
+import {
+  test as base,
+  type ConsoleMessage,
+  expect,
+  type JSHandle,
+  type Locator,
+  type Page,
+} from "@playwright/test";
+import type { Payload } from "./clips";
+import { type Site, serve } from "./serve";
+
+export { expect };
+
+export interface Saved {
+  name: string;
+  text: string;
+}
+
+export type Tab = "Detect" | "Labels" | "Clip";
+
+export class App {
+  readonly state: Locator;
+  readonly head: Locator;
+  readonly view: Locator;
+  readonly stage: Locator;
+  readonly timeline: Locator;
+  readonly tracks: Locator;
+  readonly playhead: Locator;
+  readonly panel: Locator;
+  readonly alert: Locator;
+  readonly dialog: Locator;
+  private readonly problems: string[] = [];
+  // How a browser without a graphics card takes the picture from WebGL: its own note on itself.
+  private readonly expected = [/GL Driver Message \(OpenGL, Performance,/];
+
+  constructor(
+    readonly page: Page,
+    readonly site: Site,
+  ) {
+    this.state = page.locator("[data-state]");
+    this.head = page.getByRole("banner");
+    this.view = page.getByRole("region", { name: "View" });
+    this.stage = this.view.getByRole("img");
+    this.timeline = page.getByRole("region", { name: "Timeline" });
+    this.tracks = this.timeline.locator("canvas");
+    this.playhead = this.timeline.getByRole("slider", { name: "Playhead" });
+    this.panel = page.getByRole("tabpanel");
+    this.alert = page.getByRole("alert");
+    this.dialog = page.getByRole("dialog");
+    this.watch();
+  }
+
+  private watch() {
+    const { page, site, problems } = this;
+    const where = (message: ConsoleMessage) => message.location().url;
+    page.on("console", (message) => {
+      if (!/^(error|warning)$/.test(message.type())) return;
+      problems.push(`console ${message.type()}: ${message.text()} (${where(message)})`);
+    });
+    page.on("pageerror", (error) => problems.push(`uncaught: ${error.stack ?? error.message}`));
+    page.on("requestfailed", (request) => {
+      problems.push(`failed request: ${request.url()} ${request.failure()?.errorText ?? ""}`);
+    });
+    page.on("request", (request) => {
+      const { protocol, origin } = new URL(request.url());
+      if (origin === site.origin || protocol === "blob:" || protocol === "data:") return;
+      problems.push(`request to elsewhere: ${request.url()}`);
+    });
+  }
+
+  /** Says of a complaint of the browser that this test provokes it. */
+  provokes(complaint: RegExp) {
+    this.expected.push(complaint);
+  }
+
+  /** What the browser complained of and nobody expected. */
+  complaints(): string[] {
+    return this.problems.filter((problem) => !this.expected.some((known) => known.test(problem)));
+  }
+
+  /** Opens the page without a clip. */
+  async empty() {
+    await this.page.goto(this.site.home);
+    await expect(this.state).toHaveAttribute("data-state", "empty");
+    // By then the page listens: a person is not faster.
+    await expect(this.stage.locator("canvas")).toBeVisible();
+  }
+
+  /** Opens the page with a sample. */
+  async sample(name: string) {
+    await this.page.goto(`${this.site.home}#sample=${name}`);
+    await this.opened(`${name}.bvh`);
+  }
+
+  /** Opens the page and drops a file on it. */
+  async with(file: Payload) {
+    await this.empty();
+    await this.drop(file);
+    await this.opened(file.name);
+  }
+
+  /** Waits until a clip is open and labelled. */
+  async opened(name: string) {
+    await expect(this.page).toHaveTitle(`${name} – Plantigrade`);
+    await expect(this.state).toHaveAttribute("data-state", "ready");
+    await expect(this.playhead.or(this.timeline.getByText("no motion"))).toBeVisible();
+  }
+
+  /** Files as the page gets them from a drag or the clipboard. */
+  transfer(...files: Payload[]): Promise<JSHandle<DataTransfer>> {
+    const sent = files.map(({ name, buffer }) => ({ name, data: buffer.toString("base64") }));
+    return this.page.evaluateHandle((list) => {
+      const transfer = new DataTransfer();
+      for (const { name, data } of list) {
+        const bytes = Uint8Array.from(atob(data), (char) => char.charCodeAt(0));
+        transfer.items.add(new File([bytes], name));
+      }
+      return transfer;
+    }, sent);
+  }
+
+  async drop(...files: Payload[]) {
+    const dataTransfer = await this.transfer(...files);
+    await this.page.getByRole("main").dispatchEvent("drop", { dataTransfer });
+  }
+
+  async paste(...files: Payload[]) {
+    await this.page.evaluate(
+      (clipboardData) =>
+        document.body.dispatchEvent(
+          new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }),
+        ),
+      await this.transfer(...files),
+    );
+  }
+
+  /** The frame under the playhead. */
+  async frame(): Promise<number> {
+    return Number(await this.playhead.getAttribute("aria-valuenow"));
+  }
+
+  async lastFrame(): Promise<number> {
+    return Number(await this.playhead.getAttribute("aria-valuemax"));
+  }
+
+  /** A point on the ruler of the timeline: 0 is the left edge of the canvas, 1 the right one. */
+  async ruler(share: number): Promise<{ x: number; y: number }> {
+    const box = await this.tracks.boundingBox();
+    if (!box) throw new Error("The timeline has no canvas.");
+    return { x: box.x + share * box.width, y: box.y + 12 };
+  }
+
+  /** Presses on the ruler; gives back the frame that shows. */
+  async pressRuler(share: number): Promise<number> {
+    const { x, y } = await this.ruler(share);
+    await this.page.mouse.click(x, y);
+    return this.frame();
+  }
+
+  async tab(name: Tab) {
+    const tab = this.page.getByRole("tab", { name });
+    if ((await tab.getAttribute("aria-selected")) !== "true") await tab.click();
+    await expect(this.page.getByRole("tabpanel", { name })).toBeVisible();
+  }
+
+  /** A fact of the Clip tab by its name. */
+  fact(name: string): Locator {
+    return this.panel
+      .getByRole("term")
+      .filter({ hasText: new RegExp(`^${name}$`) })
+      .locator("xpath=following-sibling::dd[1]");
+  }
+
+  /** What the Detect tab says of a foot: the share of frames planted and the number of plants. */
+  async result(foot: "Left" | "Right"): Promise<{ share: number; plants: number }> {
+    await this.tab("Detect");
+    const text = this.fact(foot);
+    await expect(text).toHaveText(/\d+ % planted\s*\d+ plants?/);
+    const [share = Number.NaN, plants = Number.NaN] =
+      (await text.innerText()).match(/\d+/g)?.map(Number) ?? [];
+    return { share, plants };
+  }
+
+  /** What the page hands over as a download when something is done. */
+  async download(act: () => Promise<void>): Promise<Saved> {
+    const coming = this.page.waitForEvent("download");
+    await act();
+    const download = await coming;
+    return {
+      name: download.suggestedFilename(),
+      text: readFileSync(await download.path(), "utf8"),
+    };
+  }
+
+  /** Saves by a button of the Labels tab. */
+  async save(button: "Labels" | "Every frame" | "Intervals" | "Gait events"): Promise<Saved> {
+    await this.tab("Labels");
+    return this.download(() =>
+      this.panel.getByRole("button", { name: new RegExp(`^${button}`) }).click(),
+    );
+  }
+}
+
+export const test = base.extend<{ app: App }, { site: Site }>({
+  site: [
+    // biome-ignore lint/correctness/noEmptyPattern: a fixture names what it needs by a pattern
+    async ({}, use) => {
+      const site = await serve();
+      await use(site);
+      await site.close();
+    },
+    { scope: "worker" },
+  ],
+  app: async ({ page, site }, use) => {
+    const app = new App(page, site);
+    await use(app);
+    expect(app.complaints(), "The browser has nothing to complain of").toEqual([]);
+  },
+});

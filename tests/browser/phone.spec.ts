@@ -1,0 +1,101 @@
+import { type App, expect, test } from "./app";
+import { type Payload, sample } from "./clips";
+import { readLabels } from "./labels";
+
+test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+/** Nothing sticks out at the side. */
+async function expectNoSideways(app: App) {
+  const [inner, wide] = await app.page.evaluate(() => [
+    document.documentElement.clientWidth,
+    document.documentElement.scrollWidth,
+  ]);
+  expect(wide).toBe(inner);
+}
+
+test("a tap on a sample opens it on a phone", async ({ app, page }) => {
+  await app.empty();
+  await expect(page.getByRole("button", { name: "Open a file" })).toBeInViewport();
+  await expectNoSideways(app);
+  await page.getByRole("button", { name: "Frog jumps", exact: true }).tap();
+  await app.opened("frog-jumps.bvh");
+  await expectNoSideways(app);
+  await expect(app.playhead).toBeInViewport();
+  await expect(app.timeline.getByRole("button", { name: "Play" })).toBeInViewport({ ratio: 1 });
+});
+
+test("the panel rises and sinks on a phone", async ({ app, page }) => {
+  await app.sample("frog-jumps");
+  const r = page.getByRole("slider", { name: "Sensitivity r" });
+  await expect(r).not.toBeInViewport();
+  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await expect(r).toBeInViewport({ ratio: 1 });
+  await expectNoSideways(app);
+  await page.getByRole("button", { name: "Lower the panel" }).tap();
+  await expect(r).not.toBeInViewport();
+  await page.getByRole("tab", { name: "Labels" }).tap();
+  await expect(page.getByRole("button", { name: /^Every frame/ })).toBeInViewport({ ratio: 1 });
+  await page.getByRole("tab", { name: "Labels" }).tap();
+  await expect(page.getByRole("button", { name: /^Every frame/ })).not.toBeInViewport();
+});
+
+test("what a thumb taps is at least 24 pixels high", async ({ app, page }) => {
+  await app.sample("frog-jumps");
+  // The table of plants is for screen readers: there is nothing of it to see.
+  const buttons = await page.locator("button:not(table *):visible").all();
+  expect(buttons.length).toBeGreaterThan(10);
+  for (const button of buttons) {
+    const { name, height } = await button.evaluate(hitHeight);
+    expect(height, name).toBeGreaterThanOrEqual(24);
+  }
+});
+
+/** How high a control is to the touch, which may be more than it looks. */
+function hitHeight(element: Element) {
+  const box = element.getBoundingClientRect();
+  const x = box.x + box.width / 2;
+  let height = 0;
+  for (let y = box.y - 20; y < box.bottom + 20; y++) {
+    if (element.contains(document.elementFromPoint(x, y))) height++;
+  }
+  return { name: element.getAttribute("aria-label") ?? element.textContent, height };
+}
+
+test("a long clip leaves the buttons of playback their room", async ({ app }) => {
+  await app.with(repeated(sample("curved-walk"), 50));
+  await app.page.keyboard.press("End");
+  const box = await app.timeline.getByRole("button", { name: "Play" }).boundingBox();
+  expect(box?.width).toBeGreaterThanOrEqual(44);
+  await expectNoSideways(app);
+});
+
+/** The same clip with its motion so many times over. */
+function repeated(file: Payload, times: number): Payload {
+  const [head = "", motion = ""] = file.buffer.toString().split(/^Frames: .*\n/m);
+  const [time = "", ...rows] = motion.trimEnd().split("\n");
+  const all = Array.from({ length: times }, () => rows).flat();
+  const text = `${head}Frames: ${all.length}\n${time}\n${all.join("\n")}\n`;
+  return { ...file, buffer: Buffer.from(text) };
+}
+
+test("the bars of the timeline can be hit by a thumb", async ({ app, page }) => {
+  await app.sample("frog-jumps");
+  const labels = readLabels(await app.save("Labels"));
+  await page.getByRole("tab", { name: "Labels" }).tap();
+  await page.keyboard.press("End");
+  const box = await app.tracks.boundingBox();
+  if (!box) throw new Error("The timeline has no canvas.");
+  // Down through a column where the toe stands, a tap on its bar goes to the bar's start.
+  const long = labels.left.toe?.toSorted((a, b) => b.end - b.start - (a.end - a.start))[0];
+  if (!long) throw new Error("The left toe never stands.");
+  const first = await app.pressRuler(0.5);
+  const second = await app.pressRuler(0.75);
+  const perFrame = (0.25 * box.width) / (second - first);
+  const x = box.x + 0.5 * box.width + ((long.start + long.end) / 2 - first) * perFrame;
+  let hit = 0;
+  for (let y = 30; y < 200; y += 2) {
+    await page.touchscreen.tap(x, box.y + y);
+    if ((await app.frame()) === long.start) hit += 2;
+  }
+  expect(hit).toBeGreaterThanOrEqual(28);
+});

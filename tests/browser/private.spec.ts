@@ -1,0 +1,20 @@
+import { expect, test } from "./app";
+import { sample } from "./clips";
+import { readTable } from "./labels";
+
+test("nothing leaves the computer: a loaded page opens, labels and saves without a request", async ({
+  app,
+  page,
+  context,
+}) => {
+  await app.empty();
+  await page.waitForLoadState("networkidle");
+  const asked: string[] = [];
+  context.on("request", (request) => asked.push(request.url()));
+  await context.setOffline(true);
+  await app.drop(sample("one-leg-hop"));
+  await app.opened("one-leg-hop.bvh");
+  await page.getByRole("slider", { name: "Sensitivity r" }).fill("1");
+  expect(readTable(await app.save("Every frame")).rows).toHaveLength(336);
+  expect(asked.filter((url) => !url.startsWith("blob:"))).toEqual([]);
+});

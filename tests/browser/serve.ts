@@ -1,0 +1,59 @@
+/** A plain file server: no rewriting, no fallback page, as the site may meet it anywhere. */
+
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import { extname, join, normalize } from "node:path";
+import { root } from "./clips";
+
+/** The site below a folder that its build knows nothing of, and the sample clips beside it. */
+const folders = { "/deep/sub/": join(root, "web/dist"), "/clips/": join(root, "samples") };
+
+const types: Record<string, string> = {
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript; charset=utf-8",
+  ".css": "text/css; charset=utf-8",
+  ".svg": "image/svg+xml",
+  ".json": "application/json",
+  ".wasm": "application/wasm",
+  ".woff2": "font/woff2",
+  ".bvh": "text/plain; charset=utf-8",
+};
+
+export interface Site {
+  origin: string;
+  /** The address of the page. */
+  home: string;
+  close(): Promise<void>;
+}
+
+export async function serve(): Promise<Site> {
+  const server = createServer(async (request, response) => {
+    try {
+      const path = fileOf(new URL(request.url ?? "/", "http://host").pathname);
+      const body = await readFile(path);
+      const type = types[extname(path)] ?? "application/octet-stream";
+      response.writeHead(200, { "content-type": type, "content-length": body.length }).end(body);
+    } catch {
+      response.writeHead(404, { "content-type": "text/plain" }).end("There is no such file.");
+    }
+  });
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
+  return {
+    origin,
+    home: `${origin}/deep/sub/`,
+    close: () => {
+      server.closeAllConnections();
+      return new Promise((resolve) => server.close(() => resolve()));
+    },
+  };
+}
+
+function fileOf(address: string): string {
+  const path = normalize(decodeURIComponent(address));
+  for (const [prefix, folder] of Object.entries(folders)) {
+    if (path.startsWith(prefix)) return join(folder, path.slice(prefix.length) || "index.html");
+  }
+  throw new Error("outside");
+}

@@ -1,0 +1,99 @@
+import { expect, test } from "./app";
+import { good, sample } from "./clips";
+import { readLabels } from "./labels";
+
+test("a press on the timeline goes there, and a drag scrubs", async ({ app, page }) => {
+  await app.sample("curved-walk");
+  const middle = await app.pressRuler(0.5);
+  expect(middle).toBeGreaterThan(60);
+  expect(middle).toBeLessThan(180);
+  const { x, y } = await app.ruler(0.5);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  let before = middle;
+  for (const share of [0.6, 0.7, 0.8]) {
+    await page.mouse.move((await app.ruler(share)).x, y, { steps: 3 });
+    const now = await app.frame();
+    expect(now).toBeGreaterThan(before);
+    before = now;
+  }
+  await page.mouse.move((await app.ruler(2)).x, y);
+  await page.mouse.up();
+  expect(await app.frame()).toBe(244);
+});
+
+test("the playhead can be dragged by its handle", async ({ app, page }) => {
+  await app.sample("curved-walk");
+  await app.pressRuler(0.4);
+  const before = await app.frame();
+  await app.playhead.hover();
+  await page.mouse.down();
+  const { x, y } = await app.ruler(0.7);
+  await page.mouse.move(x, y, { steps: 4 });
+  await page.mouse.up();
+  expect(await app.frame()).toBeGreaterThan(before + 30);
+});
+
+test("the playhead stands at the start, after a clip without motion too", async ({ app }) => {
+  const file = sample("bowling");
+  await app.with(file);
+  const start = await app.playhead.boundingBox();
+  await app.drop(good("no-motion"));
+  await app.opened("no-motion.bvh");
+  await app.drop(file);
+  await app.opened(file.name);
+  await expect.poll(() => app.playhead.boundingBox()).toEqual(start);
+});
+
+test("the wheel zooms at the pointer and 0 shows the whole clip again", async ({ app, page }) => {
+  await app.sample("foot-drag-walk");
+  const [left, held, right] = [
+    await app.pressRuler(0.3),
+    await app.pressRuler(0.5),
+    await app.pressRuler(0.7),
+  ];
+  const { x, y } = await app.ruler(0.5);
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, -600);
+  await expect.poll(() => app.pressRuler(0.3)).toBeGreaterThan(left + 40);
+  expect(Math.abs((await app.pressRuler(0.5)) - held)).toBeLessThanOrEqual(2);
+  expect(await app.pressRuler(0.7)).toBeLessThan(right - 40);
+  await page.keyboard.press("0");
+  expect(await app.pressRuler(0.3)).toBe(left);
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, -600);
+  await app.timeline.getByRole("button", { name: "Fit" }).click();
+  expect(await app.pressRuler(0.7)).toBe(right);
+});
+
+test("Shift and the arrows go from plant edge to plant edge", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  const { left, right, frames } = readLabels(await app.save("Labels"));
+  const spans = [...(left.contact ?? []), ...(right.contact ?? [])];
+  const edges = new Set(spans.flatMap(({ start, end }) => [start, Math.min(end, frames - 1)]));
+  const ahead = [...edges]
+    .sort((a, b) => a - b)
+    .filter((edge) => edge > 0)
+    .slice(0, 4);
+  expect(ahead).toHaveLength(4);
+  for (const edge of ahead) {
+    await page.keyboard.press("Shift+ArrowRight");
+    expect(await app.frame()).toBe(edge);
+  }
+  for (const edge of ahead.reverse().slice(1)) {
+    await page.keyboard.press("Shift+ArrowLeft");
+    expect(await app.frame()).toBe(edge);
+  }
+});
+
+test("a plant of the list goes to its start", async ({ app }) => {
+  await app.sample("limp-to-run");
+  const { left, right, rate } = readLabels(await app.save("Labels"));
+  const starts = [...(left.contact ?? []), ...(right.contact ?? [])].map(({ start }) => start);
+  const plant = app.panel.getByRole("listitem").nth(3).getByRole("button");
+  await plant.click();
+  const at = await app.frame();
+  expect(starts).toContain(at);
+  await expect(plant).toContainText((at / rate).toFixed(2));
+  await expect(plant).toHaveAttribute("aria-current", "true");
+});
