@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
-use plantigrade::plants::Method;
+use plantigrade::labels::Part;
+use plantigrade::plants::{Method, Params, ValidParams};
 use plantigrade::skeleton::Up;
 
 /// Foot plants in motion capture, found with nothing to tune.
@@ -27,6 +28,8 @@ pub struct Args {
 pub enum Command {
     /// Find the frames in which each foot is planted
     Detect(DetectArgs),
+    /// Compare the labels of clips with their truth
+    Score(ScoreArgs),
     /// Say what a file holds: joints, feet, axes, scale, and what had to be repaired
     Info(InfoArgs),
 }
@@ -54,18 +57,12 @@ pub struct DetectArgs {
     /// The clips.
     #[command(flatten)]
     pub read: ReadArgs,
-    /// robust: contact, toe and heel; paper: toes by the published method
-    #[arg(long, default_value = "robust", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::name)))]
-    pub method: String,
-    /// Threshold on the running variance of the sorted norms
-    #[arg(long, value_name = "R", default_value_t = 0.001)]
-    pub r: f64,
-    /// Window half-width in frames
-    #[arg(long, value_name = "W", default_value_t = 1)]
-    pub w: usize,
-    /// Scale of the kernel, set by hand [default: found at the knee of the norms]
-    #[arg(long, value_name = "S")]
-    pub sigma: Option<f64>,
+    /// The method.
+    #[command(flatten)]
+    pub method: MethodArgs,
+    /// A clip of the same character standing still, to be clustered along (spectral methods of toes)
+    #[arg(long, value_name = "CLIP")]
+    pub still: Option<PathBuf>,
     /// What to write
     #[arg(long, value_enum, default_value_t = Format::Json)]
     pub format: Format,
@@ -78,6 +75,58 @@ pub struct DetectArgs {
     /// Clips to work on at a time [default: one per processor]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
+}
+
+/// How plants are found.
+#[derive(ClapArgs)]
+pub struct MethodArgs {
+    /// The method; robust labels contact, toe and heel
+    #[arg(long, default_value = "robust", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::name)))]
+    pub method: String,
+    /// Threshold on the running variance of the sorted norms
+    #[arg(long, value_name = "R", default_value_t = 0.001)]
+    pub r: f64,
+    /// Window half-width in frames
+    #[arg(long, value_name = "W", default_value_t = 1)]
+    pub w: usize,
+    /// Scale of the kernel, set by hand [default: found at the knee of the norms]
+    #[arg(long, value_name = "S")]
+    pub sigma: Option<f64>,
+    /// Height in metres for the methods height and dual
+    #[arg(long, value_name = "M", default_value_t = Params::default().height)]
+    pub height: f64,
+    /// Speed in metres per second for the methods speed, dual and min-speed
+    #[arg(long, value_name = "M/S", default_value_t = Params::default().speed)]
+    pub speed: f64,
+}
+
+impl MethodArgs {
+    /// The parameters, or what is wrong with them.
+    pub fn params(&self) -> Result<ValidParams, String> {
+        let params = Params {
+            method: self.method.parse()?,
+            tolerance: self.r,
+            window: self.w,
+            scale: self.sigma,
+            height: self.height,
+            speed: self.speed,
+        };
+        params.check().map_err(|error| error.to_string())
+    }
+}
+
+/// Which clips to compare with their truth.
+#[derive(ClapArgs)]
+pub struct ScoreArgs {
+    /// Folder of clips with their truth beside them: NAME.bvh with NAME.json
+    #[arg(value_name = "FOLDER")]
+    pub folder: PathBuf,
+    /// The method.
+    #[command(flatten)]
+    pub method: MethodArgs,
+    /// Compare this part only [default: every part that truth and method have]
+    #[arg(long, value_parser = PossibleValuesParser::new(Part::ALL.map(Part::name)))]
+    pub part: Option<String>,
 }
 
 /// What to say of which clips.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::Parsed;
 use plantigrade::labels::{self, Document, Labelled, Source};
-use plantigrade::plants::{self, DetectError, Detection, Feet, Params, ValidParams};
+use plantigrade::plants::{self, DetectError, Detection, Feet, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
 use crate::args::{DetectArgs, Format};
@@ -17,7 +17,9 @@ use crate::parallel;
 
 /// Detects in all inputs and counts those that failed; an error is one of the command line.
 pub fn run(args: &DetectArgs) -> Result<usize, String> {
-    let params = params(args)?;
+    let params = args.method.params()?;
+    let still = args.still.as_deref().map(|path| standing(path, args)).transpose()?;
+    let still = still.as_ref();
     let inputs = inputs::collect(&args.read)?;
     match &args.out {
         None if inputs.len() > 1 => {
@@ -25,23 +27,27 @@ pub fn run(args: &DetectArgs) -> Result<usize, String> {
         }
         None => Ok(parallel::for_each(&inputs, args.jobs, |input| {
             let loaded = inputs::load(input, &args.read)?;
-            let text = detect(input, &loaded, params, args)?;
+            let text = detect(input, &loaded, params, still, args)?;
             let written = io::stdout().write_all(text.as_bytes());
             written.map_err(|error| Failure::Write { path: "<stdout>".into(), error })
         })),
-        Some(folder) => into_folder(&inputs, params, args, folder),
+        Some(folder) => into_folder(&inputs, params, still, args, folder),
     }
 }
 
-fn params(args: &DetectArgs) -> Result<ValidParams, String> {
-    let method = args.method.parse()?;
-    let params = Params { method, tolerance: args.r, window: args.w, scale: args.sigma };
-    params.check().map_err(|error| error.to_string())
+/// The feet of the clip to be clustered along.
+fn standing(path: &Path, args: &DetectArgs) -> Result<Feet, String> {
+    let input = Input { path: path.into(), stem: PathBuf::new() };
+    let loaded = inputs::load(&input, &args.read).map_err(|failure| failure.to_string())?;
+    let clip = &loaded.parsed.clip;
+    let feet = Feet::of(clip, &Skeleton::main(clip, &inputs::overrides(&args.read)));
+    feet.map_err(|error| format!("{}: {error}", path.display()))
 }
 
 fn into_folder(
     inputs: &[Input],
     params: ValidParams,
+    still: Option<&Feet>,
     args: &DetectArgs,
     folder: &Path,
 ) -> Result<usize, String> {
@@ -66,7 +72,8 @@ fn into_folder(
     let cannot_write = |error| format!("cannot write to {}: {error}", folder.display());
     let output = OutputFolder::open(folder).map_err(cannot_write)?;
     let settings = format!(
-        "{params:?} {} {:?} {:?} {}",
+        "{params:?} {:?} {} {:?} {:?} {}",
+        args.still,
         args.format.ending(),
         args.read.fps,
         args.read.up,
@@ -79,7 +86,7 @@ fn into_folder(
         if !args.force && output.is_made(&name, &recipe) {
             return Ok(());
         }
-        let text = detect(input, &loaded, params, args)?;
+        let text = detect(input, &loaded, params, still, args)?;
         let written = output.write(&name, &text, &recipe);
         written.map_err(|error| Failure::Write { path: output.path(&name), error })
     });
@@ -88,14 +95,26 @@ fn into_folder(
 }
 
 /// The result for one clip, in the format asked for.
-fn detect(input: &Input, loaded: &Loaded, params: ValidParams, args: &DetectArgs) -> Result<String, Failure> {
+fn detect(
+    input: &Input,
+    loaded: &Loaded,
+    params: ValidParams,
+    still: Option<&Feet>,
+    args: &DetectArgs,
+) -> Result<String, Failure> {
     let Parsed { clip, notices } = &loaded.parsed;
     let all = Skeleton::all(clip, &inputs::overrides(&args.read));
     let mut found: Vec<(Skeleton, Detection)> = Vec::new();
     let mut refused = DetectError::NoFeet;
     for skeleton in all {
         match Feet::of(clip, &skeleton) {
-            Ok(feet) => found.push((skeleton, plants::detect(&feet, params))),
+            Ok(feet) => {
+                let detection = match still {
+                    Some(still) => plants::detect_along(&feet, still, params),
+                    None => plants::detect(&feet, params),
+                };
+                found.push((skeleton, detection));
+            }
             Err(error) => refused = error,
         }
     }

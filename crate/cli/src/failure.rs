@@ -4,6 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh;
+use plantigrade::labels::LabelsError;
 use plantigrade::plants::DetectError;
 
 /// Why an input gave no result.
@@ -26,6 +27,14 @@ pub enum Failure {
         path: PathBuf,
         /// Where and why.
         error: Box<bvh::Error>,
+    },
+    /// The truth beside the clip cannot be used.
+    #[error("{name}: error: {error}", name = name(.path))]
+    Truth {
+        /// The truth.
+        path: PathBuf,
+        /// Why not.
+        error: LabelsError,
     },
     /// The clip has nothing to detect in.
     #[error("{name}: error: {error}", name = name(.path))]

@@ -7,6 +7,7 @@ mod info;
 mod inputs;
 mod output;
 mod parallel;
+mod score;
 
 use std::process::ExitCode;
 
@@ -18,6 +19,7 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let done = match &args.command {
         Command::Detect(args) => detect::run(args),
+        Command::Score(args) => score::run(args),
         Command::Info(args) => info::run(args),
     };
     match done {

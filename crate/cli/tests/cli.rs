@@ -148,6 +148,36 @@ fn folders_are_done_once_and_failures_do_not_stop_them() {
 }
 
 #[test]
+fn labels_are_scored_against_truth() {
+    let output = plantigrade(&["score", "../../samples", "--part", "contact"]);
+    assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+    let text = stdout(&output);
+    let pooled = text.lines().find(|line| line.starts_with("all frames ")).expect(&text);
+    let shares: Vec<f64> = pooled.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+    assert!(shares.len() == 5 && shares.is_sorted() && shares[3] > 98.0, "{pooled}");
+    assert!(text.contains("frog-jumps") && text.contains("F1 0.9"), "{text}");
+    assert_eq!(code(&plantigrade(&["score", "good"])), 2);
+}
+
+#[test]
+fn every_method_detects() {
+    for method in ["robust", "paper", "sigma", "njw", "gmm", "hmm", "dual", "min-speed"] {
+        let output =
+            plantigrade(&["detect", "../../samples/curved-walk.bvh", "--method", method, "--format", "csv"]);
+        assert_eq!(stdout(&output).lines().count(), 246, "{method}: {}", stderr(&output));
+    }
+    let still = [
+        "detect",
+        "../../samples/curved-walk.bvh",
+        "--method",
+        "paper",
+        "--still",
+        "../../samples/bowling.bvh",
+    ];
+    assert_eq!(code(&plantigrade(&still)), 0);
+}
+
+#[test]
 fn a_wrong_command_line_is_told_apart() {
     for args in [
         &["detect"][..],

@@ -47,6 +47,12 @@ pub fn most_bytes() -> f64 {
     plantigrade::bvh::Limits::default().bytes as f64
 }
 
+impl RawClip {
+    pub(crate) fn core(&self) -> &Clip {
+        &self.clip
+    }
+}
+
 /// A clip with its skeleton.
 #[wasm_bindgen]
 pub struct RawClip {

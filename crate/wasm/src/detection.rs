@@ -22,6 +22,10 @@ impl RawDetection {
         RawDetection { detection, metres_per_unit }
     }
 
+    pub(crate) fn core(&self) -> &Detection {
+        &self.detection
+    }
+
     pub(crate) fn save(
         &self,
         format: &str,

@@ -4,14 +4,27 @@
 //! Small records cross as plain objects, long series as typed arrays.
 
 mod clip;
+mod compare;
 mod detection;
 mod records;
 
 pub use clip::{RawClip, RawReader};
+pub use compare::{DisagreementFacts, EventFacts, RawLabelling, ScoreFacts, ScoreRow};
 pub use detection::RawDetection;
-pub use records::{ClipFacts, DetectOptions, Failure, JointFacts, NoticeText, Overrides};
+pub use records::{ClipFacts, DetectOptions, Failure, JointFacts, MethodFacts, NoticeText, Overrides};
 
+use plantigrade::plants::Method;
+use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
+
+/// All methods of detection, the default first.
+///
+/// # Errors
+/// None.
+#[wasm_bindgen]
+pub fn methods() -> Result<Vec<Ts<MethodFacts>>, Failure> {
+    Method::ALL.into_iter().map(|method| records::to_js(&MethodFacts::from(method))).collect()
+}
 
 /// Lets a panic say what happened in the console before the module traps.
 #[wasm_bindgen(start)]

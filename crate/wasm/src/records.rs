@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use plantigrade::bvh::{Error, JointKind};
-use plantigrade::labels::Side;
+use plantigrade::labels::{LabelsError, Side};
 use plantigrade::notice::Notice;
-use plantigrade::plants::{DetectError, ParamError, Params};
+use plantigrade::plants::{DetectError, Family, Method, ParamError, Params};
 use plantigrade::skeleton::{self, Role};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -78,6 +78,12 @@ impl From<DetectError> for Failure {
 
 impl From<ParamError> for Failure {
     fn from(error: ParamError) -> Failure {
+        Failure { message: error.to_string(), ..Failure::default() }
+    }
+}
+
+impl From<LabelsError> for Failure {
+    fn from(error: LabelsError) -> Failure {
         Failure { message: error.to_string(), ..Failure::default() }
     }
 }
@@ -224,13 +230,20 @@ impl Overrides {
 /// How plants are to be found.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 pub struct DetectOptions {
-    /// The method.
-    #[tsify(type = "\"robust\" | \"paper\"")]
+    /// The method's name: one that `methods` lists.
     pub method: String,
     /// Threshold on the running variance of the sorted norms; 0.001 serves any clip.
     pub r: f64,
     /// Window half-width, in frames; 1 serves any clip.
     pub w: usize,
+    /// Height under which thresholds take a toe for planted, in metres.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height: Option<f64>,
+    /// Speed under which thresholds take a toe for planted, in metres per second.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<f64>,
 }
 
 impl TryFrom<&DetectOptions> for Params {
@@ -238,7 +251,49 @@ impl TryFrom<&DetectOptions> for Params {
 
     fn try_from(options: &DetectOptions) -> Result<Params, Failure> {
         let method = options.method.parse()?;
-        Ok(Params { method, tolerance: options.r, window: options.w, scale: None })
+        let default = Params::default();
+        Ok(Params {
+            method,
+            tolerance: options.r,
+            window: options.w,
+            scale: None,
+            height: options.height.unwrap_or(default.height),
+            speed: options.speed.unwrap_or(default.speed),
+        })
+    }
+}
+
+/// A method of detection, for a menu.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct MethodFacts {
+    /// What the options call it.
+    pub name: String,
+    /// What people call it.
+    pub title: String,
+    /// What it does, in a sentence.
+    pub about: String,
+    /// What kind of method it is.
+    #[tsify(type = "\"spectral\" | \"mixture\" | \"threshold\"")]
+    pub family: String,
+    /// The parts that it labels.
+    #[tsify(type = "(\"contact\" | \"toe\" | \"heel\")[]")]
+    pub parts: Vec<String>,
+}
+
+impl From<Method> for MethodFacts {
+    fn from(method: Method) -> MethodFacts {
+        let family = match method.family() {
+            Family::Spectral => "spectral",
+            Family::Mixture => "mixture",
+            Family::Threshold => "threshold",
+        };
+        MethodFacts {
+            name: method.name().into(),
+            title: method.title().into(),
+            about: method.about().into(),
+            family: family.into(),
+            parts: method.parts().iter().map(|part| part.name().into()).collect(),
+        }
     }
 }
 

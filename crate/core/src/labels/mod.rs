@@ -1,12 +1,14 @@
 //! Labels: which frames each foot is planted in, as frames, intervals and documents.
 
 mod document;
+mod read;
 mod tables;
 
 pub use document::{
     Document, FORMAT, Foot, FootJoints, Joints, MethodUsed, Source, Span, SpanSource, VERSION,
 };
 
+pub use read::{Labelling, LabelsError, read};
 pub use tables::{Labelled, events_csv, frames_csv, intervals_csv};
 
 use serde::{Deserialize, Serialize};

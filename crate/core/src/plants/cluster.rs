@@ -1,6 +1,6 @@
-//! From samples to two classes: scale, degrees, threshold.
+//! From samples to two classes: degrees and threshold.
 
-use super::degree::{self, Kernel};
+use super::degree::{Graph, Kernel};
 use super::samples::Samples;
 use super::scale::Scale;
 use super::two_means;
@@ -18,7 +18,8 @@ pub struct Evidence {
     pub knee: usize,
     /// Scale of the kernel: the norm at the knee, unless set by hand.
     pub sigma: f64,
-    /// u: the root of each sample's degree; the left foot's frames, then the right's.
+    /// u: the value that parts the samples, the root of each one's degree unless the
+    /// method has another; the left foot's frames, then the right's.
     pub roots: Vec<f64>,
     /// Samples above this value of u are alike in being planted.
     pub threshold: f64,
@@ -26,44 +27,39 @@ pub struct Evidence {
     pub planted_middle: f64,
 }
 
-/// How samples are compared and divided.
-pub(super) struct Rule {
-    pub kernel: Kernel,
-    /// Whether samples near rest count for more, so that a foot held still in
-    /// the air, dense as its samples are, is not taken for one on the ground.
-    pub anchored: bool,
-    /// Whether the threshold lies halfway between the classes' medians rather
-    /// than at the gap between the classes.
-    pub between_medians: bool,
-}
-
 /// A scale no larger than this is none: so many samples are at rest that the knee is among them.
 const AT_REST: f64 = 1e-30;
 
-/// The evidence and whether each sample is planted.
+/// The roots of the weighted degrees of `samples`; all 0 where the scale is none.
+pub(super) fn roots(samples: &Samples, sigma: f64, kernel: Kernel, weights: &[f64]) -> Vec<f64> {
+    if sigma <= AT_REST {
+        return vec![0.0; samples.len()];
+    }
+    let degrees = Graph::new(samples, sigma, kernel).times(weights);
+    degrees.into_iter().map(f64::sqrt).collect()
+}
+
+/// Where the threshold lies between two classes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Between {
+    /// In the middle of the gap that two-means leaves: the paper's.
+    Gap,
+    /// Halfway between the medians of the classes.
+    Medians,
+}
+
+/// Parts samples by a value that each has, and tells which are planted.
 ///
-/// Two-means parts the roots of the degrees; the class of the lower mean norm
-/// is planted. Where all samples are at rest or alike, all are planted.
-pub(super) fn cluster(
-    samples: &Samples,
+/// Two-means finds the classes; the one of the lower mean norm is planted.
+/// Where all samples are at rest or alike, all are planted.
+pub(super) fn divide(
     frames: Vec<usize>,
-    r: f64,
-    sigma: Option<f64>,
-    window: usize,
-    rule: &Rule,
+    samples: &Samples,
+    scale: Scale,
+    sigma: f64,
+    values: Vec<f64>,
+    between: Between,
 ) -> (Evidence, Vec<bool>) {
-    let scale = Scale::find(&samples.norms, r);
-    let sigma = sigma.unwrap_or(scale.sigma());
-    let weights = rule.anchored.then(|| {
-        let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
-        samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect::<Vec<_>>()
-    });
-    let roots: Vec<f64> = if sigma > AT_REST {
-        let degrees = degree::degrees(samples, sigma, rule.kernel, weights.as_deref());
-        degrees.into_iter().map(f64::sqrt).collect()
-    } else {
-        vec![0.0; samples.len()]
-    };
     let mut evidence = Evidence {
         frames,
         sorted_norms: scale.sorted_norms,
@@ -72,26 +68,26 @@ pub(super) fn cluster(
         sigma,
         threshold: f64::NEG_INFINITY,
         planted_middle: 0.0,
-        roots,
+        roots: values,
     };
-    let planted = divide(&mut evidence, &samples.norms, rule.between_medians);
-    (evidence, planted)
-}
-
-fn divide(evidence: &mut Evidence, norms: &[f64], between_medians: bool) -> Vec<bool> {
-    let roots = &evidence.roots;
-    let Some(gap) = two_means::threshold(roots) else {
-        return vec![true; roots.len()];
+    let values = &evidence.roots;
+    let Some(gap) = two_means::threshold(values) else {
+        let planted = vec![true; values.len()];
+        return (evidence, planted);
     };
-    let (high, low): (Vec<usize>, Vec<usize>) = (0..roots.len()).partition(|&sample| roots[sample] > gap);
+    let (high, low): (Vec<usize>, Vec<usize>) = (0..values.len()).partition(|&sample| values[sample] > gap);
     let mean_norm =
-        |class: &[usize]| class.iter().map(|&sample| norms[sample]).sum::<f64>() / class.len() as f64;
-    let middle = |class: &[usize]| median(class.iter().map(|&sample| roots[sample]).collect());
+        |class: &[usize]| class.iter().map(|&sample| samples.norms[sample]).sum::<f64>() / class.len() as f64;
+    let middle = |class: &[usize]| median(class.iter().map(|&sample| values[sample]).collect());
     let (low_middle, high_middle) = (middle(&low), middle(&high));
     let planted_is_high = mean_norm(&high) < mean_norm(&low);
-    evidence.threshold = if between_medians { (low_middle + high_middle) / 2.0 } else { gap };
+    evidence.threshold = match between {
+        Between::Gap => gap,
+        Between::Medians => (low_middle + high_middle) / 2.0,
+    };
     evidence.planted_middle = if planted_is_high { high_middle } else { low_middle };
-    roots.iter().map(|&root| (root > evidence.threshold) == planted_is_high).collect()
+    let planted = values.iter().map(|&value| (value > evidence.threshold) == planted_is_high).collect();
+    (evidence, planted)
 }
 
 /// The middle value, or the mean of the two middle ones.

@@ -28,17 +28,34 @@ const BLOCK: usize = 256;
 
 type Lanes = [f32; LANES];
 
-/// Σ over j ≠ i of `weights[j]` × likeness of samples i and j, for each i; weights of 1 where none are given.
-///
-/// Takes time proportional to the square of the number of samples.
-pub(super) fn degrees(samples: &Samples, sigma: f64, kernel: Kernel, weights: Option<&[f64]>) -> Vec<f64> {
-    match kernel {
-        // exp(−x²) = 2^(−x² log₂ e): the factor goes into the coordinates.
-        Kernel::Gaussian => {
-            Columns::new(samples, std::f64::consts::LOG2_E.sqrt() / sigma, weights).degrees(power_of_two)
+/// The graph of the likenesses of samples: its matrix A is never stored, only multiplied with.
+pub(super) struct Graph {
+    kernel: Kernel,
+    columns: Columns,
+}
+
+impl Graph {
+    /// The graph of `samples` for scale `sigma`.
+    pub fn new(samples: &Samples, sigma: f64, kernel: Kernel) -> Graph {
+        let factor = match kernel {
+            // exp(−x²) = 2^(−x² log₂ e): the factor goes into the coordinates.
+            Kernel::Gaussian => std::f64::consts::LOG2_E.sqrt() / sigma,
+            Kernel::Cauchy => 1.0 / sigma,
+        };
+        Graph { kernel, columns: Columns::new(samples, factor) }
+    }
+
+    /// A·`weights`: Σ over j ≠ i of `weights[j]` × likeness of samples i and j, for each i.
+    ///
+    /// With weights of 1, these are the degrees. Takes time proportional to the
+    /// square of the number of samples.
+    pub fn times(&self, weights: &[f64]) -> Vec<f64> {
+        match self.kernel {
+            Kernel::Gaussian => self.columns.times(weights, power_of_two),
+            Kernel::Cauchy => {
+                self.columns.times(weights, |squares| squares.map(|square| 1.0 / (1.0 + square)))
+            }
         }
-        Kernel::Cauchy => Columns::new(samples, 1.0 / sigma, weights)
-            .degrees(|squares| squares.map(|square| 1.0 / (1.0 + square))),
     }
 }
 
@@ -53,7 +70,7 @@ fn power_of_two(squares: Lanes) -> Lanes {
         let f = x - (rounded - ROUND);
         // Taylor's series of 2^f for |f| ≤ ½.
         let power = 1.0
-            + f * (0.693_147_2
+            + f * (std::f32::consts::LN_2
                 + f * (0.240_226_5
                     + f * (0.055_504_11 + f * (0.009_618_129 + f * (0.001_333_356 + f * 0.000_154_035_3)))));
         f32::from_bits(power.to_bits().wrapping_add(rounded.to_bits() << 23))
@@ -67,11 +84,10 @@ struct Columns {
     /// Dimension × padded count.
     coordinates: Vec<f32>,
     padded: usize,
-    weights: Vec<f32>,
 }
 
 impl Columns {
-    fn new(samples: &Samples, factor: f64, weights: Option<&[f64]>) -> Columns {
+    fn new(samples: &Samples, factor: f64) -> Columns {
         let count = samples.len();
         let padded = count.next_multiple_of(BLOCK);
         let mut coordinates = vec![0.0; samples.dimension * padded];
@@ -80,18 +96,18 @@ impl Columns {
                 *place = (samples.point(sample)[axis] * factor) as f32;
             }
         }
-        let mut padded_weights = vec![0.0; padded];
-        for (sample, weight) in padded_weights[..count].iter_mut().enumerate() {
-            *weight = weights.map_or(1.0, |weights| weights[sample] as f32);
-        }
-        Columns { count, coordinates, padded, weights: padded_weights }
+        Columns { count, coordinates, padded }
     }
 
-    fn degrees(&self, likeness: impl Fn(Lanes) -> Lanes + Copy) -> Vec<f64> {
+    fn times(&self, weights: &[f64], likeness: impl Fn(Lanes) -> Lanes + Copy) -> Vec<f64> {
+        let mut padded_weights = vec![0.0; self.padded];
+        for (place, weight) in padded_weights.iter_mut().zip(weights) {
+            *place = *weight as f32;
+        }
         let mut degrees = vec![0.0; self.padded];
         for first in (0..self.padded).step_by(BLOCK) {
             for second in (first..self.padded).step_by(BLOCK) {
-                let [rows, columns] = self.block(first, second, likeness);
+                let [rows, columns] = self.block(first, second, &padded_weights, likeness);
                 let mut add = |start: usize, sums: &[f32; BLOCK]| {
                     for (degree, sum) in degrees[start..start + BLOCK].iter_mut().zip(sums) {
                         *degree += f64::from(*sum);
@@ -110,7 +126,13 @@ impl Columns {
 
     /// What two blocks of samples add to each other's degrees.
     #[inline(always)]
-    fn block(&self, first: usize, second: usize, likeness: impl Fn(Lanes) -> Lanes) -> [[f32; BLOCK]; 2] {
+    fn block(
+        &self,
+        first: usize,
+        second: usize,
+        weights: &[f32],
+        likeness: impl Fn(Lanes) -> Lanes,
+    ) -> [[f32; BLOCK]; 2] {
         let (mut rows, mut columns) = ([0.0; BLOCK], [0.0; BLOCK]);
         for (row, sum) in rows.iter_mut().enumerate() {
             let i = first + row;
@@ -122,10 +144,10 @@ impl Columns {
                     // A sample is not its own neighbour.
                     alike[i - j] = 0.0;
                 }
-                let weights = &self.weights[j..j + LANES];
+                let there = &weights[j..j + LANES];
                 for lane in 0..LANES {
-                    lanes[lane] += weights[lane] * alike[lane];
-                    column_sums[lane] += self.weights[i] * alike[lane];
+                    lanes[lane] += there[lane] * alike[lane];
+                    column_sums[lane] += weights[i] * alike[lane];
                 }
             }
             *sum = lanes.iter().sum();
@@ -241,7 +263,7 @@ mod tests {
             let weights: Vec<f64> =
                 samples.norms.iter().map(|norm| if anchored { (-norm * norm).exp() } else { 1.0 }).collect();
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-                let found = degrees(&samples, sigma, kernel, anchored.then_some(&weights));
+                let found = Graph::new(&samples, sigma, kernel).times(&weights);
                 let expected = plain(&samples, sigma, kernel, &weights);
                 for (found, expected) in found.iter().zip(expected) {
                     prop_assert!((found - expected).abs() <= 1e-5 * expected + 1e-12, "{found} {expected}");
@@ -253,8 +275,10 @@ mod tests {
     #[test]
     fn a_sample_is_not_its_own_neighbour() {
         let alone = samples(vec![0.0, 0.0, 9e9, 0.0], 2);
-        assert!(degrees(&alone, 1.0, Kernel::Gaussian, None).iter().all(|degree| *degree < 1e-17));
+        assert!(
+            Graph::new(&alone, 1.0, Kernel::Gaussian).times(&[1.0; 2]).iter().all(|degree| *degree < 1e-17)
+        );
         let twins = samples(vec![0.5, 0.0, 0.5, 0.0], 2);
-        assert_eq!(degrees(&twins, 1.0, Kernel::Cauchy, Some(&[2.0, 3.0])), [3.0, 2.0]);
+        assert_eq!(Graph::new(&twins, 1.0, Kernel::Cauchy).times(&[2.0, 3.0]), [3.0, 2.0]);
     }
 }

@@ -16,6 +16,8 @@ pub struct Feet {
     pub up: Up,
     /// Thigh plus shank, in the tracks' units.
     pub leg: f64,
+    /// Metres per unit, for methods whose thresholds are in metres.
+    pub metres_per_unit: f64,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
 }
@@ -68,6 +70,7 @@ impl Feet {
             hips: motion::tracks(clip, &[hips]).remove(0),
             up: skeleton.up,
             leg,
+            metres_per_unit: skeleton.metres_per_unit,
             frame_time: clip.frame_time(),
         })
     }

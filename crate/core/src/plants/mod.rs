@@ -17,10 +17,10 @@ mod degree;
 mod derivative;
 mod feet;
 mod floor;
-mod paper;
+mod lanczos;
+mod methods;
 mod params;
 mod plausible;
-mod robust;
 mod samples;
 mod scale;
 mod signal;
@@ -30,7 +30,10 @@ mod two_means;
 pub use cluster::Evidence;
 pub use degree::Kernel;
 pub use feet::{DetectError, Feet, FootTracks};
-pub use params::{Method, ParamError, Params, ValidParams};
+pub use methods::{Family, Method};
+pub use params::{ParamError, Params, ValidParams};
+
+use methods::{Found, Task};
 
 use crate::labels::{Part, Side};
 use crate::notice::Notice;
@@ -93,15 +96,24 @@ impl PartLabels {
 
 /// Finds the frames in which each foot is planted.
 ///
-/// Any frame rate, unit and up axis; the labels do not depend on them. Takes
-/// time proportional to the square of the number of frames.
+/// Any frame rate, unit and up axis; the labels of spectral methods do not depend
+/// on them. Takes time proportional to the square of the number of frames.
 pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
-    let (parts, mut notices) = match params.method() {
-        Method::Robust => robust::detect(feet, params),
-        Method::Paper => (paper::detect(feet, params), Vec::new()),
-    };
-    notices.extend(plausible::notices(feet, &parts));
-    Detection { params, floor: floor::height(feet, &parts[0]), parts, notices }
+    run(Task { feet, still: None, params })
+}
+
+/// As [`detect`], with the feet of the same character standing still clustered along,
+/// which helps where a clip is all small movement (paper, section 3.5).
+///
+/// Methods that do not build on the published samples leave the standing clip aside.
+pub fn detect_along(feet: &Feet, still: &Feet, params: ValidParams) -> Detection {
+    run(Task { feet, still: Some(still), params })
+}
+
+fn run(task: Task) -> Detection {
+    let Found { parts, mut notices } = task.params.method().detect(&task);
+    notices.extend(plausible::notices(task.feet, &parts));
+    Detection { params: task.params, floor: floor::height(task.feet, &parts[0]), parts, notices }
 }
 
 #[cfg(test)]

@@ -1,47 +1,6 @@
 //! Parameters of detection and the rules they keep.
 
-use std::fmt;
-use std::str::FromStr;
-
-/// How plants are found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// Contact, toe and heel by anchored degrees: the one to use.
-    #[default]
-    Robust,
-    /// The published method, word for word: toes only.
-    Paper,
-}
-
-impl Method {
-    /// All methods, the default first.
-    pub const ALL: [Method; 2] = [Method::Robust, Method::Paper];
-
-    /// The method's name: `robust` or `paper`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Robust => "robust",
-            Method::Paper => "paper",
-        }
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Method {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Method, String> {
-        Method::ALL
-            .into_iter()
-            .find(|method| method.name() == name)
-            .ok_or_else(|| format!("the method must be robust or paper, not {name:?}"))
-    }
-}
+use super::Method;
 
 /// What can be set; the defaults serve any clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,11 +14,15 @@ pub struct Params {
     pub window: usize,
     /// σ set by hand instead of found at the knee; default none.
     pub scale: Option<f64>,
+    /// Height under which thresholds take a toe for planted, in metres. Default 0.05.
+    pub height: f64,
+    /// Speed under which thresholds take a toe for planted, in metres per second. Default 0.5.
+    pub speed: f64,
 }
 
 impl Default for Params {
     fn default() -> Params {
-        Params { method: Method::Robust, tolerance: 0.001, window: 1, scale: None }
+        Params { method: Method::Robust, tolerance: 0.001, window: 1, scale: None, height: 0.05, speed: 0.5 }
     }
 }
 
@@ -76,6 +39,12 @@ pub enum ParamError {
     /// [`Params::window`]
     #[error("w must be at most {most}, not {0}", most = Params::MOST_WINDOW)]
     Window(usize),
+    /// [`Params::height`]
+    #[error("the height must be greater than 0 and finite, not {0}")]
+    Height(f64),
+    /// [`Params::speed`]
+    #[error("the speed must be greater than 0 and finite, not {0}")]
+    Speed(f64),
     /// [`Params::scale`]
     #[error("sigma must be greater than 0 and finite, not {0}")]
     Scale(f64),
@@ -93,6 +62,12 @@ impl Params {
         let positive = |value: f64| value > 0.0 && value.is_finite();
         if !positive(self.tolerance) {
             return Err(ParamError::Tolerance(self.tolerance));
+        }
+        if !positive(self.height) {
+            return Err(ParamError::Height(self.height));
+        }
+        if !positive(self.speed) {
+            return Err(ParamError::Speed(self.speed));
         }
         if self.window > Params::MOST_WINDOW {
             return Err(ParamError::Window(self.window));
@@ -118,6 +93,16 @@ impl ValidParams {
     /// See [`Params::window`].
     pub fn window(&self) -> usize {
         self.0.window
+    }
+
+    /// See [`Params::height`].
+    pub fn height(&self) -> f64 {
+        self.0.height
+    }
+
+    /// See [`Params::speed`].
+    pub fn speed(&self) -> f64 {
+        self.0.speed
     }
 
     /// See [`Params::scale`].

@@ -65,6 +65,12 @@ impl Samples {
         Samples { norms: norms.collect(), dimension, points }
     }
 
+    /// Adds the samples of another clip behind these.
+    pub fn append(&mut self, other: Samples) {
+        self.points.extend(other.points);
+        self.norms.extend(other.norms);
+    }
+
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.norms.len()

@@ -67,7 +67,14 @@ mod tests {
             .map(|frame| Vector3::x() * jumps.iter().filter(|&&jump| frame >= jump).count() as f64)
             .collect();
         let foot = FootTracks { ankle: track.clone(), toe: track.clone(), tip: None };
-        Feet { tracks: [foot.clone(), foot], hips: track, up: Up::Y, leg: 1.0, frame_time: 0.01 }
+        Feet {
+            tracks: [foot.clone(), foot],
+            hips: track,
+            up: Up::Y,
+            leg: 1.0,
+            metres_per_unit: 1.0,
+            frame_time: 0.01,
+        }
     }
 
     #[test]

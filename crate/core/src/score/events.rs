@@ -2,6 +2,8 @@
 
 use std::ops::{AddAssign, Range};
 
+use serde::Serialize;
+
 /// Plants of one foot, found and true, matched one to one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
@@ -18,7 +20,7 @@ pub struct Events {
 }
 
 /// What [`Events`] come to.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct EventScore {
     /// Share of the plants found that there are.
     pub precision: f64,

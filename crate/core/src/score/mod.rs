@@ -1,7 +1,9 @@
 //! Accuracy of labels against truth whose boundaries are fuzzy (paper, section 3.1).
 
+mod compare;
 mod events;
 
+pub use compare::{Disagreement, DisagreementKind, FUZZY, PartScore, Row, compare};
 pub use events::{EventScore, Events, events};
 
 use std::ops::AddAssign;

@@ -4,7 +4,7 @@ use plantigrade::bvh;
 use plantigrade::labels::Document;
 use plantigrade::plants::{self, Feet};
 use plantigrade::skeleton::Skeleton;
-use plantigrade_wasm::{ClipFacts, DetectOptions, Failure, Overrides, RawClip, RawReader};
+use plantigrade_wasm::{ClipFacts, DetectOptions, Failure, Overrides, RawClip, RawLabelling, RawReader};
 use tsify::{Ts, Tsify};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -19,7 +19,7 @@ fn walk() -> RawClip {
 }
 
 fn options(method: &str) -> Ts<DetectOptions> {
-    DetectOptions { method: method.into(), r: 0.001, w: 1 }.into_ts().unwrap()
+    DetectOptions { method: method.into(), r: 0.001, w: 1, height: None, speed: None }.into_ts().unwrap()
 }
 
 fn facts(clip: &RawClip) -> ClipFacts {
@@ -82,6 +82,29 @@ fn documents_read_back() {
     assert_eq!((document.frames, document.source.name.as_str()), (245, "walk.bvh"));
     let table = clip.save(&labels, "csv", "walk.bvh".into(), None).unwrap();
     assert_eq!(table.lines().count(), 246);
+}
+
+#[wasm_bindgen_test]
+fn truth_stands_beside_the_labels() {
+    let clip = walk();
+    let labels = clip.detect(options("robust")).unwrap();
+    let truth = include_str!("../../../../samples/curved-walk.json");
+    let other = RawLabelling::new(truth, 245).unwrap();
+    assert_eq!(other.parts(), ["contact", "toe", "heel"]);
+    assert_eq!(other.planted("toe", "left").unwrap().len(), 245);
+    let scores = other.score(&clip, &labels).unwrap();
+    let contact = scores[0].to_rust().unwrap();
+    assert!(contact.rows[3].lenient > 0.98 && contact.events.f1 > 0.9);
+    assert!(RawLabelling::new(truth, 244).is_err());
+}
+
+#[wasm_bindgen_test]
+fn every_method_is_listed_and_works() {
+    let clip = walk();
+    for method in plantigrade_wasm::methods().unwrap() {
+        let method = method.to_rust().unwrap();
+        assert_eq!(clip.detect(options(&method.name)).unwrap().parts(), method.parts, "{}", method.name);
+    }
 }
 
 #[wasm_bindgen_test]

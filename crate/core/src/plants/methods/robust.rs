@@ -8,13 +8,15 @@
 
 use std::ops::Range;
 
-use super::cluster::{Evidence, Rule, cluster};
-use super::degree::Kernel;
-use super::samples::{Ranges, Samples};
-use super::signal::{self, Signals};
-use super::{Feet, FootLabels, PartLabels, ValidParams, clean, confidence, trim};
+use super::{Entry, Family, Found, Task};
 use crate::labels::Part;
 use crate::notice::{Code, Notice};
+use crate::plants::cluster::{self, Between, Evidence};
+use crate::plants::degree::Kernel;
+use crate::plants::samples::{Ranges, Samples};
+use crate::plants::scale::Scale;
+use crate::plants::signal::{self, Signals};
+use crate::plants::{Feet, FootLabels, PartLabels, ValidParams, clean, confidence, trim};
 
 /// Fewer frames than this are not clustered.
 const FEWEST_FRAMES: usize = 10;
@@ -30,7 +32,17 @@ const SHORTEST_RUN: f64 = 0.1;
 /// Half the window over which confidence is averaged, in seconds.
 const CONFIDENCE_WINDOW: f64 = 0.04;
 
-pub(super) fn detect(feet: &Feet, params: ValidParams) -> (Vec<PartLabels>, Vec<Notice>) {
+pub(super) const METHOD: Entry = Entry {
+    name: "robust",
+    title: "Robust spectral",
+    about: "Contact, heel and toe apart; mends glitches first, and reads motion alike at any frame rate.",
+    family: Family::Spectral,
+    parts: &[Part::Contact, Part::Toe, Part::Heel],
+    detect,
+};
+
+fn detect(task: &Task) -> Found {
+    let &Task { feet, params, .. } = task;
     let pieces = trim::pieces(feet);
     let mut notices = trim_notices(feet, &pieces);
     let ankle = signal::smooth(feet, &pieces, |foot| feet.tracks[foot].ankle.clone());
@@ -56,7 +68,7 @@ pub(super) fn detect(feet: &Feet, params: ValidParams) -> (Vec<PartLabels>, Vec<
     };
     let toe = within(work.label(Part::Toe, toe, Kernel::Gaussian));
     let heel = within(work.label(Part::Heel, ankle, Kernel::Gaussian));
-    (vec![contact, toe, heel], notices)
+    Found { parts: vec![contact, toe, heel], notices }
 }
 
 fn trim_notices(feet: &Feet, pieces: &[Range<usize>]) -> Vec<Notice> {
@@ -118,8 +130,14 @@ impl Work<'_> {
         // A wider window has longer norms: r is stated for w = 1.
         let r = self.params.tolerance() * (2 * window + 1) as f64 / 3.0;
         let frames = self.pieces.iter().cloned().flatten().collect();
-        let rule = Rule { kernel, anchored: true, between_medians: true };
-        cluster(&samples, frames, r, self.params.scale(), window, &rule)
+        let scale = Scale::find(&samples.norms, r);
+        let sigma = self.params.scale().unwrap_or(scale.sigma());
+        // Samples near rest count for more, so that a foot held still in the air,
+        // dense as its samples are, is not taken for one on the ground.
+        let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
+        let anchors: Vec<f64> = samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect();
+        let roots = cluster::roots(&samples, sigma, kernel, &anchors);
+        cluster::divide(frames, &samples, scale, sigma, roots, Between::Medians)
     }
 
     /// Labels and confidence of one foot over all frames of the clip.

@@ -1,0 +1,153 @@
+//! `plantigrade score`
+
+use std::fs;
+
+use plantigrade::labels::{self, Labelling, Part, Side};
+use plantigrade::plants::{self, Detection, Feet, ValidParams};
+use plantigrade::score::{self, Events, FUZZY, Tally};
+use plantigrade::skeleton::{Overrides, Skeleton};
+
+use crate::args::{ReadArgs, ScoreArgs};
+use crate::failure::Failure;
+use crate::inputs::{self, Input};
+
+/// One clip with its labels and its truth.
+struct Trial {
+    name: String,
+    frame_time: f64,
+    detection: Detection,
+    truth: Labelling,
+}
+
+/// Scores all clips of a folder that have truth, and counts those that failed.
+pub fn run(args: &ScoreArgs) -> Result<usize, String> {
+    let params = args.method.params()?;
+    let read = ReadArgs { paths: vec![args.folder.clone()], fps: None, up: None, lenient: false };
+    let inputs = inputs::collect(&read)?;
+    let has_truth = |input: &&Input| input.path.with_extension("json").is_file();
+    let mut trials = Vec::new();
+    let mut failed = 0;
+    for input in inputs.iter().filter(has_truth) {
+        match trial(input, params, &read) {
+            Ok(trial) => trials.push(trial),
+            Err(failure) => {
+                eprintln!("{failure}");
+                failed += 1;
+            }
+        }
+    }
+    if trials.is_empty() && failed == 0 {
+        return Err(format!("no clip in {} has truth beside it (NAME.json)", args.folder.display()));
+    }
+    let wanted = |part: &Part| args.part.as_deref().is_none_or(|name| name == part.name());
+    for part in Part::ALL.into_iter().filter(wanted) {
+        if trials.iter().any(|trial| pairs(trial, part).is_some()) {
+            print(part, &trials);
+        }
+    }
+    Ok(failed)
+}
+
+fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Trial, Failure> {
+    let clip = inputs::load(input, read)?.parsed.clip;
+    let path = input.path.with_extension("json");
+    let text = fs::read_to_string(&path).map_err(|error| Failure::Read { path: path.clone(), error })?;
+    let truth = labels::read(&text, clip.frame_count()).map_err(|error| Failure::Truth { path, error })?;
+    let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default()))
+        .map_err(|error| Failure::Detect { path: input.path.clone(), error })?;
+    Ok(Trial {
+        name: input.stem.display().to_string(),
+        frame_time: clip.frame_time(),
+        detection: plants::detect(&feet, params),
+        truth: masked(truth, clip.frame_time()),
+    })
+}
+
+/// Off a force plate, "no contact" beside an unknown frame only means that there is no plate.
+fn masked(truth: Labelling, frame_time: f64) -> Labelling {
+    let mask = |(part, feet): (Part, [Vec<Option<bool>>; 2])| {
+        (part, feet.map(|labels| score::mask_near_unknown(&labels, frame_time)))
+    };
+    Labelling { parts: truth.parts.into_iter().map(mask).collect() }
+}
+
+/// Labels of one foot with their truth.
+type Pair<'a> = (&'a [bool], &'a [Option<bool>]);
+
+/// Labels and truth of both feet, if both have the part.
+fn pairs(trial: &Trial, part: Part) -> Option<[Pair<'_>; 2]> {
+    let (labels, truth) = (trial.detection.part(part)?, trial.truth.part(part)?);
+    Some(Side::BOTH.map(|side| (labels.foot(side).planted.as_slice(), truth[side as usize].as_slice())))
+}
+
+/// Prints the tables of one part: accuracy by clip and pooled, lenient and strict, and the plants as events.
+fn print(part: Part, trials: &[Trial]) {
+    let periods: Vec<String> = FUZZY.iter().map(|fuzzy| format!("p = {fuzzy}")).collect();
+    println!("{}, accuracy in %\n", part.name());
+    println!("{:<32}{}", "lenient", columns(&periods));
+    let mut pooled = [[Tally::default(); FUZZY.len()]; 2];
+    let mut shares: Vec<[f64; FUZZY.len()]> = Vec::new();
+    let mut events = Events::default();
+    for trial in trials {
+        let Some(feet) = pairs(trial, part) else { continue };
+        let mut own = [[Tally::default(); FUZZY.len()]; 2];
+        for (labels, truth) in feet {
+            for (place, fuzzy) in FUZZY.into_iter().enumerate() {
+                own[0][place] += score::lenient(labels, truth, trial.frame_time, fuzzy);
+                own[1][place] += score::strict(labels, truth, trial.frame_time, fuzzy);
+            }
+            events += score::events(labels, truth, trial.frame_time);
+        }
+        for (pooled, own) in pooled.iter_mut().flatten().zip(own.iter().flatten()) {
+            *pooled += *own;
+        }
+        let share = own[0].map(|tally| 100.0 * tally.accuracy());
+        println!("{:<32}{}", trial.name, percents(&share));
+        shares.push(share);
+    }
+    let over = |of: fn(&[f64]) -> f64| -> Vec<f64> {
+        (0..FUZZY.len())
+            .map(|place| of(&shares.iter().map(|share| share[place]).collect::<Vec<_>>()))
+            .collect()
+    };
+    println!("{:<32}{}", "all frames", percents(&pooled[0].map(|tally| 100.0 * tally.accuracy())));
+    println!("{:<32}{}", "all frames, strict", percents(&pooled[1].map(|tally| 100.0 * tally.accuracy())));
+    println!(
+        "{:<32}{}",
+        "lowest clip",
+        percents(&over(|shares| shares.iter().copied().fold(100.0, f64::min)))
+    );
+    println!(
+        "{:<32}{}",
+        "highest clip",
+        percents(&over(|shares| shares.iter().copied().fold(0.0, f64::max)))
+    );
+    println!("{:<32}{}", "standard deviation of clips", percents(&over(deviation)));
+    let score = events.score();
+    println!(
+        "\nplants: precision {:.3}, recall {:.3}, F1 {:.3}; onset {:+.0} ms (95 % within {:.0}), \
+         offset {:+.0} ms (95 % within {:.0})\n",
+        score.precision,
+        score.recall,
+        score.f1,
+        1e3 * score.onset,
+        1e3 * score.onset_95,
+        1e3 * score.offset,
+        1e3 * score.offset_95
+    );
+}
+
+fn columns(words: &[String]) -> String {
+    words.iter().map(|word| format!("{word:>9}")).collect()
+}
+
+fn percents(values: &[f64]) -> String {
+    values.iter().map(|value| format!("{value:>9.2}")).collect()
+}
+
+/// Standard deviation with n − 1.
+fn deviation(values: &[f64]) -> f64 {
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    (squares / (values.len().max(2) - 1) as f64).sqrt()
+}

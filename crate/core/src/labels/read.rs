@@ -1,0 +1,159 @@
+//! Labels from elsewhere: documents, truth files and tables.
+
+use serde::Deserialize;
+
+use super::{Document, FORMAT, Part, Side, VERSION};
+
+/// Labels of one clip by someone else, per frame; `None` where they are not known.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Labelling {
+    /// The parts that were labelled, with the left foot's labels and the right's.
+    pub parts: Vec<(Part, [Vec<Option<bool>>; 2])>,
+}
+
+/// Why labels cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LabelsError {
+    /// Neither JSON nor a table.
+    #[error("these are no labels: neither a labels document, a truth file nor a table per frame")]
+    Unknown,
+    /// A document of a version to come.
+    #[error("the document has version {0}, and this program knows version {VERSION}")]
+    Version(u32),
+    /// JSON or a table with something wrong in it.
+    #[error("the labels cannot be read: {0}")]
+    Wrong(String),
+    /// Labels of another clip.
+    #[error("the labels are of {found} frames, and the clip has {frames}")]
+    Length {
+        /// Frames of the labels.
+        found: usize,
+        /// Frames of the clip.
+        frames: usize,
+    },
+}
+
+/// A truth file: contact per frame, 1, 0 or −1 for unknown.
+#[derive(Deserialize)]
+struct TruthFile {
+    left: Vec<i8>,
+    right: Vec<i8>,
+}
+
+/// Reads labels of a clip of so many frames: a labels document, a truth file with
+/// contact as `{"left": [0, 1, -1, ...], "right": [...]}`, or a table with a row
+/// per frame and columns such as `left_toe`.
+///
+/// # Errors
+/// If the text is none of these, or is of another number of frames.
+pub fn read(text: &str, frames: usize) -> Result<Labelling, LabelsError> {
+    let labelling = match text.trim_start().chars().next() {
+        Some('{') => json(text)?,
+        Some(_) if text.lines().next().is_some_and(|head| head.contains("left_")) => table(text)?,
+        _ => return Err(LabelsError::Unknown),
+    };
+    for labels in labelling.parts.iter().flat_map(|(_, feet)| feet) {
+        if labels.len() != frames {
+            return Err(LabelsError::Length { found: labels.len(), frames });
+        }
+    }
+    if labelling.parts.is_empty() { Err(LabelsError::Unknown) } else { Ok(labelling) }
+}
+
+fn json(text: &str) -> Result<Labelling, LabelsError> {
+    let wrong = |error: serde_json::Error| LabelsError::Wrong(error.to_string());
+    let value: serde_json::Value = serde_json::from_str(text).map_err(wrong)?;
+    if value["format"] == FORMAT {
+        let version = value["version"].as_u64().unwrap_or(0) as u32;
+        if version != VERSION {
+            return Err(LabelsError::Version(version));
+        }
+        let document: Document = serde_json::from_value(value).map_err(wrong)?;
+        return Ok(of_document(&document));
+    }
+    let TruthFile { left, right } = serde_json::from_value(value).map_err(|_| LabelsError::Unknown)?;
+    let known = |labels: Vec<i8>| labels.into_iter().map(|label| (label >= 0).then_some(label > 0)).collect();
+    Ok(Labelling { parts: vec![(Part::Contact, [known(left), known(right)])] })
+}
+
+/// The labels of a document, for the parts that both feet have.
+fn of_document(document: &Document) -> Labelling {
+    let part = |part: Part| {
+        let [left, right] = Side::BOTH.map(|side| document.labels(side, part));
+        let known = |labels: Vec<bool>| labels.into_iter().map(Some).collect();
+        Some((part, [known(left?), known(right?)]))
+    };
+    Labelling { parts: Part::ALL.into_iter().filter_map(part).collect() }
+}
+
+fn table(text: &str) -> Result<Labelling, LabelsError> {
+    let mut lines = text.lines();
+    let head: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
+    if head.contains(&"root") {
+        return Err(LabelsError::Wrong("tables of several skeletons are not compared".into()));
+    }
+    let column = |side: Side, part: Part| {
+        let name = format!("{}_{}", side.name(), part.name());
+        head.iter().position(|column| *column == name)
+    };
+    let columns: Vec<(Part, [usize; 2])> = Part::ALL
+        .into_iter()
+        .filter_map(|part| Some((part, [column(Side::Left, part)?, column(Side::Right, part)?])))
+        .collect();
+    let mut parts: Vec<_> = columns.iter().map(|(part, _)| (*part, [Vec::new(), Vec::new()])).collect();
+    for (row, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        for ((_, places), (_, feet)) in columns.iter().zip(&mut parts) {
+            for (place, labels) in places.iter().zip(feet) {
+                labels.push(match fields.get(*place) {
+                    Some(&"1") => Some(true),
+                    Some(&"0") => Some(false),
+                    Some(&("-1" | "")) => None,
+                    found => {
+                        let found = found.copied().unwrap_or("nothing");
+                        let what = format!("row {}: expected 0, 1 or -1, found {found:?}", row + 2);
+                        return Err(LabelsError::Wrong(what));
+                    }
+                });
+            }
+        }
+    }
+    Ok(Labelling { parts })
+}
+
+impl Labelling {
+    /// The labels of one part: the left foot's, then the right's.
+    pub fn part(&self, part: Part) -> Option<&[Vec<Option<bool>>; 2]> {
+        self.parts.iter().find(|(other, _)| *other == part).map(|(_, feet)| feet)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn truth_files_are_contact() {
+        let read = read(r#"{"fps": 100, "left": [0, 1, -1], "right": [1, 1, 0]}"#, 3).unwrap();
+        assert_eq!(read.part(Part::Contact).unwrap()[0], [Some(false), Some(true), None]);
+        assert_eq!(read.part(Part::Toe), None);
+    }
+
+    #[test]
+    fn tables_have_named_columns() {
+        let text = "frame,time,left_toe,right_toe\n0,0,1,0\n1,0.1,,1\n";
+        assert_eq!(read(text, 2).unwrap().part(Part::Toe).unwrap()[0], [Some(true), None]);
+        assert!(matches!(read("left_toe,right_toe\nx,0\n", 1), Err(LabelsError::Wrong(_))));
+    }
+
+    #[test]
+    fn refusals_say_why() {
+        assert_eq!(read("hello", 3), Err(LabelsError::Unknown));
+        assert_eq!(read("", 3), Err(LabelsError::Unknown));
+        assert_eq!(read("{\"a\": 1}", 3), Err(LabelsError::Unknown));
+        let text = format!("{{\"format\": \"{FORMAT}\", \"version\": 99}}");
+        assert_eq!(read(&text, 3), Err(LabelsError::Version(99)));
+        let truth = r#"{"left": [0], "right": [1]}"#;
+        assert_eq!(read(truth, 3), Err(LabelsError::Length { found: 1, frames: 3 }));
+    }
+}

@@ -1,0 +1,27 @@
+//! The published method with one scale for all clips (paper, section 3.4).
+
+use super::toes::Toes;
+use super::{Entry, Family, Found, Task};
+use crate::labels::Part;
+use crate::plants::cluster;
+use crate::plants::degree::Kernel;
+
+pub(super) const METHOD: Entry = Entry {
+    name: "sigma",
+    title: "Fixed scale",
+    about: "The published method with σ = 0.17 for every clip instead of each clip's own.",
+    family: Family::Spectral,
+    parts: &[Part::Toe],
+    detect,
+};
+
+/// The best of the paper's σ (figure 8).
+const SIGMA: f64 = 0.17;
+
+fn detect(task: &Task) -> Found {
+    let toes = Toes::of(task);
+    let (scale, _) = toes.scale(task);
+    let sigma = task.params.scale().unwrap_or(SIGMA);
+    let roots = cluster::roots(&toes.samples, sigma, Kernel::Gaussian, &vec![1.0; toes.samples.len()]);
+    toes.parted_by(roots, scale, sigma)
+}

@@ -1,0 +1,22 @@
+//! A rule of motion-learning code: low and slow, in metres.
+
+use super::toes::Toes;
+use super::{Entry, Family, Found, Task};
+use crate::labels::Part;
+
+pub(super) const METHOD: Entry = Entry {
+    name: "height-speed",
+    title: "0.114 m and 0.93 m/s",
+    about: "Toes lower than 0.114 m and slower than 0.93 m/s, as data sets for motion learning are labelled.",
+    family: Family::Threshold,
+    parts: &[Part::Toe],
+    detect,
+};
+
+/// In metres and metres per second.
+const HEIGHT: f64 = 0.114;
+const SPEED: f64 = 0.93;
+
+fn detect(task: &Task) -> Found {
+    Toes::of(task).by_rule(|height, speed| height < HEIGHT && speed < SPEED)
+}

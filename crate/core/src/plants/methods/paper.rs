@@ -1,0 +1,23 @@
+//! The published method (paper, section 2.3).
+
+use super::toes::Toes;
+use super::{Entry, Family, Found, Task};
+use crate::labels::Part;
+use crate::plants::cluster;
+use crate::plants::degree::Kernel;
+
+pub(super) const METHOD: Entry = Entry {
+    name: "paper",
+    title: "Paper 2014",
+    about: "The published method, word for word: toes only, and no answer for feet that never move.",
+    family: Family::Spectral,
+    parts: &[Part::Toe],
+    detect,
+};
+
+fn detect(task: &Task) -> Found {
+    let toes = Toes::of(task);
+    let (scale, sigma) = toes.scale(task);
+    let roots = cluster::roots(&toes.samples, sigma, Kernel::Gaussian, &vec![1.0; toes.samples.len()]);
+    toes.parted_by(roots, scale, sigma)
+}

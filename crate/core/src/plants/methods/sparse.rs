@@ -1,0 +1,46 @@
+//! Likeness cut off at a distance, which makes the matrix sparse (paper, section 3.3).
+
+use super::toes::Toes;
+use super::{Entry, Family, Found, Task};
+use crate::labels::Part;
+use crate::plants::samples::Samples;
+
+pub(super) const METHOD: Entry = Entry {
+    name: "sparse",
+    title: "Sparse",
+    about: "The published method without the likeness of samples more than 2σ apart.",
+    family: Family::Spectral,
+    parts: &[Part::Toe],
+    detect,
+};
+
+/// Distance in units of σ from which samples are not alike at all.
+const REACH: f64 = 2.0;
+
+fn detect(task: &Task) -> Found {
+    let toes = Toes::of(task);
+    let (scale, sigma) = toes.scale(task);
+    let roots = roots(&toes.samples, sigma);
+    toes.parted_by(roots, scale, sigma)
+}
+
+/// Roots of the degrees: samples in the order of their norms, which differ by less than any distance.
+fn roots(samples: &Samples, sigma: f64) -> Vec<f64> {
+    let count = samples.len();
+    let mut degrees = vec![0.0; count];
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|&a, &b| samples.norms[a].total_cmp(&samples.norms[b]));
+    for (place, &i) in order.iter().enumerate() {
+        let near = |&&j: &&usize| samples.norms[j] - samples.norms[i] <= REACH * sigma;
+        for &j in order[place + 1..].iter().take_while(near) {
+            let square: f64 =
+                samples.point(i).iter().zip(samples.point(j)).map(|(a, b)| (a - b) * (a - b)).sum();
+            if sigma > 0.0 && square <= (REACH * sigma).powi(2) {
+                let likeness = (-square / (sigma * sigma)).exp();
+                degrees[i] += likeness;
+                degrees[j] += likeness;
+            }
+        }
+    }
+    degrees.into_iter().map(f64::sqrt).collect()
+}
