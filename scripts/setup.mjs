@@ -36,7 +36,7 @@ async function packages() {
 }
 
 /** Sees to a Rust toolchain with the wasm target, clippy and rustfmt. */
-async function toolchain() {
+export async function toolchain() {
   if (ask("cc", ["--version"]) === undefined && process.platform !== "win32") {
     throw new Stop(
       "There is no C linker (cc), which Rust needs: install build-essential (Debian, Ubuntu), gcc (Fedora) or the Xcode command line tools (macOS).",

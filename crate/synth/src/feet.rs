@@ -51,6 +51,9 @@ const CUSHION: f64 = 0.012;
 /// Seconds near the ground in which a swinging foot is still bound to its path.
 const NEAR_GROUND: f64 = 0.1;
 
+/// The same around the shortest stances.
+const NEAR_SPRINT: f64 = 0.03;
+
 /// The path of one foot.
 pub struct FootPath<'a> {
     side: Side,
@@ -104,7 +107,7 @@ impl<'a> FootPath<'a> {
         if time < stance.off {
             self.stand(stance, time)
         } else {
-            self.fly(stance, &self.plan.steps[index], &self.swings[index], time)
+            self.fly([stance, &self.stances[index + 1]], &self.plan.steps[index], &self.swings[index], time)
         }
     }
 
@@ -149,7 +152,7 @@ impl<'a> FootPath<'a> {
         self.anchored(anchor, point, place.heading, pitch, pitch.max(0.0), 0.0)
     }
 
-    fn fly(&self, from: &Stance, step: &Step, swing: &Swing, time: f64) -> FootPose {
+    fn fly(&self, [from, to]: [&Stance; 2], step: &Step, swing: &Swing, time: f64) -> FootPose {
         let carry = &step.carry;
         let u = share(time, step.off(), step.strike);
         let start = self.turned(from, from.off);
@@ -165,8 +168,9 @@ impl<'a> FootPath<'a> {
         point.y = lerp(start_point.y, end_point.y, shift) + carry.clearance * bump(u, carry.peak);
         let pitch = swing.pitch.at(time)[0].to_radians();
         let bend = swing.bend.at(time)[0].to_radians();
-        let from_ground = (time - step.off()).min(step.strike - time);
-        let freedom = if carry.grounded { 0.0 } else { smooth_step(from_ground / NEAR_GROUND) };
+        let leaving = (time - step.off()) / near_ground(from);
+        let landing = (step.strike - time) / near_ground(to);
+        let freedom = if carry.grounded { 0.0 } else { smooth_step(leaving.min(landing)) };
         self.anchored(start_anchor.lerp(&end_anchor, shift), point, turned, pitch, bend, freedom)
     }
 
@@ -203,6 +207,16 @@ impl<'a> FootPath<'a> {
         let mut foot = FootPose { ankle: point, heading: turned, pitch, bend, turnout: 0.0, freedom };
         foot.ankle = point - foot.rotation() * anchor;
         foot
+    }
+}
+
+/// Seconds near the ground that go with a stance: fewer with a sprinter's, whose leg
+/// could not follow for longer.
+fn near_ground(stance: &Stance) -> f64 {
+    match stance.off - stance.strike {
+        // A foot that slides on does not stand at all.
+        length if length < 1e-6 => NEAR_GROUND,
+        length => (length - NEAR_GROUND).clamp(NEAR_SPRINT, NEAR_GROUND),
     }
 }
 

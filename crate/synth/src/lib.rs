@@ -3,8 +3,8 @@
 //! The way of the data goes one direction: a [`Recipe`] names a character and a motion;
 //! the motion writes a [`plan`] of steps; [`feet`] turns it into foot paths, [`pelvis`]
 //! balances the body over them, [`noise`] adds what recording does, [`pose`] solves the
-//! joints and [`bake`] writes them in the character's conventions. The [`truth`] is read
-//! off the plan, before the noise.
+//! joints, [`setting`] puts the whole in its place and [`bake`] writes it in the
+//! character's conventions. The [`truth`] is read off the plan, before the noise.
 //!
 //! ```
 //! use plantigrade_synth::{catalogue, generate};
@@ -15,10 +15,13 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod act;
 pub mod bake;
 mod catalogue;
+mod chain;
 pub mod character;
 pub mod curve;
+mod decimate;
 pub mod feet;
 pub mod grid;
 pub mod maths;
@@ -30,10 +33,13 @@ pub mod plan;
 pub mod pose;
 pub mod random;
 mod recipe;
+pub mod setting;
 pub mod truth;
 
-pub use catalogue::catalogue;
-pub use recipe::{Generated, Motion, Recipe, generate};
+pub use catalogue::{catalogue, full_set, hard_cases, long};
+pub use chain::{Chain, Cut, Sequence, chained, sequences};
+pub use decimate::decimated;
+pub use recipe::{Generated, Recipe, generate};
 
 /// The files of one clip: name and text of BVH, truth and picture.
 pub fn files(recipe: &Recipe, seed: u64) -> [(String, String); 3] {

@@ -3,24 +3,22 @@
 use plantigrade::bvh::Clip;
 use plantigrade::labels::{Document, Side};
 
-use crate::character::{Bone, Build, Character};
+use crate::character::{Bone, Build, Character, character};
 use crate::feet::{FootPath, FootPose};
 use crate::grid::Grid;
 use crate::maths::Vec3;
+use crate::motion::Motion;
 use crate::pelvis::{self, PelvisPose};
-use crate::plan::Plan;
 use crate::pose::{self, Pose, Restlessness};
 use crate::random::Random;
+use crate::setting::Setting;
 use crate::{bake, truth};
-
-/// Writes the plan of a motion that lasts `seconds`, for a body of a certain build.
-pub type Motion = fn(build: &Build, seconds: f64, random: &mut Random) -> Plan;
 
 /// What makes a clip.
 #[derive(Clone, Debug)]
 pub struct Recipe {
     /// The clip's name: the file's, without extension.
-    pub name: &'static str,
+    pub name: String,
     /// Who moves.
     pub character: Character,
     /// What they do.
@@ -31,6 +29,8 @@ pub struct Recipe {
     pub rate: usize,
     /// Whether frame 0 is a T-pose over the origin, as in many conversions.
     pub leading_t_pose: bool,
+    /// What becomes of the motion as a whole.
+    pub setting: Setting,
     /// Strength of the noise: 1 is the character's own, 0 none.
     pub noise_level: f64,
 }
@@ -42,6 +42,32 @@ pub struct Generated {
     pub clip: Clip,
     /// What each foot does in each frame.
     pub truth: Document,
+}
+
+impl Recipe {
+    /// A clip of the performer called `performer` on level ground.
+    ///
+    /// # Panics
+    /// If there is no such performer.
+    pub fn new(
+        name: &str,
+        performer: &str,
+        motion: Motion,
+        frames: usize,
+        rate: usize,
+        noise_level: f64,
+    ) -> Recipe {
+        Recipe {
+            name: name.into(),
+            character: character(performer),
+            motion,
+            frames,
+            rate,
+            leading_t_pose: false,
+            setting: Setting::Level,
+            noise_level,
+        }
+    }
 }
 
 /// Sway of the pelvis that goes with each degree of restlessness, in metres.
@@ -56,9 +82,9 @@ pub fn generate(recipe: &Recipe, seed: u64) -> Generated {
     let build = &character.build;
     let moving = frames - usize::from(recipe.leading_t_pose);
     let seconds = moving as f64 / *rate as f64;
-    let stream = |purpose: &str| Random::new(seed, &format!("{name} {purpose}"));
+    let stream = |purpose: &str| stream(name, seed, purpose);
 
-    let plan = (recipe.motion)(build, seconds, &mut stream("motion"));
+    let plan = recipe.motion.plan(build, seconds, &mut stream("motion"));
     let grid = Grid::new(plan.start, seconds + MARGIN);
     let paths = Side::BOTH.map(|side| FootPath::new(side, &plan.feet[side as usize], build));
     let mut feet = paths.each_ref().map(|path| grid.times().map(|time| path.at(time)).collect::<Vec<_>>());
@@ -93,9 +119,15 @@ pub fn generate(recipe: &Recipe, seed: u64) -> Generated {
         poses.push(pose);
     }
 
+    recipe.setting.apply(&mut poses, 1.0 / *rate as f64);
     let clip = bake::clip(character, &poses, frame_time(*rate));
-    let truth = truth::document(name, character, clip.rate(), &labels);
+    let truth = truth::document(name, character, clip.rate(), recipe.setting.floor(), &labels);
     Generated { clip, truth }
+}
+
+/// The random numbers of the clip called `name` for `purpose`.
+pub(crate) fn stream(name: &str, seed: u64, purpose: &str) -> Random {
+    Random::new(seed, &format!("{name} {purpose}"))
 }
 
 /// Seconds from frame to frame, with the seven decimals that files have.

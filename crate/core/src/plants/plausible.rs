@@ -24,7 +24,7 @@ fn rate(feet: &Feet) -> Option<Notice> {
         feet.tracks.iter().flat_map(|foot| foot.ankle.windows(2).map(legs_per_second)).collect();
     speeds.sort_unstable_by(f64::total_cmp);
     // A stuck-on pose is one fast step and says nothing about the rate.
-    let fastest = *speeds.get((speeds.len() as f64 * 0.995) as usize)?;
+    let fastest = *speeds.get((speeds.len() as f64 * 0.98) as usize)?;
     let start = feet.hips.first()?;
     let travel = feet.hips.iter().map(|hips| (hips - start).norm()).fold(0.0, f64::max) / feet.leg;
     let doubt = if fastest > FASTEST {

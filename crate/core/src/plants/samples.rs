@@ -39,16 +39,22 @@ impl Ranges {
 }
 
 impl Samples {
-    /// Each frame with `window` frames to either side, within its piece and foot.
+    /// Every `stride`-th frame with `window` frames to either side, within its piece and foot.
     ///
     /// Coordinates are divided by `ranges` and limited to 1; frames beyond a
     /// piece's end repeat its last.
-    pub fn of(signals: &Signals, pieces: &[Range<usize>], ranges: Ranges, window: usize) -> Samples {
+    pub fn of(
+        signals: &Signals,
+        pieces: &[Range<usize>],
+        ranges: Ranges,
+        window: usize,
+        stride: usize,
+    ) -> Samples {
         let dimension = 2 * (2 * window + 1);
         let mut points = Vec::new();
         for signal in signals {
             for piece in pieces {
-                for frame in piece.clone() {
+                for frame in piece.clone().step_by(stride) {
                     // Positions in the window count from `frame − window`.
                     for place in 0..=2 * window {
                         let neighbour =
@@ -97,7 +103,7 @@ mod tests {
         let pieces = [0..2, 2..4];
         let ranges = Ranges::of(&signals, &pieces);
         assert_eq!(ranges, Ranges { height: 3.0, speed: 1.0 });
-        let samples = Samples::of(&signals, &pieces, Ranges { height: 10.0, speed: 1.0 }, 1);
+        let samples = Samples::of(&signals, &pieces, Ranges { height: 10.0, speed: 1.0 }, 1, 1);
         let heights: Vec<Vec<f64>> = (0..4)
             .map(|sample| samples.point(sample).iter().step_by(2).map(|x| x * 10.0).collect())
             .collect();

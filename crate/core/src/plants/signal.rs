@@ -1,5 +1,6 @@
 //! Height and speed of a part of the foot: what is clustered.
 
+use std::collections::VecDeque;
 use std::ops::Range;
 
 use nalgebra::Vector3;
@@ -22,6 +23,9 @@ pub(super) type Signals = [Signal; 2];
 
 /// Half the time window of speeds, in seconds.
 const SPEED_WINDOW: f64 = 0.05;
+/// Half the time window in which the ground is looked for, in seconds: longer than
+/// the flight of a run, shorter than a stride.
+const GROUND_WINDOW: f64 = 0.5;
 
 impl Signal {
     /// Heights and speeds of a track, piece by piece.
@@ -59,14 +63,52 @@ pub(super) fn plain(feet: &Feet, effector: impl Fn(usize) -> Track) -> Signals {
 /// Signals of one effector without spikes, their speed smoothed over a window of time.
 pub(super) fn smooth(feet: &Feet, pieces: &[Range<usize>], effector: impl Fn(usize) -> Track) -> Signals {
     // Rates such as 0.033333 and 0.033334 s must give the same window.
-    let half = (SPEED_WINDOW / feet.frame_time + 0.55).floor() as usize;
-    let velocity = |track: &[Vector3<f64>]| derivative::edge_preserving(track, half, feet.frame_time);
+    let half = |seconds: f64| (seconds / feet.frame_time + 0.55).floor() as usize;
+    let velocity =
+        |track: &[Vector3<f64>]| derivative::edge_preserving(track, half(SPEED_WINDOW), feet.frame_time);
     let mut signals = [0, 1].map(|foot| {
         let track = without_spikes(&effector(foot), pieces, feet.leg);
         Signal::of(&track, feet.up, pieces, velocity)
     });
-    ground(&mut signals, pieces);
+    local_ground(&mut signals, pieces, half(GROUND_WINDOW));
     signals
+}
+
+/// Takes from each height the lowest that either foot comes within `half` frames to either side.
+///
+/// On slopes and stairs the ground is not the same throughout, but under a step it is.
+fn local_ground(signals: &mut Signals, pieces: &[Range<usize>], half: usize) {
+    for piece in pieces {
+        let lower = |frame: usize| signals[0].height[frame].min(signals[1].height[frame]);
+        let ground = sliding_minimum(piece.clone().map(lower).collect(), half);
+        for signal in signals.iter_mut() {
+            for (height, ground) in signal.height[piece.clone()].iter_mut().zip(&ground) {
+                *height -= ground;
+            }
+        }
+    }
+}
+
+/// The least of the values within `half` places to either side, in linear time.
+fn sliding_minimum(values: Vec<f64>, half: usize) -> Vec<f64> {
+    // Places whose values may still become the least, in ascending order of both.
+    let mut candidates: VecDeque<usize> = VecDeque::new();
+    let mut next = 0;
+    (0..values.len())
+        .map(|place| {
+            while next < values.len().min(place + half + 1) {
+                while candidates.back().is_some_and(|&last| values[last] >= values[next]) {
+                    candidates.pop_back();
+                }
+                candidates.push_back(next);
+                next += 1;
+            }
+            while candidates.front().is_some_and(|&first| first + half < place) {
+                candidates.pop_front();
+            }
+            values[candidates[0]]
+        })
+        .collect()
 }
 
 /// One quantity of both feet in all frames that belong to the motion.
@@ -127,6 +169,8 @@ pub(super) fn bearing(a: &Signals, b: &Signals, still: f64) -> Signals {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     #[test]
@@ -139,6 +183,22 @@ mod tests {
         assert!((mended[7] - straight[7]).norm() < 1e-12);
         // At the edge of a piece there is nothing to compare with.
         assert_eq!(without_spikes(&track, &[0..8, 8..20], 1.0)[7].y, 1.0);
+    }
+
+    proptest! {
+        #[test]
+        fn the_sliding_minimum_is_the_least_of_its_window(
+            values in prop::collection::vec(-9.0..9.0_f64, 0..40),
+            half in 0_usize..12,
+        ) {
+            let expected: Vec<f64> = (0..values.len())
+                .map(|place| {
+                    let window = &values[place.saturating_sub(half)..(place + half + 1).min(values.len())];
+                    window.iter().copied().fold(f64::INFINITY, f64::min)
+                })
+                .collect();
+            prop_assert_eq!(sliding_minimum(values, half), expected);
+        }
     }
 
     #[test]

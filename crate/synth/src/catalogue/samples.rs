@@ -1,22 +1,15 @@
 //! The clips of `samples/`.
 
-use crate::character::character;
-use crate::motion;
-use crate::recipe::{Motion, Recipe};
+use crate::motion::{self, Motion, Written};
+use crate::recipe::Recipe;
 
 /// The thirteen sample clips, their characters' noise `noise_level` times as strong.
 ///
 /// Motions, lengths and rates are those of the files that the plant detector's paper
 /// reports one by one (its table 2).
 pub fn catalogue(noise_level: f64) -> Vec<Recipe> {
-    let recipe = |name, performer, motion: Motion, frames, rate| Recipe {
-        name,
-        character: character(performer),
-        motion,
-        frames,
-        rate,
-        leading_t_pose: false,
-        noise_level,
+    let recipe = |name, performer, motion: Written, frames, rate| {
+        Recipe::new(name, performer, Motion::new(motion), frames, rate, noise_level)
     };
     vec![
         recipe("frog-jumps", "ada", motion::frog_jumps, 500, 30),

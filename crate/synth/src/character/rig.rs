@@ -56,6 +56,15 @@ impl Bone {
             Bone::Toe(side) => pair(20, side),
         }
     }
+
+    /// All bones that a body may have.
+    pub fn all() -> impl Iterator<Item = Bone> {
+        let sided = [Bone::Clavicle, Bone::UpperArm, Bone::Forearm, Bone::Hand]
+            .into_iter()
+            .chain([Bone::Thigh, Bone::Shank, Bone::Foot, Bone::Toe])
+            .flat_map(|bone: fn(Side) -> Bone| Side::BOTH.map(bone));
+        [Bone::Hips, Bone::Neck, Bone::Head].into_iter().chain((0..3).map(Bone::Spine)).chain(sided)
+    }
 }
 
 /// A joint or an end site of the rig.

@@ -1,4 +1,4 @@
-//! The motions of the sample clips.
+//! The motions of the clips, by what is done in them.
 
 mod ballet;
 mod bowling;
@@ -28,12 +28,49 @@ pub use skipping::skipping;
 pub use straight_jog::straight_jog;
 pub use sword_and_shield::sword_and_shield;
 
-use plantigrade::labels::Side;
+pub(crate) use crate::act::other;
 
-/// The other side.
-fn other(side: Side) -> Side {
-    match side {
-        Side::Left => Side::Right,
-        Side::Right => Side::Left,
+use std::fmt;
+use std::sync::Arc;
+
+use crate::act::Actor;
+use crate::character::Build;
+use crate::plan::Plan;
+use crate::random::Random;
+
+/// Writes the plan of a motion that lasts some seconds, for a body of a certain build.
+pub type Written = fn(&Build, f64, &mut Random) -> Plan;
+
+type Writer = dyn Fn(&Build, f64, &mut Random) -> Plan + Send + Sync;
+
+/// What is done in a clip.
+#[derive(Clone)]
+pub struct Motion(Arc<Writer>);
+
+impl Motion {
+    /// The motion that `plan` writes.
+    pub fn new(plan: impl Fn(&Build, f64, &mut Random) -> Plan + Send + Sync + 'static) -> Motion {
+        Motion(Arc::new(plan))
+    }
+
+    /// What an actor does who stands `before` seconds before the clip begins; `act` is
+    /// told the clip's length in seconds.
+    pub fn acted(before: f64, act: impl Fn(&mut Actor, f64) + Send + Sync + 'static) -> Motion {
+        Motion::new(move |build, seconds, random| {
+            let mut actor = Actor::standing(build, random, -before);
+            act(&mut actor, seconds);
+            actor.finish()
+        })
+    }
+
+    /// The plan for a clip of that length.
+    pub fn plan(&self, build: &Build, seconds: f64, random: &mut Random) -> Plan {
+        (self.0)(build, seconds, random)
+    }
+}
+
+impl fmt::Debug for Motion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Motion")
     }
 }

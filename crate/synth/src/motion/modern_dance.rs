@@ -17,6 +17,7 @@ pub fn modern_dance(build: &Build, _seconds: f64, random: &mut Random) -> Plan {
         x: x * scale * random.vary(0.02),
         z: z * scale * random.vary(0.02),
         heading: degrees.to_radians(),
+        ..Place::ORIGIN
     };
     // Into the side lunge and back onto the right foot.
     planner.put(Left, 0.42, place(0.62, 0.18, 34.0), &step);

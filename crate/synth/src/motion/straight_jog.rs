@@ -11,7 +11,7 @@ use crate::random::Random;
 /// Stands, jogs and stands again.
 pub fn straight_jog(build: &Build, seconds: f64, random: &mut Random) -> Plan {
     let scale = build.scale();
-    let begin = Place { x: 1.4 * scale, z: -3.0 * scale, heading: 0.0 };
+    let begin = Place { x: 1.4 * scale, z: -3.0 * scale, ..Place::ORIGIN };
     let mut planner = Planner::standing(-1.0, begin, 0.09 * scale);
     planner.wait_until(0.55);
     let (walk, jog) = (Gait::walk(scale), Gait::jog(scale));

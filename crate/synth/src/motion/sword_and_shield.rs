@@ -11,8 +11,8 @@ pub fn sword_and_shield(build: &Build, _seconds: f64, random: &mut Random) -> Pl
     let scale = build.scale();
     let mut planner = Planner::standing(-1.0, Place::ORIGIN, 0.14 * scale);
     // The guard: left foot and shield ahead, the right foot behind and turned out.
-    planner.foot(Left).start = Place { x: 0.1 * scale, z: 0.2 * scale, heading: 0.0 };
-    planner.foot(Right).start = Place { x: -0.13 * scale, z: -0.22 * scale, heading: -0.75 };
+    planner.foot(Left).start = Place { x: 0.1 * scale, z: 0.2 * scale, ..Place::ORIGIN };
+    planner.foot(Right).start = Place { x: -0.13 * scale, z: -0.22 * scale, heading: -0.75, ..Place::ORIGIN };
 
     let shuffle = shuffle(scale);
     let mut at = |side: Side, time: f64, ahead: f64, left: f64, turn: f64, gait: &Gait| {

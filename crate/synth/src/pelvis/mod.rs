@@ -34,6 +34,9 @@ pub struct PelvisPose {
 /// Frequency below which a standing body sways, in hertz.
 const SWAY_BAND: f64 = 0.35;
 
+/// Seconds over which the body follows a change of the ground's height.
+const CLIMB: f64 = 0.11;
+
 /// Rounds in which flights are fitted to the reach of the legs.
 const LEAP_ROUNDS: usize = 3;
 
@@ -57,6 +60,9 @@ pub fn track(
     };
     let strides = blur(&(0..grid.len()).map(ahead).collect::<Vec<_>>(), Grid::points(0.05));
     let balances = blur(&support.balance, Grid::points(0.07));
+    // On stairs the body rises with the foot that takes the weight.
+    let steps: Vec<f64> = support.pressure.iter().map(|pressure| pressure.y).collect();
+    let ground = blur(&steps, Grid::points(CLIMB));
 
     let pose = |height: &Track<1>| -> Vec<PelvisPose> {
         let heights: Vec<f64> = grid.times().map(|t| height.at(t)[0] - plan.body.sink.at(t)[0]).collect();
@@ -68,7 +74,7 @@ pub fn track(
             let lean = lean + (plan.body.pelvis_drop * balances[n]).to_radians();
             let rotation = heading(headings[n] + yaw) * turn(0, tilt) * turn(2, lean);
             let offset = counterweight(plan, build, time);
-            let position = Vec3::new(ways[0][n], heights[n], ways[1][n])
+            let position = Vec3::new(ways[0][n], heights[n] + ground[n], ways[1][n])
                 + offset[0] * leftward(headings[n])
                 + offset[1] * forward(headings[n]);
             PelvisPose { position, rotation, heading: headings[n], stride: strides[n], balance: balances[n] }

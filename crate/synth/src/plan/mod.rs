@@ -5,12 +5,14 @@
 //! pose) may only realise it.
 
 mod body;
+mod gait;
 mod planner;
 mod step;
 mod support;
 
 pub use body::{ArmStyle, Body};
-pub use planner::{Gait, Hop, Planner, beside};
+pub use gait::{Gait, Hop};
+pub use planner::{Planner, beside};
 pub use step::{Carry, Held, Landing, Lift, Place, Step};
 pub use support::{Interval, Stance, flights, stances};
 

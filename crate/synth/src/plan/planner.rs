@@ -2,102 +2,9 @@
 
 use plantigrade::labels::Side;
 
-use super::{Body, Carry, FootPlan, Landing, Lift, Place, Plan, Step};
+use super::{Body, FootPlan, Gait, Hop, Place, Plan, Step};
 use crate::character::outward;
 use crate::curve::Track;
-
-/// How to take a step of a gait.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Gait {
-    /// Seconds from the other foot's strike to this one's.
-    pub time: f64,
-    /// Metres the body moves on in that time.
-    pub length: f64,
-    /// Degrees it turns to the left.
-    pub turn: f64,
-    /// Metres from the body's way out to the ball of the foot.
-    pub width: f64,
-    /// Degrees the toes point outward.
-    pub toe_out: f64,
-    /// Seconds the foot is in the air.
-    pub swing: f64,
-    /// How it leaves the ground.
-    pub lift: Lift,
-    /// How it travels.
-    pub carry: Carry,
-    /// How it lands.
-    pub landing: Landing,
-}
-
-impl Gait {
-    /// Walking at an easy pace; lengths grow with `scale`.
-    pub fn walk(scale: f64) -> Gait {
-        Gait {
-            time: 0.54,
-            length: 0.66 * scale,
-            turn: 0.0,
-            width: 0.075 * scale,
-            toe_out: 6.0,
-            swing: 0.42,
-            lift: Lift { pitch: 52.0, lead: 0.24 },
-            carry: Carry {
-                clearance: 0.075 * scale,
-                peak: 0.34,
-                pitch: 8.0,
-                pitch_at: 0.62,
-                ramps: (0.24, 0.24),
-                detour: 0.012,
-                grounded: false,
-                load: 0.0,
-                held: None,
-            },
-            landing: Landing::HEEL,
-        }
-    }
-
-    /// Jogging; lengths grow with `scale`.
-    pub fn jog(scale: f64) -> Gait {
-        let walk = Gait::walk(scale);
-        Gait {
-            time: 0.365,
-            length: 1.0 * scale,
-            width: 0.05 * scale,
-            swing: 0.47,
-            lift: Lift { pitch: 58.0, lead: 0.15 },
-            carry: Carry {
-                clearance: 0.27 * scale,
-                peak: 0.36,
-                pitch: 72.0,
-                pitch_at: 0.34,
-                ramps: (0.4, 0.22),
-                ..walk.carry
-            },
-            landing: Landing { pitch: -10.0, settle: 0.06, rest: 0.0 },
-            ..walk
-        }
-    }
-}
-
-/// How to jump off and land.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Hop {
-    /// Seconds on the ground before the jump.
-    pub ground: f64,
-    /// Seconds in the air.
-    pub flight: f64,
-    /// Metres forward.
-    pub length: f64,
-    /// Degrees turned to the left.
-    pub turn: f64,
-    /// Metres from the way out to the ball of a foot.
-    pub width: f64,
-    /// How the feet leave the ground.
-    pub lift: Lift,
-    /// How they travel.
-    pub carry: Carry,
-    /// How they land.
-    pub landing: Landing,
-}
 
 /// Writes a plan along a way: a cursor moves on and feet step beside it.
 pub struct Planner {
@@ -142,6 +49,11 @@ impl Planner {
     /// Moves the cursor `length` metres on along an arc of `turn` degrees.
     pub fn advance(&mut self, length: f64, turn: f64) {
         self.cursor = self.cursor.turned(turn / 2.0).moved(length, 0.0).turned(turn / 2.0);
+    }
+
+    /// Moves the cursor up by `rise` metres: the next step is on higher ground.
+    pub fn climb(&mut self, rise: f64) {
+        self.cursor = self.cursor.raised(rise);
     }
 
     /// Moves the cursor to `cursor`, keeping the heading.

@@ -8,6 +8,8 @@ use crate::maths::{Vec3, forward, leftward};
 pub struct Place {
     /// Metres to the left.
     pub x: f64,
+    /// Metres up: where the ground is there.
+    pub y: f64,
     /// Metres forward.
     pub z: f64,
     /// Radians turned to the left.
@@ -16,24 +18,29 @@ pub struct Place {
 
 impl Place {
     /// The origin, heading forward.
-    pub const ORIGIN: Place = Place { x: 0.0, z: 0.0, heading: 0.0 };
+    pub const ORIGIN: Place = Place { x: 0.0, y: 0.0, z: 0.0, heading: 0.0 };
 
     /// The place as a point on the ground.
     pub fn point(&self) -> Vec3 {
-        Vec3::new(self.x, 0.0, self.z)
+        Vec3::new(self.x, self.y, self.z)
     }
 
     /// The place `ahead` metres ahead and `left` metres to the left of this one,
     /// with the same heading.
     pub fn moved(&self, ahead: f64, left: f64) -> Place {
         let point = self.point() + ahead * forward(self.heading) + left * leftward(self.heading);
-        Place { x: point.x, z: point.z, heading: self.heading }
+        Place { x: point.x, z: point.z, ..*self }
     }
 
     /// The place `ahead` metres along `heading` and `left` metres to the left of that,
     /// with the heading of this one.
     pub fn moved_to(&self, heading: f64, ahead: f64, left: f64) -> Place {
         Place { heading: self.heading, ..Place { heading, ..*self }.moved(ahead, left) }
+    }
+
+    /// The same place, `rise` metres higher.
+    pub fn raised(&self, rise: f64) -> Place {
+        Place { y: self.y + rise, ..*self }
     }
 
     /// The same place, turned `degrees` to the left.

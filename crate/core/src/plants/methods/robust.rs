@@ -1,22 +1,27 @@
 //! The method to use: contact, toe and heel.
 //!
 //! What it adds to the published one: frames that belong to no motion are left
-//! out, single-frame spikes mended, speeds smoothed over a window of time
-//! without blurring stops and starts, the slower of ankle and toe taken for
-//! contact (of two still ones the lower), ranges capped, degrees anchored at rest, a kernel with a long tail for contact, a threshold between medians,
-//! and runs too short for a person dropped.
+//! out and single-frame spikes mended; clips of low rates are refined to 120 Hz,
+//! and speeds smoothed over a window of time without blurring stops and starts;
+//! heights count from the ground that is near in time, so that slopes and stairs
+//! do no harm; the slower of ankle and toe is what bears weight (of two still ones
+//! the lower); ranges are capped, degrees anchored at rest, the kernel has a long
+//! tail, and the threshold lies between medians. Toe and heel are then compared
+//! with what bears weight. Runs too short for a person are dropped.
 
 use std::ops::Range;
 
 use super::{Entry, Family, Found, Task};
 use crate::labels::Part;
+use crate::motion::Track;
 use crate::notice::{Code, Notice};
 use crate::plants::cluster::{self, Between, Evidence};
 use crate::plants::degree::Kernel;
+use crate::plants::refine::{self, Refined};
 use crate::plants::samples::{Ranges, Samples};
 use crate::plants::scale::Scale;
-use crate::plants::signal::{self, Signals};
-use crate::plants::{Feet, FootLabels, PartLabels, ValidParams, clean, confidence, trim};
+use crate::plants::signal::{self, Signal, Signals};
+use crate::plants::{Feet, FootLabels, FootTracks, PartLabels, ValidParams, clean, confidence, trim};
 
 /// Fewer frames than this are not clustered.
 const FEWEST_FRAMES: usize = 10;
@@ -27,6 +32,8 @@ const STILL_HEIGHT: f64 = 0.15;
 /// Largest ranges that heights and speeds are divided by, in legs and legs per second.
 const HEIGHT_CAP: f64 = 0.4;
 const SPEED_CAP: f64 = 8.0;
+/// Its long tail finds the edges of contact sooner than a Gaussian.
+const KERNEL: Kernel = Kernel::Cauchy;
 /// Shortest gap and shortest run, in seconds.
 const SHORTEST_RUN: f64 = 0.1;
 /// Half the window over which confidence is averaged, in seconds.
@@ -45,19 +52,28 @@ fn detect(task: &Task) -> Found {
     let &Task { feet, params, .. } = task;
     let pieces = trim::pieces(feet);
     let mut notices = trim_notices(feet, &pieces);
-    let ankle = signal::smooth(feet, &pieces, |foot| feet.tracks[foot].ankle.clone());
-    let toe = signal::smooth(feet, &pieces, |foot| feet.tracks[foot].toe.clone());
+    let refined = refine::refined(feet, &pieces);
+    let effector = |track: fn(&FootTracks) -> &Track| {
+        signal::smooth(&refined.feet, &refined.pieces, |foot| track(&refined.feet.tracks[foot]).clone())
+    };
+    let ankle = effector(|foot| &foot.ankle);
+    let toe = effector(|foot| &foot.toe);
     let sole = signal::bearing(&ankle, &toe, STILL_SPEED * feet.leg);
 
-    let work = Work { feet, pieces: &pieces, params };
-    let contact = work.label(Part::Contact, sole, Kernel::Cauchy);
-    if feet.frame_count() < FEWEST_FRAMES {
+    let work = Work { feet, pieces: &pieces, refined: &refined, params };
+    let clustering = if feet.frame_count() < FEWEST_FRAMES {
         let text = format!("The clip has fewer than {FEWEST_FRAMES} frames: all are taken for contact.");
         notices.push(Notice::new(Code::ShortClip, text));
-    } else if contact.evidence.is_none() {
+        None
+    } else if work.stands_still(&sole) {
         let text = "The feet stand still throughout: every frame is contact.";
         notices.push(Notice::new(Code::StandingStill, text));
-    }
+        None
+    } else {
+        Some(work.cluster(&sole))
+    };
+    let contact = work.label(Part::Contact, &sole, clustering.as_ref());
+    // Toe and heel are planted where they are like what bears weight, and something does.
     let within = |mut part: PartLabels| {
         for (foot, contact) in part.feet.iter_mut().zip(&contact.feet) {
             for (planted, contact) in foot.planted.iter_mut().zip(&contact.planted) {
@@ -66,8 +82,8 @@ fn detect(task: &Task) -> Found {
         }
         part
     };
-    let toe = within(work.label(Part::Toe, toe, Kernel::Gaussian));
-    let heel = within(work.label(Part::Heel, ankle, Kernel::Gaussian));
+    let toe = within(work.label(Part::Toe, &toe, clustering.as_ref()));
+    let heel = within(work.label(Part::Heel, &ankle, clustering.as_ref()));
     Found { parts: vec![contact, toe, heel], notices }
 }
 
@@ -93,51 +109,78 @@ fn trim_notices(feet: &Feet, pieces: &[Range<usize>]) -> Vec<Notice> {
 struct Work<'a> {
     feet: &'a Feet,
     pieces: &'a [Range<usize>],
+    refined: &'a Refined,
     params: ValidParams,
 }
 
-impl Work<'_> {
-    fn label(&self, part: Part, signals: Signals, kernel: Kernel) -> PartLabels {
-        let clustered = if self.feet.frame_count() < FEWEST_FRAMES || self.stands_still(&signals) {
-            None
-        } else {
-            Some(self.cluster(&signals, kernel))
-        };
-        let [left, right] = signals;
-        let labels = |foot: usize, signal: signal::Signal| {
-            let (planted, confidence) = match &clustered {
-                Some((evidence, planted)) => self.spread(foot, evidence, planted),
-                None => (vec![true; signal.height.len()], vec![1.0; signal.height.len()]),
-            };
-            FootLabels { planted, confidence, height: signal.height, speed: signal.speed }
-        };
-        let feet = [labels(0, left), labels(1, right)];
-        PartLabels { part, feet, evidence: clustered.map(|(evidence, _)| evidence) }
-    }
+/// The clustering of what bears weight, to which all parts are compared.
+struct Clustering {
+    samples: Samples,
+    ranges: Ranges,
+    anchors: Vec<f64>,
+    evidence: Evidence,
+    planted: Vec<bool>,
+}
 
+impl Work<'_> {
     fn stands_still(&self, signals: &Signals) -> bool {
-        let speeds = signal::kept(signals, self.pieces, |signal| &signal.speed).collect();
-        let (lowest, highest) = signal::extremes(signal::kept(signals, self.pieces, |signal| &signal.height));
+        let pieces = &self.refined.pieces;
+        let speeds = signal::kept(signals, pieces, |signal| &signal.speed).collect();
+        let (lowest, highest) = signal::extremes(signal::kept(signals, pieces, |signal| &signal.height));
         let leg = self.feet.leg;
         percentile(speeds, 0.99) < STILL_SPEED * leg && highest - lowest < STILL_HEIGHT * leg
     }
 
-    fn cluster(&self, signals: &Signals, kernel: Kernel) -> (Evidence, Vec<bool>) {
+    fn cluster(&self, sole: &Signals) -> Clustering {
         let leg = self.feet.leg;
         let window = self.params.window();
-        let ranges = Ranges::of(signals, self.pieces).capped(HEIGHT_CAP * leg, SPEED_CAP * leg);
-        let samples = Samples::of(signals, self.pieces, ranges, window);
+        let ranges = Ranges::of(sole, &self.refined.pieces).capped(HEIGHT_CAP * leg, SPEED_CAP * leg);
+        let samples = self.samples(sole, ranges);
         // A wider window has longer norms: r is stated for w = 1.
         let r = self.params.tolerance() * (2 * window + 1) as f64 / 3.0;
-        let frames = self.pieces.iter().cloned().flatten().collect();
         let scale = Scale::find(&samples.norms, r);
         let sigma = self.params.scale().unwrap_or(scale.sigma());
         // Samples near rest count for more, so that a foot held still in the air,
         // dense as its samples are, is not taken for one on the ground.
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
         let anchors: Vec<f64> = samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect();
-        let roots = cluster::roots(&samples, sigma, kernel, &anchors);
-        cluster::divide(frames, &samples, scale, sigma, roots, Between::Medians)
+        let roots = cluster::roots(&samples, sigma, KERNEL, &anchors);
+        let frames = self.pieces.iter().cloned().flatten().collect();
+        let (evidence, planted) = cluster::divide(frames, &samples, scale, sigma, roots, Between::Medians);
+        Clustering { samples, ranges, anchors, evidence, planted }
+    }
+
+    fn samples(&self, signals: &Signals, ranges: Ranges) -> Samples {
+        let Refined { pieces, stride, .. } = self.refined;
+        Samples::of(signals, pieces, ranges, self.params.window(), *stride)
+    }
+
+    /// Labels of one part; everything is planted where nothing was clustered.
+    fn label(&self, part: Part, signals: &Signals, clustering: Option<&Clustering>) -> PartLabels {
+        let compared = clustering.map(|clustering| match part {
+            Part::Contact => (clustering.evidence.clone(), clustering.planted.clone()),
+            Part::Toe | Part::Heel => self.compare(signals, clustering),
+        });
+        let labels = |foot: usize| {
+            let frames = self.feet.frame_count();
+            let (planted, confidence) = match &compared {
+                Some((evidence, planted)) => self.spread(foot, evidence, planted),
+                None => (vec![true; frames], vec![1.0; frames]),
+            };
+            let coarse = |values: &[f64]| values.iter().copied().step_by(self.refined.stride).collect();
+            let Signal { height, speed } = &signals[foot];
+            FootLabels { planted, confidence, height: coarse(height), speed: coarse(speed) }
+        };
+        PartLabels { part, feet: [labels(0), labels(1)], evidence: compared.map(|(evidence, _)| evidence) }
+    }
+
+    /// Which samples of a part lie where those of feet that bear weight do.
+    fn compare(&self, signals: &Signals, clustering: &Clustering) -> (Evidence, Vec<bool>) {
+        let Clustering { samples, ranges, anchors, evidence, .. } = clustering;
+        let own = self.samples(signals, *ranges);
+        let roots = cluster::roots_towards(samples, &own, evidence.sigma, KERNEL, anchors);
+        let planted = roots.iter().map(|&root| root > evidence.threshold).collect();
+        (Evidence { roots, ..evidence.clone() }, planted)
     }
 
     /// Labels and confidence of one foot over all frames of the clip.

@@ -26,7 +26,7 @@ impl<'a> Toes<'a> {
         let pieces = [0..task.feet.frame_count()];
         let mut ranges = Ranges::of(&signals, &pieces);
         let Some(still) = task.still else {
-            let samples = Samples::of(&signals, &pieces, ranges, window);
+            let samples = Samples::of(&signals, &pieces, ranges, window, 1);
             return Toes { feet: task.feet, signals, samples };
         };
         // One character, two recordings: what is long or fast in one is so in both.
@@ -39,8 +39,8 @@ impl<'a> Toes<'a> {
         let still_ranges = Ranges::of(&still_signals, &still_pieces);
         ranges.height = ranges.height.max(still_ranges.height);
         ranges.speed = ranges.speed.max(still_ranges.speed);
-        let mut samples = Samples::of(&signals, &pieces, ranges, window);
-        samples.append(Samples::of(&still_signals, &still_pieces, ranges, window));
+        let mut samples = Samples::of(&signals, &pieces, ranges, window, 1);
+        samples.append(Samples::of(&still_signals, &still_pieces, ranges, window, 1));
         Toes { feet: task.feet, signals, samples }
     }
 

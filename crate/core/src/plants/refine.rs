@@ -1,0 +1,91 @@
+//! Positions between frames, so that clips of low rates are measured as those of high ones.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use super::{Feet, FootTracks};
+use crate::motion::Track;
+
+/// The rate that clips are brought to at least, in frames per second.
+const RATE: f64 = 120.0;
+
+/// Feet with `stride` times as many frames, and the pieces of their motion.
+pub(super) struct Refined {
+    pub feet: Feet,
+    pub pieces: Vec<Range<usize>>,
+    /// Frame n of the clip is frame n × stride here.
+    pub stride: usize,
+}
+
+/// Brings feet to about 120 Hz, piece by piece; faster ones stay as they are.
+pub(super) fn refined(feet: &Feet, pieces: &[Range<usize>]) -> Refined {
+    let stride = (RATE * feet.frame_time).round().max(1.0) as usize;
+    let fine = |track: &Track| between(track, pieces, stride);
+    Refined {
+        feet: Feet {
+            tracks: feet.tracks.each_ref().map(|foot| FootTracks {
+                ankle: fine(&foot.ankle),
+                toe: fine(&foot.toe),
+                tip: None,
+            }),
+            hips: Track::new(),
+            frame_time: feet.frame_time / stride as f64,
+            ..*feet
+        },
+        pieces: pieces.iter().map(|piece| piece.start * stride..(piece.end - 1) * stride + 1).collect(),
+        stride,
+    }
+}
+
+/// A track with cubics between its frames that pass through them (Catmull and Rom 1974).
+fn between(track: &Track, pieces: &[Range<usize>], stride: usize) -> Track {
+    if stride == 1 {
+        return track.clone();
+    }
+    let last = track.len() - 1;
+    let mut fine = Track::with_capacity(last * stride + 1);
+    for frame in 0..last {
+        // Beyond a piece's end its last position stands; a jump between pieces is no motion.
+        let piece = pieces.iter().find(|piece| piece.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
+        let at = |frame: usize| track[frame.clamp(piece.start, piece.end - 1)];
+        let points = [at(frame.saturating_sub(1)), at(frame), at(frame + 1), at(frame + 2)];
+        fine.extend((0..stride).map(|step| cubic(&points, step as f64 / stride as f64)));
+    }
+    fine.push(track[last]);
+    fine
+}
+
+/// The cubic from the second point to the third whose slopes are those of their neighbours.
+fn cubic([a, b, c, d]: &[Vector3<f64>; 4], t: f64) -> Vector3<f64> {
+    let (from, to) = ((c - a) / 2.0, (d - b) / 2.0);
+    let rise = c - b;
+    b + from * t + (rise * 3.0 - from * 2.0 - to) * (t * t) + (from + to - rise * 2.0) * (t * t * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_stay_and_parabolas_are_kept() {
+        let place = |t: f64| Vector3::new(t, 3.0 * t * t - t, 0.0);
+        let track: Track = (0..8).map(|frame| place(f64::from(frame))).collect();
+        let fine = between(&track, &[0..8], 4);
+        assert_eq!(fine.len(), 29);
+        for (index, position) in fine.iter().enumerate() {
+            let t = index as f64 / 4.0;
+            // At the ends there is no neighbour to take the slope from.
+            if (1.0..=6.0).contains(&t) {
+                assert!((position - place(t)).norm() < 1e-12, "{t}");
+            }
+        }
+    }
+
+    #[test]
+    fn jumps_between_pieces_are_not_smoothed() {
+        let track: Track = (0..6).map(|frame| Vector3::x() * if frame < 3 { 0.0 } else { 9.0 }).collect();
+        let fine = between(&track, &[0..3, 3..6], 2);
+        assert!(fine.iter().all(|position| position.x == 0.0 || position.x == 9.0), "{fine:?}");
+    }
+}

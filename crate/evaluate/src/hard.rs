@@ -1,0 +1,42 @@
+//! The hard cases, one by one.
+
+use plantigrade::labels::Part;
+use plantigrade::plants::Method;
+use plantigrade_synth::hard_cases;
+
+use crate::report::{Report, percent};
+use crate::trial::{Accuracies, SEEDS, labels, of, trials};
+
+/// Adds the section.
+pub fn write(report: &mut Report) -> anyhow::Result<()> {
+    report.text("## Hard cases");
+    report.text(
+        "Accuracy in % at p = 0.2, pooled over the seeds. Truth is to be still relative to the ground that the \
+         foot stands on.",
+    );
+    let mut rows = Vec::new();
+    for recipe in hard_cases(1.0) {
+        let own = trials(std::slice::from_ref(&recipe), SEEDS);
+        let at = |method: Method, part: Part| {
+            let tallies =
+                own.iter().map(|trial| trial.tally(part, labels(&trial.detect(of(method)), part), 0.2));
+            percent(Accuracies::of(tallies).pooled())
+        };
+        let mut codes: Vec<String> = own
+            .iter()
+            .flat_map(|trial| trial.detect(of(Method::Robust)).notices)
+            .map(|notice| notice.code.name())
+            .collect();
+        codes.sort_unstable();
+        codes.dedup();
+        rows.push(vec![
+            recipe.name.to_string(),
+            at(Method::Robust, Part::Contact),
+            at(Method::Robust, Part::Toe),
+            at(Method::Paper, Part::Toe),
+            codes.join(", "),
+        ]);
+    }
+    report.table(&["case", "robust contact", "robust toe", "paper toe", "notices"], &rows);
+    Ok(())
+}
