@@ -13,6 +13,7 @@ mod parallel;
 mod plates;
 mod rates;
 mod report;
+mod scale;
 mod thresholds;
 mod trial;
 

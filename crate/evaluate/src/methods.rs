@@ -145,3 +145,26 @@ fn noise(report: &mut Report) {
     report
         .table(&["noise", "robust contact", "lowest", "robust toe", "lowest", "paper toe", "lowest"], &rows);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_holds_its_figures_on_the_generated_set() {
+        let all = trials(&full_set(1.0), 10..11);
+        for part in [Part::Contact, Part::Toe] {
+            let [tenth, third] = accuracies(&all, of(Method::Robust), part, [0.1, 0.3]);
+            let found = format!("{}: {} {} {}", part.name(), tenth.pooled(), third.pooled(), third.lowest());
+            assert!(tenth.pooled() >= 96.0 && third.pooled() >= 99.3 && third.lowest() >= 95.0, "{found}");
+        }
+    }
+
+    #[test]
+    fn one_scale_for_all_clips_spreads_wider() {
+        let all = trials(&full_set(1.0), 10..12);
+        let [own] = accuracies(&all, of(Method::Paper), Part::Toe, [0.3]);
+        let [fixed] = accuracies(&all, of(Method::FixedScale), Part::Toe, [0.3]);
+        assert!(fixed.deviation() > own.deviation(), "{} {}", fixed.deviation(), own.deviation());
+    }
+}

@@ -6,6 +6,7 @@ use plantigrade_synth::full_set;
 
 use crate::figure::{Panel, Series, draw};
 use crate::report::{Report, percent, signed};
+use crate::scale;
 use crate::thresholds::{Kind, Signals, Thresholds, signals};
 use crate::trial::{Accuracies, SEEDS, Trial, accuracies, labels, of, trials};
 
@@ -38,7 +39,7 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
     table_1(report, &all)?;
     table_2(report, &all);
     table_3(report, &all);
-    walk(report, &all)?;
+    scale::write(report, &all)?;
     sweeps(report, &few)?;
     heights(report, &all)
 }
@@ -186,48 +187,6 @@ fn table_3(report: &mut Report, all: &[Trial]) {
     report.text(&format!(
         "Reusing the two thresholds that were chosen one by one for each clip: {reused:.2} %."
     ));
-}
-
-fn walk(report: &mut Report, all: &[Trial]) -> anyhow::Result<()> {
-    report.text("### Figures 4 and 5: why a scale can be found");
-    let Some(trial) = all.iter().find(|trial| trial.name == "curved-walk") else { return Ok(()) };
-    let detection = trial.detect(of(Method::Paper));
-    let Some(evidence) = &detection.principal().evidence else { return Ok(()) };
-    let numbered =
-        |values: &[f64]| values.iter().enumerate().map(|(j, value)| (j as f64, *value)).collect::<Vec<_>>();
-    let knee = evidence.knee as f64;
-    let count = evidence.sorted_norms.len() as f64;
-    let path = report
-        .figure("figure-4-5", "Sorted norms of a walk's samples and their running variance, with the knee");
-    draw(
-        &path,
-        &[
-            Panel {
-                title: "Sorted norms of the samples of a walk (figure 4b)",
-                x: ("sample", 0.0..count),
-                y: ("norm", 0.0..2.0),
-                series: vec![
-                    Series::line("norms", numbered(&evidence.sorted_norms)),
-                    Series::line(format!("σ = {:.3}", evidence.sigma), vec![(knee, 0.0), (knee, 2.0)]),
-                ],
-            },
-            Panel {
-                title: "Sample variance of the first norms (figure 5)",
-                x: ("sample", 0.0..count),
-                y: ("variance", 0.0..0.01),
-                series: vec![
-                    Series::line(
-                        "variance",
-                        numbered(&evidence.running_variance)
-                            .into_iter()
-                            .take_while(|point| point.1 <= 0.01)
-                            .collect(),
-                    ),
-                    Series::line("r = 0.001", vec![(0.0, 0.001), (count, 0.001)]),
-                ],
-            },
-        ],
-    )
 }
 
 fn sweeps(report: &mut Report, few: &[Trial]) -> anyhow::Result<()> {

@@ -10,6 +10,8 @@ use super::two_means;
 pub struct Evidence {
     /// The frames that were clustered; others belong to no motion.
     pub frames: Vec<usize>,
+    /// Norm of each sample; the left foot's frames, then the right's (paper, figure 4a).
+    pub norms: Vec<f64>,
     /// Norms of all samples of both feet, ascending (paper, figure 4b).
     pub sorted_norms: Vec<f64>,
     /// Sample variance of the first norms up to each one (paper, figure 5).
@@ -77,6 +79,7 @@ pub(super) fn divide(
 ) -> (Evidence, Vec<bool>) {
     let mut evidence = Evidence {
         frames,
+        norms: samples.norms.clone(),
         sorted_norms: scale.sorted_norms,
         running_variance: scale.running_variance,
         knee: scale.knee,

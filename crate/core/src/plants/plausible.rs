@@ -10,8 +10,8 @@ const FASTEST: f64 = 25.0;
 const SLOWEST: f64 = 2.0;
 /// How far the hips have to come for that to count, in legs.
 const TRAVEL: f64 = 2.0;
-/// No gait leaves both feet off the ground for longer than this share of the time.
-const AIRBORNE: f64 = 0.6;
+/// No gait leaves both feet off the ground for longer than this share of the time; sprinting does for a third.
+const AIRBORNE: f64 = 0.5;
 
 pub(super) fn notices(feet: &Feet, parts: &[PartLabels]) -> Vec<Notice> {
     [rate(feet), airborne(parts)].into_iter().flatten().collect()

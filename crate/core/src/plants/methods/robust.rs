@@ -180,7 +180,7 @@ impl Work<'_> {
         let own = self.samples(signals, *ranges);
         let roots = cluster::roots_towards(samples, &own, evidence.sigma, KERNEL, anchors);
         let planted = roots.iter().map(|&root| root > evidence.threshold).collect();
-        (Evidence { roots, ..evidence.clone() }, planted)
+        (Evidence { roots, norms: own.norms, ..evidence.clone() }, planted)
     }
 
     /// Labels and confidence of one foot over all frames of the clip.

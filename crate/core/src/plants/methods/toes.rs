@@ -58,6 +58,7 @@ impl<'a> Toes<'a> {
             cluster::divide(frames, &self.samples, scale, sigma, values, Between::Gap);
         // A standing clip has had its say.
         evidence.roots.truncate(2 * self.feet.frame_count());
+        evidence.norms.truncate(2 * self.feet.frame_count());
         let half = self.feet.frames_in(CONFIDENCE_WINDOW);
         let probability = [0, 1].map(|foot| {
             let count = self.feet.frame_count();
