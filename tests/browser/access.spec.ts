@@ -1,6 +1,6 @@
 import AxeBuilder from "@axe-core/playwright";
 import { type App, expect, test } from "./app";
-import { bad, good } from "./clips";
+import { bad, clip, good } from "./clips";
 
 /** Every state of the page, and how to get there. */
 const states: Record<string, (app: App) => Promise<void>> = {
@@ -9,6 +9,11 @@ const states: Record<string, (app: App) => Promise<void>> = {
   "the Labels tab": async (app) => {
     await app.sample("bowling");
     await app.tab("Labels");
+  },
+  "the Score tab": async (app) => {
+    await app.sample("bowling");
+    await app.drop(clip("samples/bowling.json"));
+    await app.tab("Score");
   },
   "the Clip tab": async (app) => {
     await app.sample("bowling");
@@ -28,6 +33,11 @@ const states: Record<string, (app: App) => Promise<void>> = {
     await app.with(good("plain"));
     await app.drop(bad("not-a-number"));
     await expect(app.alert).toBeVisible();
+  },
+  "several files refused": async (app) => {
+    await app.empty();
+    await app.drop(bad("ragged-row"), bad("not-a-number"), good("plain"));
+    await app.opened("plain.bvh");
   },
   "a skeleton without motion": (app) => app.with(good("no-motion")),
 };

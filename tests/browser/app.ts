@@ -19,7 +19,7 @@ export interface Saved {
   text: string;
 }
 
-export type Tab = "Detect" | "Labels" | "Clip";
+export type Tab = "Detect" | "Labels" | "Score" | "Clip";
 
 export class App {
   readonly state: Locator;

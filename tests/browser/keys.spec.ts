@@ -38,8 +38,9 @@ test("the list of keys gives the focus back to the button that opened it", async
 });
 
 test("Ctrl+O asks for a file", async ({ app, page }) => {
-  await app.empty();
+  // Waiting begins early: a key is faster than the browser's promise to tell of its dialogs.
   const choosing = page.waitForEvent("filechooser");
+  await app.empty();
   await page.keyboard.press("Control+o");
   await choosing;
 });

@@ -56,6 +56,47 @@ test("a bad file among several does not stop the good one, and is named", async 
   await expect(page.getByText(/ragged-row\.bvh.*(not|refused|error)/i)).toBeVisible();
 });
 
+test("several bad files are listed until dismissed, and marked in the list", async ({ app }) => {
+  await app.empty();
+  await app.drop(bad("ragged-row"), bad("not-a-number"), good("plain"));
+  await app.opened("plain.bvh");
+  await expect(app.alert.getByRole("heading").first()).toHaveText("2 files could not be opened");
+  for (const words of ["ragged-row.bvh", "Line 70", "not-a-number.bvh", 'found "ninety"']) {
+    await expect(app.alert).toContainText(words, { ignoreCase: true });
+  }
+  await app.page.keyboard.press("End");
+  await expect(app.alert).toBeVisible();
+  await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  await expect(app.alert).toBeHidden();
+  await app.tab("Clip");
+  await expect(app.panel.getByRole("button", { name: /not read$/ })).toHaveCount(2);
+});
+
+test("when no file of a drop is good, all are named", async ({ app }) => {
+  await app.empty();
+  await app.drop(bad("ragged-row"), bad("empty"));
+  await expect(app.alert).toContainText("ragged-row.bvh");
+  await expect(app.alert).toContainText("empty.bvh");
+});
+
+test("a file with a value that is no number can be opened leniently", async ({ app }) => {
+  await app.empty();
+  await app.drop(bad("ragged-row"));
+  await expect(app.alert.getByRole("button", { name: "Open leniently" })).toBeHidden();
+  await app.drop(bad("not-a-number"));
+  await expect(app.alert).toContainText("Expected a number");
+  await app.alert.getByRole("button", { name: "Open leniently" }).click();
+  await app.opened("not-a-number.bvh");
+  await expect(app.alert).toBeHidden();
+  await expect(app.head.getByRole("button", { name: /notice/ })).toBeVisible();
+});
+
+test("the file input is no button of its own", async ({ app, page }) => {
+  await app.sample("bowling");
+  await expect(page.locator("input[type=file]")).toBeHidden();
+  await expect(page.getByRole("button", { name: /^Open/ })).toHaveCount(1);
+});
+
 test("a new clip takes the place of the one before", async ({ app }) => {
   await app.sample("bowling");
   await app.page.keyboard.press("End");

@@ -1,5 +1,5 @@
 import { type App, expect, test } from "./app";
-import { type Payload, sample } from "./clips";
+import { clip, type Payload, sample } from "./clips";
 import { readLabels } from "./labels";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -98,4 +98,48 @@ test("the bars of the timeline can be hit by a thumb", async ({ app, page }) => 
     if ((await app.frame()) === long.start) hit += 2;
   }
   expect(hit).toBeGreaterThanOrEqual(28);
+});
+
+test("pills make room for the raised panel", async ({ app, page }) => {
+  await app.sample("frog-jumps");
+  const pill = app.view.getByText(/^Left (planted|in the air)/);
+  await expect(pill).toBeInViewport({ ratio: 1 });
+  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await expect(pill).toBeHidden();
+  await page.getByRole("button", { name: "Lower the panel" }).tap();
+  await expect(pill).toBeVisible();
+});
+
+test("a short phone still shows a picture worth the name", async ({ app, page }) => {
+  await page.setViewportSize({ width: 375, height: 667 });
+  await app.sample("ballet");
+  const stage = await app.stage.boundingBox();
+  const tools = await app.view.getByRole("button", { name: "Follow" }).boundingBox();
+  const pill = await app.view.getByText(/^Left (planted|in the air)/).boundingBox();
+  expect((pill?.y ?? 0) - ((tools?.y ?? 0) + (tools?.height ?? 0))).toBeGreaterThan(150);
+  expect(stage?.height).toBeGreaterThan(230);
+  await expect(app.timeline.getByRole("button", { name: "Play" })).toBeInViewport({ ratio: 1 });
+  await expectNoSideways(app);
+});
+
+test("a comparison fits the timeline of a short phone", async ({ app, page }) => {
+  await page.setViewportSize({ width: 375, height: 667 });
+  await app.sample("frog-jumps");
+  await app.drop(clip("samples/frog-jumps.json"));
+  await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
+  const room = app.tracks.locator("xpath=..");
+  await expect
+    .poll(async () => (await app.tracks.boundingBox())?.height)
+    .toBeLessThanOrEqual((await room.boundingBox())?.height ?? 0);
+});
+
+test("a comparison fits a phone", async ({ app, page }) => {
+  await app.sample("frog-jumps");
+  await app.drop(clip("samples/frog-jumps.json"));
+  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await expect(page.getByRole("tabpanel", { name: "Score" })).toBeVisible();
+  await expectNoSideways(app);
+  const open = page.getByRole("button", { name: "Open", exact: true });
+  await expect(open).toBeInViewport({ ratio: 1 });
+  await expect(app.panel.getByRole("row", { name: /^0\.3 s/ })).toBeInViewport({ ratio: 1 });
 });

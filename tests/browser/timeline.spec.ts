@@ -86,6 +86,16 @@ test("Shift and the arrows go from plant edge to plant edge", async ({ app, page
   }
 });
 
+test("the pills keep their places, whatever they say", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  const left = app.view.getByText(/^Left (planted|in the air)/);
+  const place = await left.boundingBox();
+  for (let i = 0; i < 6; i++) {
+    await page.keyboard.press("Shift+ArrowRight");
+    expect(await left.boundingBox()).toEqual(place);
+  }
+});
+
 test("a plant of the list goes to its start", async ({ app }) => {
   await app.sample("limp-to-run");
   const { left, right, rate } = readLabels(await app.save("Labels"));

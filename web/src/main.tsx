@@ -9,6 +9,7 @@ import "./styles/overlays.css";
 import "./styles/viewer.css";
 import "./styles/timeline.css";
 import "./styles/panel.css";
+import "./styles/score.css";
 
 const root = document.getElementById("app");
 if (root) render(<App />, root);

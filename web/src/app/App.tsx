@@ -38,12 +38,10 @@ export function App() {
         {held ? <Timeline /> : <Empty pick={pick} />}
         <input
           ref={picker}
-          class="hidden"
+          hidden
           type="file"
-          accept=".bvh,text/plain"
+          accept=".bvh,.json,.csv,text/plain"
           multiple
-          tabIndex={-1}
-          aria-label="Open BVH files"
           onChange={(event) => {
             const input = event.currentTarget;
             void openFiles([...(input.files ?? [])]);

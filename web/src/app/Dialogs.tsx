@@ -29,6 +29,8 @@ function Dialog({ title, children }: { title: string; children: ComponentChildre
     <dialog
       ref={element}
       aria-labelledby="dialog-title"
+      // By Escape it is closed before it says so: keys must be the page's again at once.
+      onCancel={close}
       onClose={close}
       // A press beside the dialog lands on its backdrop, which is the element itself.
       onPointerDown={(event) => event.target === event.currentTarget && close()}

@@ -1,7 +1,9 @@
 import { batch } from "@preact/signals";
 import { latest } from "../lib/latest";
 import type { DetectOptions, Overrides } from "../worker/types";
+import { rescore } from "./compare";
 import { engine } from "./engine";
+import { messageOf } from "./failing";
 import {
   clip,
   detectFailure,
@@ -10,6 +12,7 @@ import {
   hero,
   loop,
   loopRegion,
+  methods,
   options,
   overrides,
   source,
@@ -20,6 +23,7 @@ export async function detectNow(asked: DetectOptions = options.value): Promise<v
   const about = clip.value;
   if (!about) return;
   try {
+    if (!methods.value.length) methods.value = await engine.methods();
     const detected = await engine.detect(asked);
     if (clip.value !== about) return;
     batch(() => {
@@ -29,6 +33,7 @@ export async function detectNow(asked: DetectOptions = options.value): Promise<v
       if (loop.value === "plant") loop.value = "clip";
       loopRegion.value = null;
     });
+    await rescore();
   } catch (error) {
     if (clip.value !== about) return;
     batch(() => {
@@ -64,6 +69,3 @@ export function setOverrides(next: Overrides) {
   overrides.value = next;
   overrideLatest(next);
 }
-
-export const messageOf = (error: unknown) =>
-  error instanceof Error ? error.message : String(error);

@@ -1,3 +1,4 @@
+import { stepDisagreement } from "./compare";
 import {
   changeSpeed,
   cycleLoop,
@@ -23,6 +24,7 @@ export const keyTable: readonly (readonly [
       ["Space", "Play or pause"],
       ["← →", "One frame back, ahead"],
       ["Shift ← →", "Previous, next plant edge"],
+      ["N", "Next difference; with Shift the one before"],
       ["Home End", "First, last frame"],
       [", .", "Slower, faster"],
       ["L", "Loop: clip, plant, off"],
@@ -93,6 +95,7 @@ function act(event: KeyboardEvent): boolean {
   else if (event.key === ".") changeSpeed(1);
   else if (event.key === "l" || event.key === "L") cycleLoop();
   else if (event.key === "f" || event.key === "F") frameAllRequests.value++;
+  else if (event.key === "n" || event.key === "N") stepDisagreement(event.shiftKey ? -1 : 1);
   else if (event.key === "0") fitTimeline();
   else if (event.key === "+" || event.key === "=") zoomTimeline(0.7);
   else if (event.key === "-") zoomTimeline(1 / 0.7);

@@ -41,6 +41,16 @@ describe("opening", () => {
     ]);
   });
 
+  it("tells of every file it refused on the way", async () => {
+    await openFiles([file("bad.bvh"), file("walk.bvh")]);
+    expect(state.phase.value).toBe("ready");
+    expect(state.refused.value.map(({ name }) => name)).toEqual(["bad.bvh"]);
+    expect(state.refusedShown.value).toBe(true);
+    await openFiles([file("bad.bvh"), file("bad too.bvh")]);
+    expect(state.refused.value.map(({ name }) => name)).toEqual(["bad.bvh", "bad too.bvh"]);
+    expect(state.openClip.value?.name).toBe("walk.bvh");
+  });
+
   it("refuses what is too large before reading it", async () => {
     const data = new Blob();
     Object.defineProperty(data, "size", { value: sizeLimit + 1 });
@@ -76,7 +86,7 @@ describe("a clip without labels", () => {
 it("labels anew when a setting changes", async () => {
   await openFiles([file("walk.bvh")]);
   setOptions({ method: "paper" });
-  await vi.waitFor(() => expect(state.detection.value?.method).toBe("paper"));
+  await vi.waitFor(() => expect(state.detection.value?.options.method).toBe("paper"));
   expect(state.detection.value?.parts.heel).toBeUndefined();
   setOptions({ method: "robust" });
 });

@@ -1,14 +1,17 @@
 import { batch } from "@preact/signals";
 import { nameOfUrl, parseHash } from "../lib/hash";
+import { isLabels } from "../lib/labels";
 import { bytes } from "../lib/time";
 import { clampView } from "../lib/timeView";
-import type { Clip, Failure } from "../worker/types";
-import { detectNow, messageOf } from "./detect";
+import type { Clip } from "../worker/types";
+import { compareWith, dropComparison, restoreComparison } from "./compare";
+import { detectNow } from "./detect";
 import { engine } from "./engine";
+import { fail, messageOf, refuse } from "./failing";
 import { fetchBlob } from "./fetch";
 import { pause, play, prefersStill } from "./playback";
 import { heroSample, samples } from "./samples";
-import type { Source } from "./state";
+import type { Refusal, Source } from "./state";
 import * as state from "./state";
 
 /** Larger files are refused before a byte is read: a worker's memory ends at a few times that. */
@@ -29,55 +32,70 @@ function begin(name: string, stage: state.Task["stage"]): { mine: number; signal
   return { mine: ++turn, signal: controller.signal };
 }
 
-function fail(name: string, failure: Failure) {
-  batch(() => {
-    state.task.value = null;
-    state.failure.value = { name, failure };
-  });
-}
-
 /** Stops what is being opened; the clip before it stays. */
 export function cancelOpening() {
   turn++;
   controller.abort();
   engine.cancel();
+  void restoreComparison();
   state.task.value = null;
 }
 
-/** Opens the first file that can be read; the others wait in a list. */
+/** Opens files of a drop, the clip before the labels that belong beside it. */
 export async function openFiles(files: readonly File[]): Promise<void> {
-  if (!files.length) return;
   const sources = files.map((file): Source => ({ name: file.name, data: file }));
-  for (const source of sources) {
-    if (await openSource(source)) {
-      state.dropped.value = sources.length > 1 ? sources : [];
-      state.failure.value = null;
-      address("");
-      return;
-    }
-    if (!state.failure.value) return;
-  }
+  const clips = sources.filter((source) => !isLabels(source.name));
+  const labels = sources.filter((source) => isLabels(source.name));
+  if (clips.length && !(await openFirst(clips))) return;
+  for (const source of labels) await compareWith(source.name, source.data);
 }
 
-export async function openSource(source: Source): Promise<boolean> {
+/** Opens the first clip that can be read; the others wait in a list. */
+async function openFirst(clips: readonly Source[]): Promise<boolean> {
+  refuse([]);
+  const refusals: Refusal[] = [];
+  for (const source of clips) {
+    const opened = await openSource(source);
+    if (opened) {
+      state.dropped.value = clips.length > 1 ? clips : [];
+      refuse(refusals);
+      address("");
+      return true;
+    }
+    // Cancelled, or another opening came between.
+    if (!state.failure.value) return false;
+    refusals.push(state.failure.value);
+  }
+  if (refusals.length > 1) refuse(refusals);
+  return false;
+}
+
+export async function openSource(
+  source: Source,
+  { lenient = false }: { lenient?: boolean } = {},
+): Promise<boolean> {
   if (source.data.size > sizeLimit) {
-    fail(source.name, {
+    const failure = {
       message: `The file has ${bytes(source.data.size)}; the limit is 1 GiB.`,
       hint: "Split the clip, or leave out joints nobody needs, and export it again.",
-    });
+    };
+    fail(source.name, failure, source);
     return false;
   }
   const { mine, signal } = begin(source.name, "read");
   try {
     const opened = await Promise.race([
-      engine.open(source.data, source.name, (share) => {
-        if (mine === turn) state.task.value = { name: source.name, stage: "read", share };
+      engine.open(source.data, source.name, {
+        lenient,
+        onProgress(share) {
+          if (mine === turn) state.task.value = { name: source.name, stage: "read", share };
+        },
       }),
       aborted(signal),
     ]);
     if (mine !== turn) return false;
     if (!opened.ok) {
-      fail(source.name, opened.failure);
+      fail(source.name, opened.failure, source);
       return false;
     }
     present(opened.clip, source, false);
@@ -86,7 +104,7 @@ export async function openSource(source: Source): Promise<boolean> {
     if (mine === turn) state.task.value = null;
     return true;
   } catch (error) {
-    if (mine === turn) fail(source.name, { message: messageOf(error) });
+    if (mine === turn) fail(source.name, { message: messageOf(error) }, source);
     return false;
   }
 }
@@ -100,6 +118,9 @@ function present(clip: Clip, source: Source, asHero: boolean) {
     state.overrides.value = {};
     state.detection.value = null;
     state.detectFailure.value = null;
+    dropComparison();
+    // What was refused before and opens now is no longer refused.
+    state.refused.value = state.refused.value.filter((refusal) => refusal.source !== source);
     state.loopRegion.value = null;
     if (state.loop.value === "plant") state.loop.value = "clip";
     state.playhead.value = 0;
@@ -109,7 +130,12 @@ function present(clip: Clip, source: Source, asHero: boolean) {
   if (!prefersStill()) play();
 }
 
-async function openRemote(url: string, name: string, stage: state.Task["stage"]): Promise<boolean> {
+async function openRemote(
+  url: string,
+  name: string,
+  stage: state.Task["stage"],
+  more: Pick<Source, "truth"> = {},
+): Promise<boolean> {
   const { mine, signal } = begin(name, stage);
   try {
     const data = await fetchBlob(url, signal, sizeLimit, (share) => {
@@ -118,7 +144,7 @@ async function openRemote(url: string, name: string, stage: state.Task["stage"])
     });
     if (mine !== turn) return false;
     state.dropped.value = [];
-    return await openSource({ name, data });
+    return await openSource({ name, data, ...more });
   } catch (error) {
     if (mine === turn) {
       fail(name, {
@@ -135,7 +161,9 @@ export const openUrl = (url: string) => openRemote(url, nameOfUrl(url), "fetch")
 export async function openSample(name: string): Promise<boolean> {
   const sample = samples.find((s) => s.name === name);
   if (sample) {
-    const opened = await openRemote(sample.url, `${sample.name}.bvh`, "read");
+    const { truth } = sample;
+    const more = truth ? { truth } : {};
+    const opened = await openRemote(sample.url, `${sample.name}.bvh`, "read", more);
     if (opened) address(`#sample=${encodeURIComponent(name)}`);
     return opened;
   }

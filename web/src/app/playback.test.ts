@@ -13,9 +13,7 @@ beforeEach(() => {
   state.hero.value = false;
   state.clip.value = clip;
   state.detection.value = {
-    method: "paper",
-    r: 0.001,
-    w: 1,
+    options: { method: "paper", r: 0.001, w: 1 },
     parts: { toe },
     floor: 0,
     notices: [],

@@ -4,6 +4,8 @@ export interface Sample {
   title: string;
   note?: string;
   url: string;
+  /** Where its labels are, as they were generated with the motion. */
+  truth?: string;
   /** A line drawing as SVG text, in currentColor. */
   drawing?: string;
 }
@@ -24,6 +26,14 @@ const drawings = import.meta.glob<string>("../../../samples/*.svg", {
   import: "default",
   eager: true,
 });
+const truths = import.meta.glob<string>(
+  ["../../../samples/*.json", "!../../../samples/index.json"],
+  {
+    query: "?url",
+    import: "default",
+    eager: true,
+  },
+);
 const index = import.meta.glob<Entry[]>("../../../samples/index.json", {
   import: "default",
   eager: true,
@@ -38,6 +48,7 @@ function titleOf(name: string) {
 
 function collect(): Sample[] {
   const byName = new Map(Object.entries(urls).map(([path, url]) => [nameOf(path), url]));
+  const truth = new Map(Object.entries(truths).map(([path, url]) => [nameOf(path), url]));
   const art = new Map(Object.entries(drawings).map(([path, svg]) => [nameOf(path), svg]));
   const listed = Object.values(index).flat();
   const entries = listed.length
@@ -50,6 +61,8 @@ function collect(): Sample[] {
     const sample: Sample = { name: entry.name, title: entry.title, url };
     if (entry.note) sample.note = entry.note;
     if (drawing) sample.drawing = drawing;
+    const labels = truth.get(entry.name);
+    if (labels) sample.truth = labels;
     return [sample];
   });
 }

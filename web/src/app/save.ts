@@ -1,5 +1,5 @@
-import { messageOf } from "./detect";
 import { engine } from "./engine";
+import { messageOf } from "./failing";
 import { announcement, clip, detection, failure, openClip } from "./state";
 
 export type SaveFormat = Parameters<typeof engine.save>[0];

@@ -1,12 +1,32 @@
 import { computed, signal } from "@preact/signals";
 import { plantEdges, plantsOf } from "../lib/plants";
 import type { TimeView } from "../lib/timeView";
-import type { Clip, Detection, DetectOptions, Failure, Overrides } from "../worker/types";
+import type {
+  Clip,
+  Detection,
+  DetectOptions,
+  Failure,
+  Labelling,
+  MethodFacts,
+  Overrides,
+  Part,
+  Score,
+} from "../worker/types";
 
 /** A clip that can be opened: a dropped file, a sample, a link. */
 export interface Source {
   name: string;
   data: Blob;
+  /** Where labels of it are that are known to be right. */
+  truth?: string;
+}
+
+/** A file that could not be opened, and why. */
+export interface Refusal {
+  name: string;
+  failure: Failure;
+  /** The file, where its bytes are at hand: it may be tried again in another way. */
+  source?: Source;
 }
 
 export interface Task {
@@ -17,7 +37,7 @@ export interface Task {
 }
 
 export type CameraView = "perspective" | "front" | "side" | "top";
-export type Tab = "detect" | "labels" | "clip";
+export type Tab = "detect" | "labels" | "score" | "clip";
 export type Loop = "off" | "clip" | "plant";
 
 /** The clip on show; null before the first one is read. */
@@ -35,8 +55,31 @@ export const detection = signal<Detection | null>(null);
 /** Why there are no labels, when the detector could not find any. */
 export const detectFailure = signal<Failure | null>(null);
 
+/** Someone else's labels of the clip, shown beside ours. */
+export const other = signal<Labelling | null>(null);
+
+/** How ours agree with them, for each part that both have. */
+export const scores = signal<readonly Score[]>([]);
+
+/** The part whose agreement is on show, where there are several. */
+export const scorePart = signal<Part | null>(null);
+
+/** The score on show: of the part chosen, or of the first. */
+export const score = computed(
+  () => scores.value.find(({ part }) => part === scorePart.value) ?? scores.value[0],
+);
+
+/** All methods of detection; empty until they are known. */
+export const methods = signal<readonly MethodFacts[]>([]);
+
 /** Why the last file could not be opened; the clip before it stays. */
-export const failure = signal<{ name: string; failure: Failure } | null>(null);
+export const failure = signal<Refusal | null>(null);
+
+/** The files of the last drop that could not be opened, when there were several. */
+export const refused = signal<readonly Refusal[]>([]);
+
+/** Whether those are on show; put away, they stay marked in the list of files. */
+export const refusedShown = signal(false);
 
 /** What is being opened right now. */
 export const task = signal<Task | null>(null);

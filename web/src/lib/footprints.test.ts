@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Joint } from "../worker/types";
 import { footOf, litBones } from "./feet";
-import { footprintOf } from "./footprints";
+import { footprintOf, type Lying, reigns, soleOf } from "./footprints";
 
 const joints: Joint[] = [
   { name: "Hips", kind: "root" },
@@ -30,19 +30,51 @@ describe("footprintOf", () => {
   const frame = (x: number) => [0, 1, 0, x, 0.08, 2, x + 0.1, 0, 2, x + 0.2, 0, 2, 0, 1, 0];
   const clip = { joints, frames: 2, positions: Float32Array.from([...frame(1), ...frame(1.01)]) };
   const foot = { ankle: 1, toe: 2, tip: 3 };
-  const print = footprintOf(clip, foot, { start: 0, end: 2 });
+  const sole = soleOf(clip, foot);
+  const print = footprintOf(clip, foot, sole, { start: 0, end: 2 });
 
   it("points where the foot points", () => {
     expect(print.dx).toBeCloseTo(1);
     expect(print.dz).toBeCloseTo(0);
   });
-  it("lies at the mean place, between heel and toes", () => {
+  it("lies under the foot, between heel and toes", () => {
     expect(print.z).toBeCloseTo(2);
     expect(print.x).toBeGreaterThan(1.05);
     expect(print.x).toBeLessThan(1.15);
   });
-  it("is longer than ankle to tip", () => expect(print.length).toBeCloseTo(0.2 * 1.36));
+  it("is longer than ankle to tip", () => {
+    expect(print.length).toBeGreaterThan(0.2 * 1.3);
+    expect(print.length).toBeLessThan(0.2 * 1.5);
+  });
+  it("begins where the toes end, whatever the heel does", () => {
+    const front = print.x + print.dx * (print.length / 2);
+    expect(front).toBeCloseTo(1.21 + sole.front);
+  });
+  it("is as long as the legs ask for where the skeleton has no toes", () => {
+    const stump = soleOf({ ...clip, leg: 0.8 }, { ankle: 1, toe: 1, tip: 1 });
+    expect(stump.length).toBeCloseTo(0.2);
+    expect(stump.front).toBeGreaterThan(0.15);
+  });
   it("reads no frame beyond the clip", () => {
-    expect(Number.isFinite(footprintOf(clip, foot, { start: 1, end: 9 }).x)).toBe(true);
+    expect(Number.isFinite(footprintOf(clip, foot, sole, { start: 1, end: 9 }).x)).toBe(true);
+  });
+});
+
+describe("reigns", () => {
+  const at = (x: number, start: number, end: number): Lying => ({ x, z: 0, radius: 1, start, end });
+  const all = [-1e9, 1e9].map(Math.fround);
+
+  it("shows each of two in one place in its own time", () => {
+    expect([...reigns([at(0, 0, 4), at(1, 10, 12)])]).toEqual([all[0], 7, 7, all[1]]);
+  });
+  it("leaves alone what lies apart", () => {
+    expect([...reigns([at(0, 0, 4), at(2, 10, 12)])]).toEqual([...all, ...all]);
+  });
+  it("shows feet that stand together", () => {
+    expect([...reigns([at(0, 0, 11), at(1, 10, 12)])]).toEqual([...all, ...all]);
+  });
+  it("ends a reign with the next of several", () => {
+    const [, first, second, third] = reigns([at(0, 0, 2), at(0, 4, 6), at(0, 8, 9)]);
+    expect([first, second, third]).toEqual([3, 3, 7]);
   });
 });

@@ -1,5 +1,5 @@
-import type { Clip } from "../worker/types";
-import type { Foot } from "./feet";
+import type { Clip, Side } from "../worker/types";
+import { type Foot, footOf } from "./feet";
 import type { Plant } from "./plants";
 
 /** A sole on the floor: its middle, the unit direction of the toes, its length (metres). */
@@ -15,49 +15,110 @@ export interface Footprint {
 const behind = 0.28;
 const before = 0.08;
 
-/** The mean place of a foot during a plant, from at most 24 of its frames. */
+/** The sole of a foot: how long it is, and how far it goes on before the tip. */
+export interface Sole {
+  length: number;
+  front: number;
+  /** From ankle to tip, where the foot lies flat. */
+  reach: number;
+}
+
+/** A sole as long as the foot's own bones say; a foot cut short by its skeleton gets its toes back. */
+export function soleOf(clip: Pick<Clip, "positions" | "joints" | "leg">, foot: Foot): Sole {
+  const at = (joint: number, axis: number) => clip.positions[3 * joint + axis] ?? 0;
+  const between = (a: number, b: number) =>
+    Math.hypot(at(a, 0) - at(b, 0), at(a, 1) - at(b, 1), at(a, 2) - at(b, 2));
+  // From the ankle to the toe a bone slants: on the floor it is shorter.
+  const reach = Math.max(0.88 * between(foot.ankle, foot.toe) + between(foot.toe, foot.tip), 0.02);
+  const own = reach * (1 + behind + before);
+  const leg = clip.leg ?? own / 0.3;
+  const length = Math.min(Math.max(own, 0.25 * leg), 0.45 * leg);
+  return { length, front: before * reach + Math.max(length - own, 0), reach };
+}
+
+export interface FootWithSole {
+  foot: Foot;
+  sole: Sole;
+}
+
+export function footWithSole(clip: Clip, side: Side): FootWithSole | undefined {
+  const foot = footOf(clip, side);
+  return foot && { foot, sole: soleOf(clip, foot) };
+}
+
+/** Where a sole lies during a plant: under the foot as it stands in the middle of it. */
 export function footprintOf(
   clip: Pick<Clip, "positions" | "joints" | "frames">,
   foot: Foot,
+  { length, front }: Pick<Sole, "length" | "front">,
   plant: Pick<Plant, "start" | "end">,
 ): Footprint {
   const { positions } = clip;
   const stride = clip.joints.length * 3;
   const last = Math.max(clip.frames - 1, 0);
-  const length = Math.max(1, plant.end - plant.start);
-  const samples = Math.min(length, 24);
-  let ax = 0;
-  let az = 0;
-  let vx = 0;
-  let vz = 0;
-  let reach = 0;
-  for (let k = 0; k < samples; k++) {
-    const frame = Math.min(last, plant.start + Math.floor(((k + 0.5) * length) / samples));
-    const ankle = frame * stride + foot.ankle * 3;
-    const toe = frame * stride + foot.toe * 3;
-    const tip = frame * stride + foot.tip * 3;
-    const at = (i: number) => positions[i] ?? 0;
-    ax += at(ankle);
-    az += at(ankle + 2);
-    vx += at(tip) - at(ankle) + (at(toe) - at(ankle));
-    vz += at(tip + 2) - at(ankle + 2) + (at(toe + 2) - at(ankle + 2));
-    // Along the foot, not its shadow: a foot on its toes is no shorter.
-    reach +=
-      Math.hypot(at(toe) - at(ankle), at(toe + 2) - at(ankle + 2)) +
-      Math.hypot(at(tip) - at(toe), at(tip + 1) - at(toe + 1), at(tip + 2) - at(toe + 2));
+  const at = (frame: number, joint: number, axis: number) =>
+    positions[Math.min(frame, last) * stride + joint * 3 + axis] ?? 0;
+  /** From ankle to tip on the floor. */
+  const along = (frame: number) => [
+    at(frame, foot.tip, 0) - at(frame, foot.ankle, 0),
+    at(frame, foot.tip, 2) - at(frame, foot.ankle, 2),
+  ];
+  const middle = Math.floor((plant.start + plant.end) / 2);
+  let [vx = 0, vz = 0] = along(middle);
+  // A foot that stands upright on its toes points where it did when it came and will when it goes.
+  if (Math.hypot(vx, vz) < 0.15 * length) {
+    for (const frame of [plant.start, Math.max(plant.end - 1, 0)]) {
+      const [x = 0, z = 0] = along(frame);
+      vx += x;
+      vz += z;
+    }
   }
-  ax /= samples;
-  az /= samples;
-  reach /= samples;
   const norm = Math.hypot(vx, vz);
   const dx = norm > 1e-6 ? vx / norm : 0;
   const dz = norm > 1e-6 ? vz / norm : 1;
-  const middle = (reach * (1 + before - behind)) / 2;
+  // Measured from the tip: when the heel is up, the toes are what stands on the floor.
+  const back = length / 2 - front;
   return {
-    x: ax + dx * middle,
-    z: az + dz * middle,
+    x: at(middle, foot.tip, 0) - dx * back,
+    z: at(middle, foot.tip, 2) - dz * back,
     dx,
     dz,
-    length: Math.max(reach, 0.02) * (1 + behind + before),
+    length,
   };
+}
+
+/** Something that lies on the floor during a span of time. */
+export interface Lying {
+  x: number;
+  z: number;
+  radius: number;
+  start: number;
+  end: number;
+}
+
+/** Further back than this nobody looks for what lies below. */
+const lookBack = 200;
+
+/**
+ * Where things lie on each other, the one nearest in time is seen: from when until when
+ * that is each one, [from, until, from, until …] in their unit of time. `list` is in order of start.
+ */
+export function reigns(list: readonly Lying[]): Float32Array {
+  const found = new Float32Array(2 * list.length);
+  list.forEach((_, i) => {
+    found[2 * i] = -1e9;
+    found[2 * i + 1] = 1e9;
+  });
+  list.forEach((late, i) => {
+    for (let j = i - 1; j >= Math.max(0, i - lookBack); j--) {
+      const early = list[j];
+      // Both at once are seen both: feet side by side.
+      if (!early || early.end > late.start) continue;
+      if (Math.hypot(early.x - late.x, early.z - late.z) >= early.radius + late.radius) continue;
+      const handover = (early.end + late.start) / 2;
+      found[2 * i] = Math.max(found[2 * i] as number, handover);
+      found[2 * j + 1] = Math.min(found[2 * j + 1] as number, handover);
+    }
+  });
+  return found;
 }

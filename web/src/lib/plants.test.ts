@@ -17,9 +17,7 @@ function track(labels: string, confidence = 1): Track {
 
 const toe = { left: track("1100111000"), right: track("0011000111") };
 const detection: Detection = {
-  method: "paper",
-  r: 0.001,
-  w: 1,
+  options: { method: "paper", r: 0.001, w: 1 },
   parts: { toe },
   floor: 0,
   notices: [],
@@ -38,6 +36,18 @@ describe("plantsOf", () => {
     const contact = { left: track("1111111111"), right: track("0000000000") };
     const both = { ...detection, parts: { toe, contact } };
     expect(plants.plantsOf(both)).toHaveLength(1);
+  });
+  it("takes whatever part there is", () => {
+    const only = (parts: Detection["parts"]) => plants.plantsOf({ ...detection, parts });
+    expect(only({ contact: toe })).toHaveLength(4);
+    expect(only({ heel: toe })).toHaveLength(4);
+    expect(only({})).toEqual([]);
+  });
+  it("says how certain each plant is", () => {
+    const left = track("1100111000", 0.9);
+    left.confidence.fill(0.6, 4, 7);
+    const found = plants.plantsOf({ ...detection, parts: { toe: { ...toe, left } } });
+    expect(found.map(({ confidence }) => Number(confidence.toFixed(3)))).toEqual([0.9, 1, 0.6, 1]);
   });
 });
 

@@ -1,4 +1,4 @@
-import type { Detection, Side, Track, Tracks } from "../worker/types";
+import type { Detection, Part, Side, Track } from "../worker/types";
 
 /** One stay of one foot on the ground, frames half-open. */
 export interface Plant {
@@ -7,20 +7,35 @@ export interface Plant {
   side: Side;
   start: number;
   end: number;
+  /** Mean probability that its frames are labelled rightly, 0.5 … 1. */
+  confidence: number;
 }
 
-/** The tracks that say where a foot is planted: contact, or toe where the method knows no other. */
-export function plantTracks(detection: Detection): Tracks {
-  return detection.parts.contact ?? detection.parts.toe;
+/** A frame less certain than this is doubtful. */
+const certain = 0.75;
+
+/** A plant whose frames are less certain than this on the mean deserves a second look. */
+export const certainPlant = 0.95;
+
+/** The part that says best where a foot is planted, of those that are labelled. */
+export function principalPart(parts: Partial<Record<Part, unknown>>): Part | undefined {
+  return (["contact", "toe", "heel"] as const).find((part) => parts[part]);
+}
+
+export function principal<T>(parts: Partial<Record<Part, T>>): T | undefined {
+  const part = principalPart(parts);
+  return part && parts[part];
 }
 
 export function plantsOf(detection: Detection): Plant[] {
-  const tracks = plantTracks(detection);
+  const tracks = principal(detection.parts);
   const plants: Plant[] = [];
+  if (!tracks) return plants;
   for (const side of ["left", "right"] as const) {
-    const { intervals } = tracks[side];
+    const { intervals, confidence } = tracks[side];
     for (let i = 0; i + 1 < intervals.length; i += 2) {
-      plants.push({ number: 0, side, start: intervals[i] ?? 0, end: intervals[i + 1] ?? 0 });
+      const [start = 0, end = 0] = intervals.subarray(i, i + 2);
+      plants.push({ number: 0, side, start, end, confidence: mean(confidence, start, end) });
     }
   }
   plants.sort((a, b) => a.start - b.start || a.end - b.end);
@@ -28,6 +43,12 @@ export function plantsOf(detection: Detection): Plant[] {
     plant.number = i + 1;
   });
   return plants;
+}
+
+function mean(values: Float32Array, start: number, end: number): number {
+  let sum = 0;
+  for (let i = start; i < end; i++) sum += values[i] ?? 0;
+  return end > start ? sum / (end - start) : 0;
 }
 
 /** The interval of a track that holds a frame, as its place in `intervals`, or -1. */
@@ -88,18 +109,23 @@ export function plantedness(planted: Uint8Array, frame: number, reach: number): 
   return sum / (to - from);
 }
 
-/** Stretches of planted frames whose confidence is below `limit`: start, end, start, end … */
-export function doubtful(track: Track, limit = 0.75): Uint32Array {
-  const runs: number[] = [];
+/** Stretches of planted frames that are not certain: start, end, start, end … */
+export function doubtful(track: Track): Uint32Array {
+  const { planted, confidence } = track;
+  return runs(planted.length, (i) => planted[i] === 1 && (confidence[i] ?? 1) < certain);
+}
+
+/** The stretches of frames for which something holds: start, end, start, end … */
+export function runs(frames: number, holds: (frame: number) => boolean): Uint32Array {
+  const found: number[] = [];
   let start = -1;
-  const n = track.planted.length;
-  for (let i = 0; i <= n; i++) {
-    const low = i < n && track.planted[i] === 1 && (track.confidence[i] ?? 1) < limit;
-    if (low && start < 0) start = i;
-    if (!low && start >= 0) {
-      runs.push(start, i);
+  for (let i = 0; i <= frames; i++) {
+    const inside = i < frames && holds(i);
+    if (inside && start < 0) start = i;
+    if (!inside && start >= 0) {
+      found.push(start, i);
       start = -1;
     }
   }
-  return Uint32Array.from(runs);
+  return Uint32Array.from(found);
 }

@@ -1,10 +1,27 @@
 import { describe, expect, it } from "vitest";
-import { excerptWithCaret, failureReport, noticesReport, place } from "./report";
+import {
+  excerptWithCaret,
+  failureReport,
+  mendable,
+  noticesReport,
+  place,
+  sentence,
+} from "./report";
 
 it("says where", () => {
   expect(place({ line: 3, column: 7 })).toBe("line 3, column 7");
   expect(place({ line: 3 })).toBe("line 3");
   expect(place({})).toBe("");
+});
+
+it("makes a sentence of a message", () => {
+  expect(sentence("the clip has no motion")).toBe("The clip has no motion.");
+  expect(sentence("Offline.")).toBe("Offline.");
+});
+
+it("knows which failures leniency helps", () => {
+  expect(mendable({ message: "no number", hint: "Or read the file leniently." })).toBe(true);
+  expect(mendable({ message: "no joints" })).toBe(false);
 });
 
 describe("excerptWithCaret", () => {

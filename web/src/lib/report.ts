@@ -6,6 +6,15 @@ export function place(at: { line?: number; column?: number }): string {
   return at.column === undefined ? `line ${at.line}` : `line ${at.line}, column ${at.column}`;
 }
 
+/** A message of the core as a sentence of the page. */
+export function sentence(message: string): string {
+  const begun = message.charAt(0).toUpperCase() + message.slice(1);
+  return /[.!?]$/.test(begun) ? begun : `${begun}.`;
+}
+
+/** Whether a file may open after all if values that are no numbers are passed over. */
+export const mendable = (failure: Failure) => /\bleniently\b/.test(failure.hint ?? "");
+
 /** A window on the offending line with a caret under the column (both count from 1). */
 export function excerptWithCaret(excerpt: string, column?: number, width = 64) {
   // A tab would move the caret: one cell each.

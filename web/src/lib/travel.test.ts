@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { extentOf, facingOf, gridStep, travelOf } from "./travel";
+import { extentOf, facingOf, gridStep, reachOf, travelOf } from "./travel";
 
 const joints = [{ name: "Hips", kind: "root" as const }];
 
@@ -22,6 +22,11 @@ it("measures a pose", () => {
   expect(
     extentOf({ joints: two, positions: Float32Array.of(0, 1, 0, 0, 1.7, 0) }, 0).high,
   ).toBeCloseTo(1.7);
+});
+
+it("finds the top of a jump over the floor", () => {
+  const positions = Float32Array.of(0, 1, 0, 0, 2.2, 0, 0, 1.1, 0);
+  expect(reachOf({ joints, frames: 3, positions }, 0.2)).toBeCloseTo(2);
 });
 
 it("faces forward: left hand to the left", () => {

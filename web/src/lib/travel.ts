@@ -42,6 +42,19 @@ export function extentOf(clip: Pick<Clip, "positions" | "joints">, frame: number
   return { low, high };
 }
 
+/** Greatest height over `floor` that any joint reaches, from at most 240 frames, metres. */
+export function reachOf(
+  clip: Pick<Clip, "positions" | "joints" | "frames">,
+  floor: number,
+): number {
+  const stride = Math.max(1, Math.floor(clip.frames / 240));
+  let high = Number.NEGATIVE_INFINITY;
+  for (let frame = 0; frame < Math.max(clip.frames, 1); frame += stride) {
+    high = Math.max(high, extentOf(clip, frame).high);
+  }
+  return high - floor;
+}
+
 /** Unit direction the character faces on the floor, from the line between its hips; +z where that is unknown. */
 export function facingOf(clip: Pick<Clip, "positions" | "joints" | "roles">, frame: number) {
   const left = clip.roles.left_thigh;

@@ -1,129 +1,123 @@
 import { setOptions } from "../app/detect";
-import { detectFailure, detection, options, plants } from "../app/state";
+import { detectFailure, detection, methods, options, plants } from "../app/state";
 import { positionToR, rToPosition, sensitivity } from "../lib/logSlider";
-import { plantedShare, plantTracks } from "../lib/plants";
-import type { Method, Side } from "../worker/types";
+import { plantedShare, principal } from "../lib/plants";
+import { sentence } from "../lib/report";
+import type { Side } from "../worker/types";
+import { Slider } from "./Slider";
 
-const methods: Record<Method, readonly [name: string, line: string]> = {
-  robust: [
-    "Robust spectral",
-    "Labels heel and toe apart, mends glitches first, and reads motion alike at any frame rate.",
-  ],
-  paper: ["Paper (2014)", "The method as published: toes only, nothing mended."],
-};
+/** Methods that compare with a height or a speed that can be set. */
+const byHeight = ["height", "dual"];
+const bySpeed = ["speed", "dual", "min-speed"];
+const thresholds = { height: 0.05, speed: 0.5 };
 
 export function DetectPanel() {
-  const { method, r, w } = options.value;
+  const { method, r, w, height = thresholds.height, speed = thresholds.speed } = options.value;
+  const chosen = methods.value.find(({ name }) => name === method);
   return (
     <>
-      <div class="field">
-        <h2>
-          <label for="method">Method</label>
-        </h2>
-        <select
-          id="method"
-          class="select"
-          value={method}
-          aria-describedby="method-line"
-          onChange={(event) => setOptions({ method: event.currentTarget.value as Method })}
-        >
-          {Object.entries(methods).map(([id, [name]]) => (
-            <option key={id} value={id}>
-              {name}
-            </option>
-          ))}
-        </select>
-        <p class="note" id="method-line">
-          {methods[method][1]}
-        </p>
-      </div>
-
-      <div class="field">
-        <div class="field-head">
-          <h2>
-            <label for="sensitivity">Sensitivity r</label>
-          </h2>
-          {r !== sensitivity.default && (
-            <button
-              type="button"
-              class="link"
-              onClick={() => setOptions({ r: sensitivity.default })}
-            >
-              Reset<span class="hidden"> sensitivity</span>
-            </button>
-          )}
-          <output for="sensitivity">{r.toFixed(4)}</output>
-        </div>
-        <input
-          id="sensitivity"
-          type="range"
-          min="0"
-          max="1"
-          step="0.005"
-          value={rToPosition(r)}
-          ref={fill(rToPosition(r))}
-          aria-valuetext={`r ${r.toFixed(4)}`}
-          onInput={(event) => setOptions({ r: positionToR(event.currentTarget.valueAsNumber) })}
+      <Method name={method} />
+      {chosen?.family !== "mixture" && chosen?.family !== "threshold" && (
+        <>
+          <Slider
+            id="sensitivity"
+            name="Sensitivity r"
+            value={r}
+            usual={sensitivity.default}
+            text={(at) => at.toFixed(4)}
+            spoken={(at) => `r ${at.toFixed(4)}`}
+            range={{ min: 0, max: 1, step: 0.005, to: rToPosition, from: positionToR }}
+            ends={["Strict", "Generous"]}
+            set={(to) => setOptions({ r: to })}
+          />
+          <Slider
+            id="window"
+            name="Window w"
+            value={w}
+            usual={1}
+            text={(at) => (at === 0 ? "1 frame" : `± ${at} ${at === 1 ? "frame" : "frames"}`)}
+            range={{ min: 0, max: 4, step: 1 }}
+            ends={["Sharp", "Smooth"]}
+            set={(to) => setOptions({ w: to })}
+          />
+        </>
+      )}
+      {byHeight.includes(method) && (
+        <Slider
+          id="height"
+          name="Height"
+          value={height}
+          usual={thresholds.height}
+          text={(at) => `${(100 * at).toFixed(1)} cm`}
+          range={{ min: 0.005, max: 0.3, step: 0.005 }}
+          ends={["Low", "High"]}
+          set={(to) => setOptions({ height: to })}
         />
-        <p class="ends" aria-hidden="true">
-          <span>Strict</span>
-          <span>Generous</span>
-        </p>
-      </div>
-
-      <div class="field">
-        <div class="field-head">
-          <h2>
-            <label for="window">Window w</label>
-          </h2>
-          {w !== 1 && (
-            <button type="button" class="link" onClick={() => setOptions({ w: 1 })}>
-              Reset<span class="hidden"> window</span>
-            </button>
-          )}
-          <output for="window">
-            {w === 0 ? "1 frame" : `± ${w} ${w === 1 ? "frame" : "frames"}`}
-          </output>
-        </div>
-        <input
-          id="window"
-          type="range"
-          min="0"
-          max="4"
-          step="1"
-          value={w}
-          ref={fill(w / 4)}
-          onInput={(event) => setOptions({ w: event.currentTarget.valueAsNumber })}
+      )}
+      {bySpeed.includes(method) && (
+        <Slider
+          id="speed"
+          name="Speed"
+          value={speed}
+          usual={thresholds.speed}
+          text={(at) => `${at.toFixed(2)} m/s`}
+          range={{ min: 0.05, max: 3, step: 0.05 }}
+          ends={["Slow", "Fast"]}
+          set={(to) => setOptions({ speed: to })}
         />
-        <p class="ends" aria-hidden="true">
-          <span>Sharp</span>
-          <span>Smooth</span>
-        </p>
-      </div>
-
+      )}
       <Result />
     </>
   );
 }
 
-/** The part of a slider left of its thumb, which only Firefox can style by itself. */
-const fill = (share: number) => (input: HTMLInputElement | null) => {
-  input?.style.setProperty("--share", String(share));
-};
+function Method({ name }: { name: string }) {
+  const groups = [
+    ["Spectral", methods.value.filter(({ family }) => family === "spectral")],
+    ["Other", methods.value.filter(({ family }) => family !== "spectral")],
+  ] as const;
+  return (
+    <div class="field">
+      <h2>
+        <label for="method">Method</label>
+      </h2>
+      <select
+        id="method"
+        class="select"
+        value={name}
+        aria-describedby="method-line"
+        onChange={(event) => setOptions({ method: event.currentTarget.value })}
+      >
+        {groups.map(([title, listed]) => (
+          <optgroup key={title} label={title}>
+            {listed.map((method) => (
+              <option key={method.name} value={method.name} selected={method.name === name}>
+                {method.title}
+              </option>
+            ))}
+          </optgroup>
+        ))}
+      </select>
+      <p class="note" id="method-line">
+        {methods.value.find((method) => method.name === name)?.about}
+      </p>
+    </div>
+  );
+}
 
 function Result() {
-  const found = detection.value;
+  const found = detection.value && principal(detection.value.parts);
   return (
     <div class="field">
       <h2>Result</h2>
       {found ? (
         <dl class="result">
-          <Foot side="left" share={plantedShare(plantTracks(found).left)} />
-          <Foot side="right" share={plantedShare(plantTracks(found).right)} />
+          <Foot side="left" share={plantedShare(found.left)} />
+          <Foot side="right" share={plantedShare(found.right)} />
         </dl>
       ) : (
         <p class="note">
-          {detectFailure.value ? detectFailure.value.message : "Looking for plants…"}
+          {detectFailure.value ? sentence(detectFailure.value.message) : "Looking for plants…"}
         </p>
       )}
     </div>

@@ -1,18 +1,22 @@
 import { useRef } from "preact/hooks";
-import { sheetOpen, type Tab, tab } from "../app/state";
+import { other, sheetOpen, type Tab, tab } from "../app/state";
 import { ClipPanel } from "./ClipPanel";
 import { DetectPanel } from "./DetectPanel";
 import { LabelsPanel } from "./LabelsPanel";
+import { ScorePanel } from "./ScorePanel";
 
-const tabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
+const allTabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
   ["detect", "Detect", DetectPanel],
   ["labels", "Labels", LabelsPanel],
+  ["score", "Score", ScorePanel],
   ["clip", "Clip", ClipPanel],
 ];
 
 /** The panel at the right; on a phone a sheet over the lower half, `open` is what stands beside its handle. */
 export function Panel({ open }: { open: preact.ComponentChildren }) {
   const list = useRef<HTMLDivElement>(null);
+  // Without other labels there is nothing to score.
+  const tabs = allTabs.filter(([id]) => id !== "score" || other.value);
   const choose = (next: Tab) => {
     // On a phone the tab that is up already puts the sheet down again.
     sheetOpen.value = !(sheetOpen.value && tab.value === next);

@@ -131,7 +131,7 @@ function doubtsOf(track: Track): Uint32Array {
 }
 
 /** Place of the first interval that ends after a frame. */
-function firstAfter(intervals: Uint32Array, frame: number): number {
+export function firstAfter(intervals: Uint32Array, frame: number): number {
   let low = 0;
   let high = intervals.length / 2;
   while (low < high) {

@@ -21,6 +21,11 @@ function laneTop(lane: Curves): number {
   return niceTop(Math.max(topOf(lane.left, lane.kind), topOf(lane.right, lane.kind)));
 }
 
+/** What the curves of a lane show: `Toe height`. */
+export function curveText({ part, kind }: Curves): string {
+  return `${part.charAt(0).toUpperCase() + part.slice(1)} ${kind}`;
+}
+
 /** What the height of the lane stands for. */
 export function scaleText(lane: Curves): string {
   const top = laneTop(lane);

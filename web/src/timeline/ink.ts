@@ -10,7 +10,9 @@ export interface Ink {
   left: string;
   right: string;
   onSide: string;
+  tint: Record<Side, string>;
   hatch: Record<Side, CanvasPattern | string>;
+  unknown: CanvasPattern | string;
   erode: CanvasPattern | string;
 }
 
@@ -27,6 +29,8 @@ export function readInk(from: Element, pen: CanvasRenderingContext2D, ratio: num
     left,
     right,
     onSide: color("--on-side"),
+    tint: { left: color("--left-tint"), right: color("--right-tint") },
+    unknown: hatch(pen, color("--edge"), ratio),
     hatch: { left: hatch(pen, left, ratio), right: hatch(pen, right, ratio) },
     erode: dots(pen, ground, ratio),
   };

@@ -1,8 +1,9 @@
 import { toX } from "../lib/timeView";
 import { bar, bracket, paintBars } from "./bars";
-import { paintCurves, scaleText } from "./curves";
+import { curveText, paintCurves, scaleText } from "./curves";
 import type { Ink } from "./ink";
 import { type Bars, isBars, type Lane } from "./layout";
+import { nameOther, paintOther } from "./otherBars";
 import { paintRuler } from "./rulerPaint";
 import { font, margin, type Scene } from "./scene";
 
@@ -22,6 +23,7 @@ export function paint(pen: CanvasRenderingContext2D, scene: Scene) {
   pen.clip();
   for (const lane of layout.lanes) {
     if (isBars(lane)) paintBars(pen, scene, lane, inner);
+    else if (lane.kind === "other") paintOther(pen, scene, lane, inner);
     else paintCurves(pen, scene, lane, inner);
   }
   paintMinimap(pen, scene, inner);
@@ -34,8 +36,12 @@ function paintLabel(pen: CanvasRenderingContext2D, { ink, layout }: Scene, lane:
   pen.textAlign = "left";
   pen.font = font(12);
   pen.fillStyle = ink.muted;
+  if (lane.kind === "other") {
+    nameOther(pen, ink, lane, left + 20, layout.labels - 6);
+    return;
+  }
   if (!isBars(lane)) {
-    pen.fillText(lane.kind === "height" ? "Toe height" : "Toe speed", left, middle - 8);
+    pen.fillText(curveText(lane), left, middle - 8);
     pen.font = font(11);
     pen.fillText(scaleText(lane), left, middle + 8);
     return;

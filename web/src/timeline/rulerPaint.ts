@@ -6,6 +6,8 @@ import { font, margin, type Scene } from "./scene";
 export function paintRuler(pen: CanvasRenderingContext2D, scene: Scene, inner: number) {
   const { ink, layout, view, rate } = scene;
   const bottom = layout.ruler.height;
+  // Above the playhead's handle, which would cover the numbers.
+  const middle = 9;
   const lanesEnd = layout.minimap.y - 6;
   pen.fillStyle = ink.line;
   pen.fillRect(0, bottom - 1, inner, 1);
@@ -36,12 +38,13 @@ export function paintRuler(pen: CanvasRenderingContext2D, scene: Scene, inner: n
     const room = pen.measureText(text).width;
     if (x + room + 5 > inner + margin) continue;
     pen.fillStyle = ink.muted;
-    pen.fillText(text, x + 5, bottom - 13);
-    // Close by, the frame joins the second it belongs to.
-    if (perFrame < 10) continue;
+    pen.fillText(text, x + 5, middle);
+    // Close by, the frame joins the second it belongs to, where the next second leaves it room.
+    if (perFrame < 8) continue;
     const frame = `f${count(Math.round(seconds * rate))}`;
     pen.font = font(10);
-    if (x + room + 13 + pen.measureText(frame).width > inner + margin) continue;
-    pen.fillText(frame, x + room + 11, bottom - 13);
+    const end = x + room + 11 + pen.measureText(frame).width;
+    if (end + 8 > Math.min(x + major * perSecond, inner + margin)) continue;
+    pen.fillText(frame, x + room + 11, middle);
   }
 }

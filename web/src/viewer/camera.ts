@@ -30,8 +30,10 @@ CameraControls.install({
 });
 
 const fov = 32;
-/** The part of the picture's height a person takes. */
-const share = 0.6;
+/** The part of the free height of the picture that the clip's greatest height takes. */
+const share = 0.84;
+/** Pixels that the page's own things take from the picture: tools above, on a phone pills below. */
+const taken = { wide: { top: 52, bottom: 44 }, narrow: { top: 54, bottom: 54 } };
 /** Degrees from straight above. */
 const tilt = 76 * MathUtils.DEG2RAD;
 
@@ -44,8 +46,8 @@ export class Camera {
   /** Nobody has moved the camera since the character was framed: a new window size frames it again. */
   private framed = true;
   private readonly target = new Vector3();
-  private size = 1.75;
-  private middle = 0.9;
+  private height = 1.75;
+  private free = 1;
   private x = 0;
   private z = 0;
 
@@ -72,15 +74,17 @@ export class Camera {
     camera.aspect = width / Math.max(height, 1);
     const right = this.aside && width > 720 ? 0.2 * width : 0;
     // Low enough to leave a phone's words alone, high enough for the gallery's.
-    const up = this.aside ? (right ? 0.07 : -0.03) * height : 0;
+    const { top, bottom } = width > 720 ? taken.wide : taken.narrow;
+    const up = this.aside ? (right ? 0.07 : -0.03) * height : (bottom - top) / 2;
+    this.free = this.aside ? 0.78 : Math.max(1 - (top + bottom) / height, 0.3);
     camera.setViewOffset(width, height, -right, up, width, height);
     if (this.framed) this.frame(false);
   }
 
-  /** Takes the measure of a character: its height, and where it stands. */
-  measure(size: number, x: number, z: number) {
-    this.size = size;
-    this.middle = size * 0.5;
+  /** Takes the measure of a character: its size, how high it ever reaches, and where it stands. */
+  measure(size: number, height: number, x: number, z: number) {
+    // A leap from a tower must not make an ant of who leaps.
+    this.height = Math.min(Math.max(height, size), 1.6 * size);
     this.x = x;
     this.z = z;
     this.camera.near = size / 40;
@@ -90,8 +94,9 @@ export class Camera {
     this.controls.maxDistance = size * 40;
   }
 
+  /** How far away something must be for its radius to fill what is free of the picture. */
   private distance(radius: number) {
-    const half = Math.tan((fov / 2) * MathUtils.DEG2RAD);
+    const half = Math.tan((fov / 2) * MathUtils.DEG2RAD) * this.free;
     // A narrow picture is short of width before it is short of height.
     return radius / half / Math.min(1, this.camera.aspect * 1.15);
   }
@@ -107,15 +112,18 @@ export class Camera {
   /** Brings the whole character into the picture. */
   frame(glide: boolean) {
     this.framed = true;
-    void this.controls.moveTo(this.x, this.middle, this.z, glide);
-    void this.controls.dollyTo(this.distance(this.size / share / 2), glide);
+    void this.controls.moveTo(this.x, this.height / 2, this.z, glide);
+    void this.controls.dollyTo(this.distance(this.height / share / 2), glide);
   }
 
   /** Brings a whole stretch of floor into the picture. */
   frameBox(low: { x: number; z: number }, high: { x: number; z: number }, glide: boolean) {
     this.framed = false;
-    const radius = Math.max(Math.hypot(high.x - low.x, high.z - low.z) / 2, this.size / share / 2);
-    void this.controls.moveTo((low.x + high.x) / 2, this.middle, (low.z + high.z) / 2, glide);
+    const radius = Math.max(
+      Math.hypot(high.x - low.x, high.z - low.z) / 2,
+      this.height / share / 2,
+    );
+    void this.controls.moveTo((low.x + high.x) / 2, this.height / 2, (low.z + high.z) / 2, glide);
     void this.controls.dollyTo(this.distance(radius), glide);
   }
 

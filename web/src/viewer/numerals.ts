@@ -10,12 +10,14 @@ import { flat, quads } from "./quads";
 
 const vertexShader = /* glsl */ `
   uniform float uNow;
+  uniform float uNumber;
   uniform vec2 uRight;
   uniform vec2 uCenter;
   uniform float uReach;
   uniform float uStretch;
   attribute vec4 aPlace;
   attribute vec2 aSpan;
+  attribute vec2 aReign;
   varying vec2 vCell;
   varying float vNumber;
   varying float vDigits;
@@ -27,7 +29,10 @@ const vertexShader = /* glsl */ `
     vec2 up = vec2(uRight.y, -uRight.x);
     vec2 place = aPlace.xy + aPlace.z * (uRight * position.x * 0.31 * vDigits + up * position.y * 0.5 * uStretch);
     float away = max(0.0, uNow - aSpan.y) / 3.2 + max(0.0, aSpan.x - uNow) / 1.6;
-    vAlpha = 0.9 * exp(-away) * (1.0 - smoothstep(0.25, 0.8, length(aPlace.xy - uCenter) / uReach));
+    // Only the last few and the next few: more of them help nobody to count.
+    float few = 1.0 - smoothstep(4.5, 6.5, abs(vNumber - uNumber));
+    float reign = smoothstep(-0.1, 0.1, uNow - aReign.x) * smoothstep(-0.1, 0.1, aReign.y - uNow);
+    vAlpha = 0.9 * few * reign * exp(-away) * (1.0 - smoothstep(0.25, 0.8, length(aPlace.xy - uCenter) / uReach));
     gl_Position = projectionMatrix * viewMatrix * vec4(place.x, 0.0, place.y, 1.0);
   }
 `;
@@ -77,9 +82,9 @@ export interface Numeral {
   /** Height of the digits, metres. */
   height: number;
   number: number;
-  /** Seconds between which it is in full ink; absent = always. */
-  from?: number;
-  to?: number;
+  /** Seconds between which it is in full ink. */
+  from: number;
+  to: number;
 }
 
 /** Numbers lying on the floor, turned towards the camera. */
@@ -89,12 +94,17 @@ export class Numerals {
   private readonly right = new Vector2(1, 0);
   private readonly center = new Vector2();
 
-  constructor(numerals: readonly Numeral[], color: Color, reach: number) {
+  constructor(
+    private readonly numerals: readonly Numeral[],
+    reign: Float32Array,
+    color: Color,
+    reach: number,
+  ) {
     const place = new Float32Array(4 * numerals.length);
     const spans = new Float32Array(2 * numerals.length);
     numerals.forEach(({ x, z, height, number, from, to }, i) => {
       place.set([x, z, height, number], 4 * i);
-      spans.set([from ?? -1e9, to ?? 1e9], 2 * i);
+      spans.set([from, to], 2 * i);
     });
     digits ??= digitsTexture();
     this.material = new ShaderMaterial({
@@ -103,6 +113,7 @@ export class Numerals {
       fragmentShader,
       uniforms: {
         uNow: { value: 0 },
+        uNumber: { value: 0 },
         uRight: { value: this.right },
         uCenter: { value: this.center },
         uReach: { value: reach },
@@ -112,7 +123,7 @@ export class Numerals {
       },
     });
     this.mesh = new Mesh(
-      quads(numerals.length, { aPlace: [4, place], aSpan: [2, spans] }),
+      quads(numerals.length, { aPlace: [4, place], aSpan: [2, spans], aReign: [2, reign] }),
       this.material,
     );
     this.mesh.frustumCulled = false;
@@ -123,10 +134,22 @@ export class Numerals {
   show(seconds: number, azimuth: number, polar: number, x: number, z: number) {
     this.right.set(Math.cos(azimuth), -Math.sin(azimuth));
     this.center.set(x, z);
-    const { uNow, uStretch } = this.material.uniforms;
+    const { uNow, uNumber, uStretch } = this.material.uniforms;
     if (uNow) uNow.value = seconds;
+    if (uNumber) uNumber.value = this.numberAt(seconds);
     // Seen at a low angle digits are drawn taller, as on a road.
     if (uStretch) uStretch.value = Math.min(2.6, 1 / Math.max(Math.cos(polar), 0.1));
+  }
+
+  /** The number of the moment: between two plants, between their numbers. */
+  private numberAt(seconds: number): number {
+    const next = this.numerals.findIndex(({ from }) => from > seconds);
+    const before = this.numerals.at(next < 0 ? -1 : next - 1);
+    const after = next < 0 ? undefined : this.numerals[next];
+    if (!before || next === 0) return after?.number ?? 0;
+    if (!after) return before.number;
+    const share = (seconds - before.from) / (after.from - before.from);
+    return before.number + share * (after.number - before.number);
   }
 
   dispose() {

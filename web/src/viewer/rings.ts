@@ -1,5 +1,5 @@
 import { DynamicDrawUsage, type InstancedBufferAttribute, Mesh, ShaderMaterial } from "three";
-import type { Foot } from "../lib/feet";
+import type { FootWithSole } from "../lib/footprints";
 import type { Bones } from "./bones";
 import type { Palette } from "./palette";
 import { flat, quads } from "./quads";
@@ -52,11 +52,11 @@ const fragmentShader = /* glsl */ `
 export class Rings {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
-  private readonly feet: readonly (Foot | undefined)[];
+  private readonly feet: readonly (FootWithSole | undefined)[];
   private readonly places: InstancedBufferAttribute;
   private readonly states: InstancedBufferAttribute;
 
-  constructor(feet: readonly (Foot | undefined)[], size: number, palette: Palette) {
+  constructor(feet: readonly (FootWithSole | undefined)[], size: number, palette: Palette) {
     this.feet = feet;
     const color = new Float32Array(6);
     palette.left.toArray(color, 0);
@@ -84,13 +84,20 @@ export class Rings {
   show(bones: Bones, left: number, right: number) {
     const { pose } = bones;
     for (let i = 0; i < 2; i++) {
-      const foot = this.feet[i];
-      this.states.array[2 * i] = foot ? (i === 0 ? left : right) : 0;
-      if (!foot) continue;
-      this.places.array[4 * i] = pose[3 * foot.ankle] as number;
-      this.places.array[4 * i + 1] = pose[3 * foot.ankle + 2] as number;
-      this.places.array[4 * i + 2] = pose[3 * foot.tip] as number;
-      this.places.array[4 * i + 3] = pose[3 * foot.tip + 2] as number;
+      const found = this.feet[i];
+      this.states.array[2 * i] = found ? (i === 0 ? left : right) : 0;
+      if (!found) continue;
+      const { foot, sole } = found;
+      const x = pose[3 * foot.ankle] as number;
+      const z = pose[3 * foot.ankle + 2] as number;
+      const dx = (pose[3 * foot.tip] as number) - x;
+      const dz = (pose[3 * foot.tip + 2] as number) - z;
+      // As far as the sole goes; a foot that points down casts a shorter shadow.
+      const beyond = 1 + sole.front / Math.max(sole.reach, Math.hypot(dx, dz));
+      this.places.array[4 * i] = x;
+      this.places.array[4 * i + 1] = z;
+      this.places.array[4 * i + 2] = x + dx * beyond;
+      this.places.array[4 * i + 3] = z + dz * beyond;
     }
     this.places.needsUpdate = true;
     this.states.needsUpdate = true;

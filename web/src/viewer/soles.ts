@@ -9,6 +9,7 @@ const vertexShader = /* glsl */ `
   attribute vec4 aPlace;
   attribute vec2 aShape;
   attribute vec2 aSpan;
+  attribute vec2 aReign;
   attribute vec3 aColor;
   varying vec2 vLocal;
   varying vec3 vColor;
@@ -24,8 +25,10 @@ const vertexShader = /* glsl */ `
     float future = max(0.0, aSpan.x - uNow);
     float here = smoothstep(-0.12, 0.0, uNow - aSpan.x) * (1.0 - smoothstep(0.0, 0.25, past));
     float near = exp(-(past / 3.2 + future / 1.6));
-    vFill = mix(0.34 * near * step(future, 0.0), 0.6, here);
-    vLine = mix(0.14 + 0.7 * near * (future > 0.0 ? 0.55 : 1.0), 1.0, here);
+    float reign = smoothstep(-0.1, 0.1, uNow - aReign.x) * smoothstep(-0.1, 0.1, aReign.y - uNow);
+    reign = max(reign, here);
+    vFill = reign * mix(0.34 * near * step(future, 0.0), 0.6, here);
+    vLine = reign * mix(0.14 + 0.7 * near * (future > 0.0 ? 0.55 : 1.0), 1.0, here);
     vColor = aColor;
     gl_Position = projectionMatrix * viewMatrix * vec4(place.x, 0.0, place.y, 1.0);
   }
@@ -75,6 +78,7 @@ export class Soles {
   constructor(
     plants: readonly Plant[],
     prints: readonly Footprint[],
+    reign: Float32Array,
     rate: number,
     palette: Palette,
   ) {
@@ -101,6 +105,7 @@ export class Soles {
       aPlace: [4, place],
       aShape: [2, shape],
       aSpan: [2, span],
+      aReign: [2, reign],
       aColor: [3, color],
     });
     this.mesh = new Mesh(geometry, this.material);

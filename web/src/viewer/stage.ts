@@ -1,18 +1,16 @@
 import { DirectionalLight, HemisphereLight, Scene, WebGLRenderer } from "three";
 import type { CameraView } from "../app/state";
-import { footOf } from "../lib/feet";
-import { footprintOf } from "../lib/footprints";
+import { footWithSole } from "../lib/footprints";
 import { type Plant, plantedness } from "../lib/plants";
-import { extentOf, facingOf, sizeOf, travelOf } from "../lib/travel";
+import { extentOf, facingOf, reachOf, sizeOf, travelOf } from "../lib/travel";
 import type { Clip, Detection } from "../worker/types";
 import { Bones } from "./bones";
 import { Camera } from "./camera";
 import { Floor } from "./floor";
-import { type Numeral, Numerals } from "./numerals";
 import { readPalette } from "./palette";
+import { Prints } from "./prints";
 import { Rings } from "./rings";
 import { Shadow } from "./shadow";
-import { Soles } from "./soles";
 
 /** Seconds before and after an edge within which a foot's light swells or fades. */
 const swell = 0.045;
@@ -30,13 +28,6 @@ interface Cast {
   rings: Rings;
 }
 
-/** Everything drawn for its labels. */
-interface Prints {
-  detection: Detection;
-  soles: Soles;
-  numbers: Numerals;
-}
-
 /** The three.js scene. Draws only when something asked for it. */
 export class Stage {
   follow = true;
@@ -47,7 +38,7 @@ export class Stage {
   private readonly shares = new Float32Array(5);
   private readonly observer: ResizeObserver;
   private cast: Cast | null = null;
-  private prints: Prints | null = null;
+  private labels: { detection: Detection; prints: Prints } | null = null;
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
   private moment = 0;
@@ -97,7 +88,8 @@ export class Stage {
     this.strike(before);
     if (this.cast && reframe) {
       const [x, z] = this.whereabouts(this.cast);
-      this.camera.measure(this.cast.size, x, z);
+      const { size, clip: shown, lowest } = this.cast;
+      this.camera.measure(size, reachOf(shown, lowest), x, z);
       this.camera.frame(false);
       this.look("perspective", false);
     }
@@ -108,7 +100,7 @@ export class Stage {
     const palette = readPalette(this.host);
     const size = sizeOf(clip);
     const hips = clip.roles.hips ?? 0;
-    const feet = [footOf(clip, "left"), footOf(clip, "right")];
+    const feet = [footWithSole(clip, "left"), footWithSole(clip, "right")];
     const bones = new Bones(clip, size, palette);
     const cast: Cast = {
       clip,
@@ -127,42 +119,18 @@ export class Stage {
 
   /** Shows the labels of the clip on stage. */
   label(detection: Detection | null, plants: readonly Plant[]) {
-    const before = this.prints;
-    this.prints = this.printsOf(detection, plants);
+    const { cast, scene, labels: before } = this;
+    this.labels = null;
+    if (cast && detection) {
+      const prints = new Prints(cast.clip, plants, cast.size, readPalette(this.host));
+      prints.enter(scene);
+      this.labels = { detection, prints };
+    }
     if (before) {
-      this.scene.remove(before.soles.mesh, before.numbers.mesh);
-      this.retired.push(before.soles, before.numbers);
+      before.prints.leave(scene);
+      this.retired.push(before.prints);
     }
     this.invalidate();
-  }
-
-  private printsOf(detection: Detection | null, plants: readonly Plant[]): Prints | null {
-    const { cast } = this;
-    if (!cast || !detection) return null;
-    const { clip, size } = cast;
-    const palette = readPalette(this.host);
-    const feet = { left: footOf(clip, "left"), right: footOf(clip, "right") };
-    const known = plants.filter((plant) => feet[plant.side]);
-    const prints = known.map((plant) => footprintOf(clip, feet[plant.side] ?? noFoot, plant));
-    const soles = new Soles(known, prints, clip.rate, palette);
-    const numbers = new Numerals(
-      known.map((plant, i): Numeral => {
-        const print = prints[i] ?? { x: 0, z: 0, dx: 0, dz: 1, length: 0 };
-        const back = print.length * 0.5 + 0.06 * size;
-        return {
-          x: print.x - print.dx * back,
-          z: print.z - print.dz * back,
-          height: 0.062 * size,
-          number: plant.number,
-          from: plant.start / clip.rate,
-          to: plant.end / clip.rate,
-        };
-      }),
-      palette.muted,
-      8 * size,
-    );
-    this.scene.add(soles.mesh, numbers.mesh);
-    return { detection, soles, numbers };
   }
 
   seek(moment: number) {
@@ -238,7 +206,7 @@ export class Stage {
   }
 
   private draw() {
-    const { cast, prints, shares } = this;
+    const { cast, labels, shares } = this;
     if (cast) {
       const { clip, bones } = cast;
       this.whereabouts(cast);
@@ -250,10 +218,10 @@ export class Stage {
       bones.show(
         clip,
         Math.min(this.moment, Math.max(clip.frames - 1, 0)),
-        prints?.detection.floor ?? cast.lowest,
+        labels?.detection.floor ?? cast.lowest,
       );
       shares.fill(0);
-      if (prints) this.measureLight(prints.detection, swell * clip.rate);
+      if (labels) this.measureLight(labels.detection, swell * clip.rate);
       bones.light(shares);
       cast.shadow.show(bones);
       cast.rings.show(
@@ -262,8 +230,7 @@ export class Stage {
         Math.max(shares[3] as number, shares[4] as number),
       );
       const seconds = this.moment / clip.rate;
-      prints?.soles.show(seconds);
-      prints?.numbers.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
+      labels?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
     }
     this.renderer.render(this.scene, this.camera.camera);
     for (const part of this.retired) part.dispose();
@@ -273,11 +240,15 @@ export class Stage {
   private measureLight({ parts }: Detection, reach: number) {
     const { shares, moment } = this;
     const heel = parts.heel ?? parts.contact;
-    shares[2] = plantedness(parts.toe.left.planted, moment, reach);
-    shares[4] = plantedness(parts.toe.right.planted, moment, reach);
-    if (!heel) return;
-    shares[1] = plantedness(heel.left.planted, moment, reach);
-    shares[3] = plantedness(heel.right.planted, moment, reach);
+    const toe = parts.toe ?? parts.contact;
+    if (heel) {
+      shares[1] = plantedness(heel.left.planted, moment, reach);
+      shares[3] = plantedness(heel.right.planted, moment, reach);
+    }
+    if (toe) {
+      shares[2] = plantedness(toe.left.planted, moment, reach);
+      shares[4] = plantedness(toe.right.planted, moment, reach);
+    }
   }
 
   private strike(cast: Cast | null) {
@@ -300,5 +271,4 @@ export class Stage {
 }
 
 const place: [number, number] = [0, 0];
-const noFoot = { ankle: 0, toe: 0, tip: 0 };
 const mix = (a: number, b: number, share: number) => a + (b - a) * share;

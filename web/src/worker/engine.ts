@@ -2,14 +2,23 @@
 
 import * as Comlink from "comlink";
 import type { Overrides } from "./types";
-import type { Api, Detected, Opened } from "./worker";
+import type { Api, Compared, Detected, Opened } from "./worker";
 
-export type { Detected, Opened } from "./worker";
+export type { Compared, Detected, Opened } from "./worker";
 
 /** What the worker offers, with a way to stop it. */
-export interface Engine extends Calls {
+export interface Engine extends Omit<Calls, "open"> {
+  /** Reads a clip and holds it in place of the one before. */
+  open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
   /** Ends the worker and what it is doing; the clip opened before stays at hand. */
   cancel(): void;
+}
+
+export interface OpenOptions {
+  /** Hold the previous frame's value where one is no number. */
+  lenient?: boolean;
+  /** Gets the share read so far, 0 … 1. */
+  onProgress?: (share: number) => void;
 }
 
 type Calls = {
@@ -34,14 +43,14 @@ interface Running {
 export function createEngine(): Engine {
   let running: Running | undefined;
   /** What a new worker has to be told to be where the old one was. */
-  let held: { file: Blob; name: string; overrides?: Overrides } | undefined;
+  let held: { file: Blob; name: string; lenient: boolean; overrides?: Overrides } | undefined;
 
   async function started(restore: boolean): Promise<Running> {
     if (running) return running;
     running = start();
     const { api } = running;
     if (held && restore) {
-      await api.open(held.file, held.name);
+      await api.open(held.file, held.name, held.lenient);
       if (held.overrides) await api.override(held.overrides);
     }
     return running;
@@ -66,10 +75,13 @@ export function createEngine(): Engine {
 
   running = start();
   return {
-    async open(file, name, onProgress) {
+    async open(file, name, { lenient = false, onProgress } = {}) {
       const report = onProgress && Comlink.proxy(onProgress);
-      const opened: Opened = await call((api) => api.open(file, name, report), false).catch(broken);
-      if (opened.ok) held = { file, name };
+      const opened: Opened = await call(
+        (api) => api.open(file, name, lenient, report),
+        false,
+      ).catch(broken);
+      if (opened.ok) held = { file, name, lenient };
       return opened;
     },
     async override(overrides) {
@@ -81,6 +93,12 @@ export function createEngine(): Engine {
       const detected: Detected = await call((api) => api.detect(options)).catch(broken);
       return detected;
     },
+    async compare(text, name) {
+      const compared: Compared = await call((api) => api.compare(text, name)).catch(broken);
+      return compared;
+    },
+    methods: () => call((api) => api.methods()),
+    score: () => call((api) => api.score()),
     save: (format) => call((api) => api.save(format)),
     cancel: () => stop(new Cancelled()),
   };

@@ -1,2 +1,10 @@
-export { Cancelled, createEngine, type Detected, type Engine, type Opened } from "./engine";
+export {
+  Cancelled,
+  type Compared,
+  createEngine,
+  type Detected,
+  type Engine,
+  type Opened,
+  type OpenOptions,
+} from "./engine";
 export type * from "./types";

@@ -3,21 +3,23 @@
  * times are seconds; frames count from 0.
  */
 
-import type { ClipFacts } from "../wasm/plantigrade";
+import type { ClipFacts, DetectOptions } from "../wasm/plantigrade";
 
 export type {
   DetectOptions,
+  DisagreementFacts as Disagreement,
   Failure,
   JointFacts as Joint,
+  MethodFacts,
   NoticeText as Notice,
   Overrides,
+  ScoreFacts as Score,
 } from "../wasm/plantigrade";
 
 /** A signed axis of the file that points up. */
 export type Up = ClipFacts["up"];
 export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
-export type Method = "robust" | "paper";
 /** What labels are saved as: a document, or tables per frame, plant and gait event. */
 export type SaveFormat = "json" | "csv" | "intervals" | "events";
 
@@ -64,14 +66,19 @@ export interface Tracks {
 }
 
 export interface Detection {
-  method: Method;
-  r: number;
-  w: number;
-  /** The paper's method labels toes only. */
-  parts: { contact?: Tracks; toe: Tracks; heel?: Tracks };
+  /** The options it was made with. */
+  options: DetectOptions;
+  /** Methods label some of the parts: contact, toe and heel, or toe alone, or contact alone. */
+  parts: Partial<Record<Part, Tracks>>;
   /** Height of the ground in the clip's positions, metres: subtract it from y. */
   floor: number;
   notices: NoticeList;
+}
+
+/** Labels of the clip by someone else: 1 planted, 0 not, −1 not known, per frame. */
+export interface Labelling {
+  name: string;
+  parts: Partial<Record<Part, Record<Side, Int8Array>>>;
 }
 
 type NoticeList = ClipFacts["notices"];

@@ -1,17 +1,25 @@
 /** The clip and its detector, in a thread of their own. */
 
 import * as Comlink from "comlink";
-import init, { type RawClip, type RawDetection, RawReader } from "../wasm/plantigrade";
+import init, {
+  methods,
+  type RawClip,
+  type RawDetection,
+  RawLabelling,
+  RawReader,
+} from "../wasm/plantigrade";
 import type {
   Clip,
   Detection,
   DetectOptions,
   Evidence,
   Failure,
-  Method,
+  Labelling,
+  MethodFacts,
   Overrides,
   Part,
   SaveFormat,
+  Score,
   Side,
   Track,
   Tracks,
@@ -25,15 +33,24 @@ const PROGRESS_INTERVAL = 50;
 
 const ready = init();
 
-/** The file held, what was read from it, and its last labels. */
-let held: { file: Blob; name: string; clip: RawClip; detection?: RawDetection } | undefined;
+export type Compared = { ok: true; other: Labelling } | { ok: false; failure: Failure };
+
+/** The file held, what was read from it, its last labels, and those of someone else. */
+let held:
+  | { file: Blob; name: string; clip: RawClip; detection?: RawDetection; other?: RawLabelling }
+  | undefined;
 
 const api = {
   /** Reads a clip and holds it in place of the one before; `onProgress` gets the share read, 0 … 1. */
-  async open(file: Blob, name: string, onProgress?: (share: number) => void): Promise<Opened> {
+  async open(
+    file: Blob,
+    name: string,
+    lenient: boolean,
+    onProgress?: (share: number) => void,
+  ): Promise<Opened> {
     await ready;
     const opened = await refusals(async () => {
-      const clip = await read(file, onProgress);
+      const clip = await read(file, lenient, onProgress);
       release();
       held = { file, name, clip };
       return clip;
@@ -57,6 +74,28 @@ const api = {
     return Comlink.transfer({ ok: true, detection }, buffers(detection));
   },
 
+  /** All methods of detection, the default first. */
+  async methods(): Promise<MethodFacts[]> {
+    await ready;
+    return methods();
+  },
+
+  /** Reads labels of the clip by someone else and holds them in place of those before. */
+  async compare(text: string, name: string): Promise<Compared> {
+    const here = current();
+    const read = await refusals(() => new RawLabelling(text, here.clip.facts().frames));
+    if (!read.ok) return read;
+    here.other?.free();
+    here.other = read.value;
+    return { ok: true, other: labelling(read.value, name) };
+  },
+
+  /** How well the last detection agrees with the labels of someone else, part by part. */
+  async score(): Promise<Score[]> {
+    const { clip, detection, other } = current();
+    return detection && other ? other.score(clip, detection) : [];
+  },
+
   /** The labels of the last detection. */
   async save(format: SaveFormat): Promise<string> {
     const { file, name, clip, detection } = current();
@@ -76,6 +115,7 @@ function current() {
 
 function release() {
   held?.detection?.free();
+  held?.other?.free();
   held?.clip.free();
   held = undefined;
 }
@@ -92,8 +132,12 @@ async function refusals<T>(
   }
 }
 
-async function read(file: Blob, onProgress?: (share: number) => void): Promise<RawClip> {
-  const reader = new RawReader(false);
+async function read(
+  file: Blob,
+  lenient: boolean,
+  onProgress?: (share: number) => void,
+): Promise<RawClip> {
+  const reader = new RawReader(lenient);
   let done = 0;
   let reported = performance.now();
   const chunks = file.stream().getReader();
@@ -125,13 +169,20 @@ function copy(raw: RawDetection, options: DetectOptions): Detection {
   const names = raw.parts() as Part[];
   const parts = Object.fromEntries(names.map((part) => [part, tracks(raw, part)]));
   return {
-    method: options.method as Method,
-    r: options.r,
-    w: options.w,
+    options,
     parts: parts as Detection["parts"],
     floor: raw.floor,
     notices: raw.notices(),
   };
+}
+
+function labelling(raw: RawLabelling, name: string): Labelling {
+  const sides = (part: Part) => ({
+    left: raw.planted(part, "left"),
+    right: raw.planted(part, "right"),
+  });
+  const names = raw.parts() as Part[];
+  return { name, parts: Object.fromEntries(names.map((part) => [part, sides(part)])) };
 }
 
 function tracks(raw: RawDetection, part: Part): Tracks {

@@ -1,5 +1,5 @@
 import type { Engine } from "../../worker/engine";
-import type { Clip, Detection, Tracks } from "../../worker/types";
+import type { Clip, Detection, Labelling, Tracks } from "../../worker/types";
 import { walker, walkerTrack } from "./walker";
 
 const pause = (ms: number) => new Promise((done) => setTimeout(done, ms));
@@ -10,8 +10,9 @@ const pause = (ms: number) => new Promise((done) => setTimeout(done, ms));
  */
 export function createEngine(): Engine {
   let clip: Clip | undefined;
+  let other: Labelling | undefined;
   return {
-    async open(_file, name, onProgress) {
+    async open(_file, name, { onProgress } = {}) {
       if (name.includes("bad")) {
         return {
           ok: false,
@@ -28,6 +29,7 @@ export function createEngine(): Engine {
         await pause(200);
         onProgress?.(i / 10);
       }
+      other = undefined;
       clip = walker(name, name.includes("rest") ? 0 : 12);
       if (name.includes("crab")) clip.roles = { hips: 0 };
       return { ok: true, clip };
@@ -40,7 +42,8 @@ export function createEngine(): Engine {
       }
       return { ok: true, clip };
     },
-    async detect({ method, r, w }) {
+    async detect(options) {
+      const { method, r } = options;
       if (!clip || clip.frames === 0 || clip.roles.left_ankle === undefined) {
         return {
           ok: false,
@@ -64,14 +67,47 @@ export function createEngine(): Engine {
       const heel = part(0.02, 0.44, [16, 21]);
       const contact = part(0.02, 0.6, [17, 22]);
       const detection: Detection = {
-        method,
-        r,
-        w,
+        options,
         parts: method === "paper" ? { toe } : { contact, toe, heel },
         floor: 0,
         notices: [],
       };
       return { ok: true, detection };
+    },
+    async methods() {
+      const method = { about: "A method for tests.", parts: ["toe" as const] };
+      return [
+        { ...method, name: "robust", title: "Robust spectral", family: "spectral" },
+        { ...method, name: "paper", title: "Paper (2014)", family: "spectral" },
+        { ...method, name: "dual", title: "Height and speed", family: "threshold" },
+      ];
+    },
+    async compare(text, name) {
+      const labels = JSON.parse(text) as { left: number[]; right: number[] };
+      if (labels.left.length !== clip?.frames) {
+        return {
+          ok: false,
+          failure: { message: `the labels have ${labels.left.length} frames, the clip has not` },
+        };
+      }
+      const feet = { left: Int8Array.from(labels.left), right: Int8Array.from(labels.right) };
+      other = { name, parts: { toe: feet } };
+      return { ok: true, other };
+    },
+    async score() {
+      if (!other) return [];
+      const run = { side: "left", part: "toe", kind: "missed" } as const;
+      return [
+        {
+          part: "toe",
+          rows: [{ fuzzy: 0, lenient: 0.9, strict: 0.8, left: 0.9, right: 0.9 }],
+          events: { precision: 1, recall: 0.5, f1: 2 / 3, onset: 0.02, offset: -0.01 },
+          disagreements: [
+            { ...run, start: 10, end: 14 },
+            { ...run, start: 90, end: 92 },
+          ],
+        },
+      ];
     },
     async save(format) {
       return `{"made up": "${format}"}`;

@@ -1,0 +1,75 @@
+import { expect, test } from "./app";
+import { readTable } from "./labels";
+
+test("all sixteen methods are offered and label a clip", async ({ app, page }) => {
+  await app.sample("curved-walk");
+  const menu = page.getByRole("combobox", { name: "Method" });
+  await expect(menu).toHaveValue("robust");
+  const names = await menu
+    .locator("option")
+    .evaluateAll((all) => all.map((option) => (option as HTMLOptionElement).value));
+  expect(names).toHaveLength(16);
+  expect(new Set(names).size).toBe(16);
+  const lines = new Set<string>();
+  for (const name of names) {
+    await menu.selectOption(name);
+    await expect(app.timeline.locator(".why")).toBeHidden();
+    lines.add(await page.locator("#method-line").innerText());
+    expect((await app.result("Left")).plants, name).toBeGreaterThan(0);
+  }
+  expect(lines.size).toBe(16);
+});
+
+test("thresholds can be set where a method has them", async ({ app, page }) => {
+  await app.sample("drunken-stagger");
+  const menu = page.getByRole("combobox", { name: "Method" });
+  const slider = (name: string) => page.getByRole("slider", { name, exact: true });
+  for (const [method, height, speed] of [
+    ["robust", false, false],
+    ["height", true, false],
+    ["speed", false, true],
+    ["dual", true, true],
+    ["min-speed", false, true],
+  ] as const) {
+    await menu.selectOption(method);
+    await expect(slider("Height")).toBeVisible({ visible: height });
+    await expect(slider("Speed")).toBeVisible({ visible: speed });
+    await expect(slider("Sensitivity r")).toBeVisible({ visible: method === "robust" });
+  }
+  await menu.selectOption("dual");
+  await expect.poll(() => app.result("Left")).toMatchObject({ plants: expect.any(Number) });
+  const before = (await app.result("Left")).share;
+  await slider("Speed").fill("3");
+  await slider("Height").fill("0.3");
+  await expect.poll(async () => (await app.result("Left")).share).toBeGreaterThan(before);
+  await app.panel.getByRole("button", { name: "Reset speed" }).click();
+  await app.panel.getByRole("button", { name: "Reset height" }).click();
+  await expect.poll(async () => (await app.result("Left")).share).toBe(before);
+});
+
+test("a method that labels contact alone has its lanes, pills and tables", async ({
+  app,
+  page,
+}) => {
+  await app.sample("limp-to-run");
+  await page.getByRole("combobox", { name: "Method" }).selectOption("min-speed");
+  const { head, rows } = readTable(await app.save("Every frame"));
+  expect(head).toBe("frame,time,left_contact,right_contact");
+  const planted = rows.findIndex((row) => row.left_contact === "1");
+  for (let i = 0; i < planted; i++) await page.keyboard.press("ArrowRight");
+  await expect(app.view.getByText(/^Left planted/)).toBeVisible();
+  expect(await app.panel.getByRole("listitem").count()).toBeGreaterThan(3);
+});
+
+test("every plant of the list says how sure it is, and doubt is named", async ({ app, page }) => {
+  await app.sample("foot-drag-walk");
+  await page.getByRole("combobox", { name: "Method" }).selectOption("gmm");
+  await app.tab("Labels");
+  const plants = app.panel.getByRole("listitem").getByRole("button");
+  await expect.poll(() => plants.filter({ hasText: "uncertain" }).count()).toBeGreaterThan(0);
+  for (const plant of await plants.all()) {
+    const percent = Number((await plant.locator(".sure").textContent())?.match(/^\d+/)?.[0]);
+    await expect(plant).toContainText(percent < 95 ? "uncertain" : "%");
+    if (percent >= 95) await expect(plant).not.toContainText("uncertain");
+  }
+});

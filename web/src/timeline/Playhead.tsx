@@ -1,0 +1,71 @@
+import { effect, type ReadonlySignal, useComputed } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { pause, seek } from "../app/playback";
+import { clip, detection, frame, plants, playhead, timeView } from "../app/state";
+import { plantAt } from "../lib/plants";
+import { toFrame, toX } from "../lib/timeView";
+import type { Layout } from "./layout";
+import { margin } from "./scene";
+
+/** The line over everything: an element of its own, so that playing repaints no lane. */
+export function Playhead({
+  layout,
+  width,
+}: {
+  layout: ReadonlySignal<Layout>;
+  width: ReadonlySignal<number>;
+}) {
+  const mark = useRef<HTMLDivElement>(null);
+  useEffect(
+    () =>
+      effect(() => {
+        const { labels, minimap } = layout.value;
+        const inner = width.value - labels - margin;
+        const x = toX(timeView.value, playhead.value, inner);
+        const { style } = mark.current ?? {};
+        if (!style) return;
+        style.transform = `translateX(${labels + x}px)`;
+        style.visibility = x < -1 || x > inner + 1 ? "hidden" : "visible";
+        style.height = `${minimap.y - 4}px`;
+      }),
+    [layout, width],
+  );
+  const text = useComputed(() => {
+    const at = frame.value;
+    const rate = clip.value?.rate ?? 1;
+    const foot = (side: "left" | "right") =>
+      plantAt(plants.value, at, side) ? `${side} planted` : `${side} in the air`;
+    const feet = detection.value ? `, ${foot("left")}, ${foot("right")}` : "";
+    return `${(at / rate).toFixed(3)} s, frame ${at}${feet}`;
+  });
+  const drag = (event: PointerEvent) => {
+    const handle = event.currentTarget as HTMLElement;
+    if (event.type === "pointerdown") {
+      handle.setPointerCapture(event.pointerId);
+      pause();
+    }
+    if (!handle.hasPointerCapture(event.pointerId)) return;
+    const area = handle.closest(".tracks")?.getBoundingClientRect();
+    if (!area) return;
+    const { labels } = layout.peek();
+    const view = timeView.peek();
+    const at = toFrame(view, event.clientX - area.left - labels, width.peek() - labels - margin);
+    seek(Math.min(Math.max(at, view.start), view.end));
+  };
+  return (
+    <div class="playhead" ref={mark}>
+      <div
+        class="playhead-handle"
+        role="slider"
+        tabIndex={0}
+        aria-label="Playhead"
+        aria-valuemin={0}
+        aria-valuemax={Math.max(0, (clip.value?.frames ?? 1) - 1)}
+        aria-valuenow={frame}
+        aria-valuetext={text}
+        onPointerDown={drag}
+        onPointerMove={drag}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,74 @@
+import { runs } from "../lib/plants";
+import { toX } from "../lib/timeView";
+import { firstAfter } from "./bars";
+import type { Ink } from "./ink";
+import type { OtherBars } from "./layout";
+import { font, type Scene } from "./scene";
+
+interface Found {
+  planted: Uint32Array;
+  unknown: Uint32Array;
+}
+
+const found = new WeakMap<Int8Array, Found>();
+
+function runsOf(labels: Int8Array): Found {
+  let held = found.get(labels);
+  if (!held) {
+    held = {
+      planted: runs(labels.length, (i) => labels[i] === 1),
+      unknown: runs(labels.length, (i) => labels[i] === -1),
+    };
+    found.set(labels, held);
+  }
+  return held;
+}
+
+/** Someone else's plants: outlines of ours, so that nobody takes one for the other. */
+export function paintOther(
+  pen: CanvasRenderingContext2D,
+  { view, ink }: Scene,
+  lane: OtherBars,
+  inner: number,
+) {
+  const { planted, unknown } = runsOf(lane.labels);
+  const each = (intervals: Uint32Array, draw: (x: number, width: number) => void) => {
+    for (let i = firstAfter(intervals, view.start); i < intervals.length; i += 2) {
+      const start = intervals[i] as number;
+      if (start > view.end) break;
+      const from = toX(view, start, inner);
+      draw(from, Math.max(2, toX(view, intervals[i + 1] as number, inner) - from - 1));
+    }
+  };
+  pen.fillStyle = ink.unknown;
+  each(unknown, (x, width) => pen.fillRect(x, lane.y + 2, width, lane.height - 4));
+  pen.fillStyle = ink.tint[lane.side];
+  pen.strokeStyle = ink[lane.side];
+  pen.lineWidth = 1;
+  each(planted, (x, width) => {
+    pen.beginPath();
+    pen.roundRect(x + 0.5, lane.y + 0.5, Math.max(1, width - 1), lane.height - 1, 2);
+    pen.fill();
+    pen.stroke();
+  });
+}
+
+/** The name of the labels beside their lane, cut where it meets the lane. */
+export function nameOther(
+  pen: CanvasRenderingContext2D,
+  ink: Ink,
+  lane: OtherBars,
+  left: number,
+  right: number,
+) {
+  pen.font = font(10);
+  pen.fillStyle = ink.muted;
+  let name = lane.name.replace(/\.(json|csv)$/i, "");
+  if (pen.measureText(name).width > right - left) {
+    while (name.length > 1 && pen.measureText(`${name}…`).width > right - left) {
+      name = name.slice(0, -1);
+    }
+    name = `${name.trimEnd()}…`;
+  }
+  pen.fillText(name, left, lane.y + lane.height / 2 + 0.5);
+}
