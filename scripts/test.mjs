@@ -1,6 +1,6 @@
 /** `npm test`: sets up and runs every check and test there is; `npm test -- NAME...` runs some of them. */
 
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { browser } from "./browser.mjs";
 import { buildSite } from "./build.mjs";
@@ -108,6 +108,11 @@ await main(async () => {
     }
   }
   console.log("");
+  if (!existsSync(process.env.PLANTIGRADE_CORPUS ?? join(root, "../shared/corpus"))) {
+    console.log(
+      "Tests over recorded motion were skipped: there is none here (PLANTIGRADE_CORPUS can name its folder).",
+    );
+  }
   for (const failure of failures) console.error(`✖ ${failure}`);
   console.log(`${tests} passed, ${failures.length} failed`);
   if (failures.length > 0) throw new Stop("Not everything is as it should be.");
