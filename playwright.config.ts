@@ -9,6 +9,8 @@ export default defineConfig({
   outputDir: "test-results",
   reporter: "list",
   fullyParallel: true,
+  // A busy machine may miss a deadline once; what fails twice is wrong.
+  retries: process.env.CI ? 1 : 0,
   forbidOnly: Boolean(process.env.CI),
   workers: 2,
   // The 3D picture is drawn by the processor where there is no graphics card.

@@ -6,8 +6,8 @@
 //! heights count from the ground that is near in time, so that slopes and stairs
 //! do no harm; the slower of ankle and toe is what bears weight (of two still ones
 //! the lower); ranges are capped, degrees anchored at rest, the kernel has a long
-//! tail, and the threshold lies between medians. Toe and heel are then compared
-//! with what bears weight. Runs too short for a person are dropped.
+//! tail, and the threshold lies between medians. Toes are then compared with what
+//! bears weight; heels are clustered by themselves. Runs too short for a person are dropped.
 
 use std::ops::Range;
 
@@ -70,10 +70,10 @@ fn detect(task: &Task) -> Found {
         notices.push(Notice::new(Code::StandingStill, text));
         None
     } else {
-        Some(work.cluster(&sole))
+        Some(work.cluster(&sole, KERNEL))
     };
     let contact = work.label(Part::Contact, &sole, clustering.as_ref());
-    // Toe and heel are planted where they are like what bears weight, and something does.
+    // Toe and heel are planted only where something bears weight.
     let within = |mut part: PartLabels| {
         for (foot, contact) in part.feet.iter_mut().zip(&contact.feet) {
             for (planted, contact) in foot.planted.iter_mut().zip(&contact.planted) {
@@ -83,7 +83,9 @@ fn detect(task: &Task) -> Found {
         part
     };
     let toe = within(work.label(Part::Toe, &toe, clustering.as_ref()));
-    let heel = within(work.label(Part::Heel, &ankle, clustering.as_ref()));
+    // An ankle is high over the ground even where its heel is down: it is its own measure.
+    let own = clustering.as_ref().map(|_| work.cluster(&ankle, Kernel::Gaussian));
+    let heel = within(work.label(Part::Heel, &ankle, own.as_ref()));
     Found { parts: vec![contact, toe, heel], notices }
 }
 
@@ -113,7 +115,7 @@ struct Work<'a> {
     params: ValidParams,
 }
 
-/// The clustering of what bears weight, to which all parts are compared.
+/// A clustering, to which the samples of other parts can be compared.
 struct Clustering {
     samples: Samples,
     ranges: Ranges,
@@ -131,11 +133,11 @@ impl Work<'_> {
         percentile(speeds, 0.99) < STILL_SPEED * leg && highest - lowest < STILL_HEIGHT * leg
     }
 
-    fn cluster(&self, sole: &Signals) -> Clustering {
+    fn cluster(&self, signals: &Signals, kernel: Kernel) -> Clustering {
         let leg = self.feet.leg;
         let window = self.params.window();
-        let ranges = Ranges::of(sole, &self.refined.pieces).capped(HEIGHT_CAP * leg, SPEED_CAP * leg);
-        let samples = self.samples(sole, ranges);
+        let ranges = Ranges::of(signals, &self.refined.pieces).capped(HEIGHT_CAP * leg, SPEED_CAP * leg);
+        let samples = self.samples(signals, ranges);
         // A wider window has longer norms: r is stated for w = 1.
         let r = self.params.tolerance() * (2 * window + 1) as f64 / 3.0;
         let scale = Scale::find(&samples.norms, r);
@@ -144,7 +146,7 @@ impl Work<'_> {
         // dense as its samples are, is not taken for one on the ground.
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
         let anchors: Vec<f64> = samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect();
-        let roots = cluster::roots(&samples, sigma, KERNEL, &anchors);
+        let roots = cluster::roots(&samples, sigma, kernel, &anchors);
         let frames = self.pieces.iter().cloned().flatten().collect();
         let (evidence, planted) = cluster::divide(frames, &samples, scale, sigma, roots, Between::Medians);
         Clustering { samples, ranges, anchors, evidence, planted }
@@ -158,8 +160,8 @@ impl Work<'_> {
     /// Labels of one part; everything is planted where nothing was clustered.
     fn label(&self, part: Part, signals: &Signals, clustering: Option<&Clustering>) -> PartLabels {
         let compared = clustering.map(|clustering| match part {
-            Part::Contact => (clustering.evidence.clone(), clustering.planted.clone()),
-            Part::Toe | Part::Heel => self.compare(signals, clustering),
+            Part::Contact | Part::Heel => (clustering.evidence.clone(), clustering.planted.clone()),
+            Part::Toe => self.compare(signals, clustering),
         });
         let labels = |foot: usize| {
             let frames = self.feet.frame_count();
