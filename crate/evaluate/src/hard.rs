@@ -4,6 +4,7 @@ use plantigrade::labels::Part;
 use plantigrade::plants::Method;
 use plantigrade_synth::hard_cases;
 
+use crate::figure::{Panel, Series, draw};
 use crate::report::{Report, percent};
 use crate::trial::{Accuracies, SEEDS, labels, of, trials};
 
@@ -42,7 +43,35 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
         ]);
     }
     report.table(&["case", "robust contact", "robust toe", "paper toe", "notices"], &rows);
-    Ok(())
+    dragged(report)
+}
+
+/// Why a foot that is dragged throughout is taken for planted.
+fn dragged(report: &mut Report) -> anyhow::Result<()> {
+    let Some(recipe) = hard_cases(1.0).into_iter().find(|recipe| recipe.name == "one-foot-dragged") else {
+        return Ok(());
+    };
+    let trial = &trials(&[recipe], [SEEDS.start])[0];
+    let detection = trial.detect(of(Method::Robust));
+    let toe = detection.part(Part::Toe).expect("the default labels toes");
+    let frames = trial.feet.frame_count().min((6.0 / trial.frame_time()) as usize);
+    let speeds = |foot: usize| {
+        let speed = |frame: usize| toe.feet[foot].speed[frame] * trial.feet.metres_per_unit;
+        (0..frames).map(|frame| (frame as f64 * trial.frame_time(), speed(frame))).collect::<Vec<_>>()
+    };
+    let path = report.figure(
+        "one-foot-dragged",
+        "Speeds of both toes: the dragged one is never faster than a noisy plant",
+    );
+    draw(
+        &path,
+        &[Panel {
+            title: "Toe speeds of one-foot-dragged: one steps, the other creeps",
+            x: ("seconds", 0.0..frames as f64 * trial.frame_time()),
+            y: ("m/s", 0.0..1.5),
+            series: vec![Series::line("left", speeds(0)), Series::line("right", speeds(1))],
+        }],
+    )
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ mod plates;
 mod rates;
 mod report;
 mod scale;
+mod table_3;
 mod thresholds;
 mod trial;
 

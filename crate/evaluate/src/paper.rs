@@ -6,9 +6,8 @@ use plantigrade_synth::full_set;
 
 use crate::figure::{Panel, Series, draw};
 use crate::report::{Report, percent, signed};
-use crate::scale;
-use crate::thresholds::{Kind, Signals, Thresholds, signals};
 use crate::trial::{Accuracies, SEEDS, Trial, accuracies, labels, of, trials};
+use crate::{scale, table_3};
 
 const FUZZY: [f64; 4] = [0.1, 0.2, 0.3, 0.4];
 
@@ -38,7 +37,7 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
     overall(report, &all);
     table_1(report, &all)?;
     table_2(report, &all);
-    table_3(report, &all);
+    table_3::write(report, &all);
     scale::write(report, &all)?;
     sweeps(report, &few)?;
     heights(report, &all)
@@ -133,60 +132,6 @@ fn table_2(report: &mut Report, all: &[Trial]) {
         ],
         &rows,
     );
-}
-
-/// Chooses thresholds for some clips with their signals.
-type Choose<'a> = dyn Fn(&[(&Trial, &Signals)]) -> (Kind, Thresholds) + 'a;
-
-fn table_3(report: &mut Report, all: &[Trial]) {
-    report.text("### Table 3: thresholds, tuned on the truth they are scored on");
-    report.text(
-        "Accuracy in % at p = 0.3. The paper's recordings come in many units, so one threshold for all of them \
-         does badly; ours are given both as the files have them (mixed units) and in metres. The paper's double \
-         threshold for single files seems to reuse the two that were chosen one by one: both readings are here.",
-    );
-    let mixed: Vec<Signals> = all.iter().map(|trial| signals(trial, Method::Paper, 1.0)).collect();
-    let metres: Vec<Signals> =
-        all.iter().map(|trial| signals(trial, Method::Paper, trial.feet.metres_per_unit)).collect();
-    let global = |kind: Kind, signals: &[Signals]| {
-        let pairs: Vec<(&Trial, &Signals)> = all.iter().zip(signals).collect();
-        let at = kind.best(&pairs, Part::Toe, 0.3);
-        Accuracies::of(pairs.iter().map(|(trial, signals)| kind.tally(trial, Part::Toe, signals, at, 0.3)))
-            .pooled()
-    };
-    let single = |choose: &Choose| {
-        let tallies = all.iter().zip(&metres).map(|pair| {
-            let (kind, at) = choose(&[pair]);
-            kind.tally(pair.0, Part::Toe, pair.1, at, 0.3)
-        });
-        Accuracies::of(tallies.collect::<Vec<_>>()).pooled()
-    };
-    let best = |kind: Kind| single(&|pairs| (kind, kind.best(pairs, Part::Toe, 0.3)));
-    let reused = single(&|pairs| {
-        let (height, speed) =
-            (Kind::Height.best(pairs, Part::Toe, 0.3).0, Kind::Speed.best(pairs, Part::Toe, 0.3).1);
-        (Kind::Dual, (height, speed))
-    });
-    let rows = [
-        ("height", Kind::Height, "86.64", "92.32"),
-        ("speed", Kind::Speed, "81.72", "96.33"),
-        ("height and speed", Kind::Dual, "90.96", "96.54"),
-    ]
-    .map(|(name, kind, for_all, for_each)| {
-        vec![
-            name.to_owned(),
-            format!("{:.2} *{for_all}*", global(kind, &mixed)),
-            percent(global(kind, &metres)),
-            format!("{:.2} *{for_each}*", best(kind)),
-        ]
-    });
-    report.table(
-        &["thresholds", "one for all, mixed units", "one for all, metres", "best for each clip"],
-        &rows,
-    );
-    report.text(&format!(
-        "Reusing the two thresholds that were chosen one by one for each clip: {reused:.2} %."
-    ));
 }
 
 fn sweeps(report: &mut Report, few: &[Trial]) -> anyhow::Result<()> {
