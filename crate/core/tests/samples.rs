@@ -6,6 +6,7 @@ mod support;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use plantigrade::bvh::{Clip, Joint, JointKind};
 use plantigrade::labels::{Document, Part, Side};
 use plantigrade::plants::{self, Feet, Method, Params};
 use plantigrade::score::{self, Tally, Truth};
@@ -58,4 +59,24 @@ fn robust_finds_contact_and_plants() {
 fn the_paper_method_finds_plants_but_for_its_known_failure() {
     let (pooled, _) = accuracy(Method::Paper, Part::Toe);
     assert!(pooled >= 85.0, "{pooled}");
+}
+
+#[test]
+fn legs_are_found_by_shape_where_names_say_nothing() {
+    for path in samples() {
+        let clip = support::read(&path).clip;
+        let named = Skeleton::main(&clip, &Overrides::default());
+        let joints = clip.joints().iter().enumerate().map(|(index, joint)| Joint {
+            name: if joint.kind == JointKind::EndSite { joint.name.clone() } else { format!("q{index}") },
+            ..joint.clone()
+        });
+        let nameless = Clip::new(joints.collect(), clip.frame_time(), clip.values().to_vec());
+        let found = Skeleton::main(&nameless, &Overrides::default());
+        for side in Side::BOTH {
+            let name = path.display();
+            assert_eq!(found.heel(side), named.heel(side), "{name}: {} ankle", side.name());
+            assert_eq!(found.toe(side), named.toe(side), "{name}: {} toe", side.name());
+        }
+        assert_eq!(found.up, named.up);
+    }
 }

@@ -32,91 +32,121 @@ export class Cancelled extends Error {
   }
 }
 
-interface Running {
-  worker: Worker;
-  api: Calls;
+/** A worker that runs. */
+export interface Thread {
+  calls: Calls;
+  stop: () => void;
+}
+
+interface Running extends Thread {
   /** Rejects when the worker is ended. */
   ended: Promise<never>;
   end: (reason: Error) => void;
+  /** Settles when the worker holds what the page shows; absent as long as it does not. */
+  restored?: Promise<unknown>;
 }
 
-export function createEngine(): Engine {
+/** An engine on workers that `start` gives; `onBroken` is told of one that fails by itself. */
+export function createEngine(
+  start: (onBroken: (reason: Error) => void) => Thread = startWorker,
+): Engine {
   let running: Running | undefined;
   /** What a new worker has to be told to be where the old one was. */
   let held: { file: Blob; name: string; lenient: boolean; overrides?: Overrides } | undefined;
 
-  async function started(restore: boolean): Promise<Running> {
+  function started(): Running {
     if (running) return running;
-    running = start();
-    const { api } = running;
-    if (held && restore) {
-      await api.open(held.file, held.name, held.lenient);
-      if (held.overrides) await api.override(held.overrides);
-    }
-    return running;
+    let end: Running["end"] = () => {};
+    const ended = new Promise<never>((_, reject) => {
+      end = reject;
+    });
+    // Nobody may be waiting when it ends.
+    ended.catch(() => {});
+    const worker = start((reason) => {
+      if (running === here) stop(reason);
+    });
+    const here: Running = { ...worker, ended, end };
+    running = here;
+    return here;
   }
 
   function stop(reason: Error) {
-    running?.worker.terminate();
+    running?.stop();
     running?.end(reason);
     running = undefined;
   }
 
+  async function restore(calls: Calls) {
+    if (!held) return;
+    await calls.open(held.file, held.name, held.lenient);
+    if (held.overrides) await calls.override(held.overrides);
+  }
+
   /** Runs one call; if the worker breaks, it is replaced, and the call fails with a reason. */
-  async function call<T>(work: (api: Calls) => Promise<T>, restore = true): Promise<T> {
-    const here = await started(restore);
+  async function call<T>(work: (calls: Calls) => Promise<T>): Promise<T> {
+    const here = started();
     try {
-      return await Promise.race([work(here.api), here.ended]);
+      return await Promise.race([work(here.calls), here.ended]);
     } catch (error) {
-      if (error instanceof WebAssembly.RuntimeError || isTrap(error)) stop(error as Error);
+      if (isTrap(error) && running === here) stop(error as Error);
       throw error;
     }
   }
 
-  running = start();
+  /** Runs a call on the clip that the page shows, which a new worker has to open first. */
+  function callOnClip<T>(work: (calls: Calls) => Promise<T>): Promise<T> {
+    const here = started();
+    return call(async (calls) => {
+      here.restored ??= restore(calls);
+      await here.restored;
+      return work(calls);
+    });
+  }
+
+  started();
   return {
     async open(file, name, { lenient = false, onProgress } = {}) {
       const report = onProgress && Comlink.proxy(onProgress);
-      const opened: Opened = await call(
-        (api) => api.open(file, name, lenient, report),
-        false,
-      ).catch(broken);
-      if (opened.ok) held = { file, name, lenient };
+      const here = started();
+      const opened: Opened = await call((calls) => calls.open(file, name, lenient, report)).catch(
+        broken,
+      );
+      if (opened.ok) {
+        held = { file, name, lenient };
+        here.restored = Promise.resolve();
+      }
       return opened;
     },
     async override(overrides) {
-      const opened: Opened = await call((api) => api.override(overrides)).catch(broken);
+      const opened: Opened = await callOnClip((calls) => calls.override(overrides)).catch(broken);
       if (opened.ok && held) held.overrides = overrides;
       return opened;
     },
     async detect(options) {
-      const detected: Detected = await call((api) => api.detect(options)).catch(broken);
+      const detected: Detected = await callOnClip((calls) => calls.detect(options)).catch(broken);
       return detected;
     },
     async compare(text, name) {
-      const compared: Compared = await call((api) => api.compare(text, name)).catch(broken);
+      const compared: Compared = await callOnClip((calls) => calls.compare(text, name)).catch(
+        broken,
+      );
       return compared;
     },
-    methods: () => call((api) => api.methods()),
-    score: () => call((api) => api.score()),
-    save: (format) => call((api) => api.save(format)),
+    methods: () => call((calls) => calls.methods()),
+    score: () => callOnClip((calls) => calls.score()),
+    save: (format) => callOnClip((calls) => calls.save(format)),
     cancel: () => stop(new Cancelled()),
   };
 }
 
-function start(): Running {
+function startWorker(onBroken: (reason: Error) => void): Thread {
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-  let end: Running["end"] = () => {};
-  const ended = new Promise<never>((_, reject) => {
-    end = reject;
-  });
-  // Nobody may be waiting when it ends.
-  ended.catch(() => {});
   worker.addEventListener("error", (event) =>
-    end(new Error(event.message || "The worker failed.")),
+    onBroken(new Error(event.message || "The worker failed.")),
   );
   // Comlink splits unions over promises; the calls are as the worker has them.
-  return { worker, api: Comlink.wrap<Api>(worker) as unknown as Calls, ended, end };
+  const calls = Comlink.wrap<Api>(worker) as unknown as Calls;
+  return { calls, stop: () => worker.terminate() };
 }
 
 /** Errors lose their class on the way from the worker, but not their name. */

@@ -169,10 +169,10 @@ impl<'a> Tree<'a> {
         let &(reach, a, b) = pairs.first()?;
         let own = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
         // A rival is a pair of other limbs that reaches nearly as far.
-        let is_rival = |&&(other, c, d): &&(f64, usize, usize)| {
+        let is_rival = |&(other, c, d): &(f64, usize, usize)| {
             other > 0.8 * reach && ![tips[c], tips[d]].iter().any(|&tip| self.shares_limb(tip, &own))
         };
-        if pairs.iter().skip(1).find(is_rival).is_some() || own.iter().any(|chain| chain.len() < 3) {
+        if pairs[1..].iter().any(is_rival) || own.iter().any(|chain| chain.len() < 3) {
             return None;
         }
         let up = -(means[a] + means[b]);
@@ -182,7 +182,7 @@ impl<'a> Tree<'a> {
             ankle: Some(chain[2]),
             toe: chain.get(3).copied().filter(|&joint| self.clip.children(joint).next().is_some()),
         });
-        Some(if self.is_left(&legs[0], up, means[a], means[b]) { legs } else { [legs[1], legs[0]] })
+        Some(if self.is_left(&legs, up) { legs } else { [legs[1], legs[0]] })
     }
 
     /// The joints from below the fork of `tip` and `other` down to `tip`.
@@ -208,11 +208,20 @@ impl<'a> Tree<'a> {
             })
     }
 
-    /// Whether the foot at `here` stands on the left of the one at `there`, going by where it points.
-    fn is_left(&self, leg: &Leg, up: Vector3<f64>, here: Vector3<f64>, there: Vector3<f64>) -> bool {
-        let forward = leg.ankle.and_then(|ankle| self.tip(ankle)).map(|tip| self.clip.joints()[tip].offset);
-        let left = up.cross(&forward.unwrap_or_else(Vector3::z));
-        left.dot(&(here - there)) > 0.0
+    /// Whether the first leg is the left one, going by where the feet point.
+    ///
+    /// Pose by pose, since a person who turns has left on every side of the world in turn.
+    fn is_left(&self, [leg, other]: &[Leg; 2], up: Vector3<f64>) -> bool {
+        let (Some(here), Some(there)) = (leg.ankle, other.ankle) else { return true };
+        let tips = [here, there].map(|ankle| self.tip(ankle).unwrap_or(ankle));
+        let joints = [here, there, tips[0], tips[1]];
+        let tracks = motion::tracks_at(self.clip, &joints, motion::spread_frames(self.clip, 64));
+        let votes = (0..tracks[0].len()).map(|frame| {
+            let [here, there, tip, other_tip] = [0, 1, 2, 3].map(|joint| tracks[joint][frame]);
+            let forward = (tip - here) + (other_tip - there);
+            up.cross(&forward).dot(&(here - there))
+        });
+        votes.sum::<f64>() > 0.0
     }
 
     fn name_trunk(&self, roles: &mut Roles) {
@@ -255,5 +264,35 @@ impl<'a> Tree<'a> {
         let upper = upper.or_else(|| above.first().copied());
         roles.set(arm, upper);
         roles.set(shoulder, above.last().copied().filter(|&joint| Some(joint) != upper));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::bvh;
+    use crate::skeleton::{Overrides, Skeleton};
+
+    /// A body of nameless limbs: each has three bones and a tip, and hangs where told.
+    fn body(limbs: &[&str]) -> String {
+        let mut text = String::from("HIERARCHY\nROOT q\n{\nOFFSET 0 0 0\n");
+        for (limb, place) in limbs.iter().enumerate() {
+            text += &format!(
+                "JOINT a{limb}\n{{\nOFFSET {place}\nJOINT b{limb}\n{{\nOFFSET 0 -4 0\nJOINT c{limb}\n{{\n\
+                 OFFSET 0 -4 0\nEnd Site\n{{\nOFFSET 0 0 1\n}}\n}}\n}}\n}}\n"
+            );
+        }
+        text + "}\n"
+    }
+
+    fn has_feet(limbs: &[&str]) -> bool {
+        let clip = bvh::parse(body(limbs).as_bytes(), bvh::Options::default()).expect("a body").clip;
+        Skeleton::main(&clip, &Overrides::default()).roles.has_feet()
+    }
+
+    #[test]
+    fn a_quadruped_has_no_pair_of_feet_to_choose() {
+        assert!(has_feet(&["1 0 0", "-1 0 0"]));
+        assert!(!has_feet(&["1 0 0", "-1 0 0", "1 0 -6", "-1 0 -6"]));
+        assert!(!has_feet(&["1 0 0"]));
     }
 }
