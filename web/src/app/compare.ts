@@ -21,9 +21,6 @@ import {
 /** Labels of an hour at 240 Hz stay below. */
 const sizeLimit = 2 ** 27;
 
-/** What was compared, for a worker that has to be told again. */
-let text = "";
-
 /** Shows someone else's labels of the clip beside ours, and how they agree. */
 export async function compareWith(name: string, data: Blob): Promise<void> {
   const about = source.value;
@@ -41,14 +38,12 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
     return;
   }
   try {
-    const read = await data.text();
-    const compared = await engine.compare(read, name);
+    const compared = await engine.compare(await data.text(), name);
     if (source.value !== about) return;
     if (!compared.ok) {
       fail(name, compared.failure);
       return;
     }
-    text = read;
     batch(() => {
       other.value = compared.other;
       tab.value = "score";
@@ -70,17 +65,6 @@ export async function compareWithTruth(): Promise<void> {
     await compareWith(name, data);
   } catch (error) {
     fail(name, { message: messageOf(error) });
-  }
-}
-
-/** Tells a worker that took the place of another what the clip is compared with. */
-export async function restoreComparison(): Promise<void> {
-  const theirs = other.value;
-  if (!theirs) return;
-  try {
-    await engine.compare(text, theirs.name);
-  } catch {
-    // Cancelled again: the next one is told.
   }
 }
 

@@ -4,7 +4,7 @@ import { isLabels } from "../lib/labels";
 import { bytes } from "../lib/time";
 import { clampView } from "../lib/timeView";
 import type { Clip } from "../worker/types";
-import { compareWith, dropComparison, restoreComparison } from "./compare";
+import { compareWith, dropComparison } from "./compare";
 import { detectNow } from "./detect";
 import { engine } from "./engine";
 import { fail, messageOf, refuse } from "./failing";
@@ -37,7 +37,6 @@ export function cancelOpening() {
   turn++;
   controller.abort();
   engine.cancel();
-  void restoreComparison();
   state.task.value = null;
 }
 

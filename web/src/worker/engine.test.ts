@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
 import { Cancelled, createEngine, type Thread } from "./engine";
-import type { Clip, Failure } from "./types";
+import type { Clip, Detection, Failure, Labelling } from "./types";
 
 const failure: Failure = { message: "no" };
 
@@ -23,12 +23,12 @@ function worker(said: string[]) {
     async detect() {
       said.push(`detect ${held}`);
       if (!held) throw new Error("No clip is open.");
-      return { ok: false, failure };
+      return { ok: true, detection: {} as Detection };
     },
     methods: async () => [],
     async compare(text) {
       said.push(`compare ${text}`);
-      return { ok: false, failure };
+      return { ok: true, other: {} as Labelling };
     },
     score: async () => [],
     async save() {
@@ -60,10 +60,12 @@ test("a new worker is told what the old one held, once and before anything else"
   const { said, made } = engine();
   await made.open(file, "walk");
   await made.override({ rate: 30 });
+  await made.detect(options);
+  await made.compare("truth", "truth.json");
   made.cancel();
-  await Promise.all([made.detect(options), made.save("csv")]);
-  const after = ["start", "open walk", "override 30", "detect walk", "save walk"];
-  expect(said).toEqual(["start", "open walk", "override 30", ...after]);
+  await Promise.all([made.save("csv"), made.save("json")]);
+  const told = ["start", "open walk", "override 30", "detect walk", "compare truth"];
+  expect(said).toEqual([...told, ...told, "save walk", "save walk"]);
 });
 
 test("a file that cannot be read leaves the clip before at hand, also in a new worker", async () => {

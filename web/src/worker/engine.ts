@@ -1,7 +1,7 @@
 /** The page's hold on the worker: starts it, ends it, and starts another when it fails. */
 
 import * as Comlink from "comlink";
-import type { Overrides } from "./types";
+import type { DetectOptions, Overrides } from "./types";
 import type { Api, Compared, Detected, Opened } from "./worker";
 
 export type { Compared, Detected, Opened } from "./worker";
@@ -32,6 +32,17 @@ export class Cancelled extends Error {
   }
 }
 
+/** What the page shows: all that it takes to have it again. */
+interface Held {
+  file: Blob;
+  name: string;
+  lenient: boolean;
+  overrides?: Overrides;
+  options?: DetectOptions;
+  /** Labels of someone else that it is compared with. */
+  other?: { text: string; name: string };
+}
+
 /** A worker that runs. */
 export interface Thread {
   calls: Calls;
@@ -52,7 +63,7 @@ export function createEngine(
 ): Engine {
   let running: Running | undefined;
   /** What a new worker has to be told to be where the old one was. */
-  let held: { file: Blob; name: string; lenient: boolean; overrides?: Overrides } | undefined;
+  let held: Held | undefined;
 
   function started(): Running {
     if (running) return running;
@@ -80,6 +91,8 @@ export function createEngine(
     if (!held) return;
     await calls.open(held.file, held.name, held.lenient);
     if (held.overrides) await calls.override(held.overrides);
+    if (held.options) await calls.detect(held.options);
+    if (held.other) await calls.compare(held.other.text, held.other.name);
   }
 
   /** Runs one call; if the worker breaks, it is replaced, and the call fails with a reason. */
@@ -124,12 +137,14 @@ export function createEngine(
     },
     async detect(options) {
       const detected: Detected = await callOnClip((calls) => calls.detect(options)).catch(broken);
+      if (detected.ok && held) held.options = options;
       return detected;
     },
     async compare(text, name) {
       const compared: Compared = await callOnClip((calls) => calls.compare(text, name)).catch(
         broken,
       );
+      if (compared.ok && held) held.other = { text, name };
       return compared;
     },
     methods: () => call((calls) => calls.methods()),
