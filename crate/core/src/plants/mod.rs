@@ -15,6 +15,7 @@ mod cluster;
 mod confidence;
 mod degree;
 mod derivative;
+mod drag;
 mod feet;
 mod floor;
 mod lanczos;

@@ -7,7 +7,8 @@
 //! do no harm; the slower of ankle and toe is what bears weight (of two still ones
 //! the lower); ranges are capped, degrees anchored at rest, the kernel has a long
 //! tail, and the threshold lies between medians. Toes are then compared with what
-//! bears weight; heels are clustered by themselves. Runs too short for a person are dropped.
+//! bears weight; heels are clustered by themselves. Runs too short for a person are
+//! dropped, and feet that are dragged.
 
 use std::ops::Range;
 
@@ -21,7 +22,7 @@ use crate::plants::refine::{self, Refined};
 use crate::plants::samples::{Ranges, Samples};
 use crate::plants::scale::Scale;
 use crate::plants::signal::{self, Signal, Signals};
-use crate::plants::{Feet, FootLabels, FootTracks, PartLabels, ValidParams, clean, confidence, trim};
+use crate::plants::{Feet, FootLabels, FootTracks, PartLabels, ValidParams, clean, confidence, drag, trim};
 
 /// Fewer frames than this are not clustered.
 const FEWEST_FRAMES: usize = 10;
@@ -72,7 +73,10 @@ fn detect(task: &Task) -> Found {
     } else {
         Some(work.cluster(&sole, KERNEL))
     };
-    let contact = work.label(Part::Contact, &sole, clustering.as_ref());
+    let mut contact = work.label(Part::Contact, &sole, clustering.as_ref());
+    if clustering.is_some() {
+        work.drop_dragged(&mut contact.feet);
+    }
     // Toe and heel are planted only where something bears weight.
     let within = |mut part: PartLabels| {
         for (foot, contact) in part.feet.iter_mut().zip(&contact.feet) {
@@ -207,13 +211,27 @@ impl Work<'_> {
             }
             done = samples.end;
         }
-        // Frames that were left out are labelled as their nearest neighbour, which nobody can vouch for.
+        self.fill_ends(&mut labels, &mut confidence);
+        (labels, confidence)
+    }
+
+    /// Takes the contact of dragged feet away.
+    fn drop_dragged(&self, contact: &mut [FootLabels; 2]) {
+        for piece in self.pieces {
+            drag::drop_dragged(self.feet, piece, contact);
+        }
+        for labels in contact {
+            self.fill_ends(&mut labels.planted, &mut labels.confidence);
+        }
+    }
+
+    /// Frames that were left out are labelled as their nearest neighbour, which nobody can vouch for.
+    fn fill_ends(&self, labels: &mut [bool], confidence: &mut [f64]) {
         let (first, last) = (self.pieces[0].start, self.pieces[self.pieces.len() - 1].end - 1);
         for frame in (0..first).chain(last + 1..labels.len()) {
             labels[frame] = labels[frame.clamp(first, last)];
             confidence[frame] = 0.5;
         }
-        (labels, confidence)
     }
 }
 
