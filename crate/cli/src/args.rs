@@ -2,14 +2,16 @@
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::str::FromStr;
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use plantigrade::labels::Part;
-use plantigrade::plants::{Method, Params, ValidParams};
+use plantigrade::plants;
+use plantigrade::segments::{self, Residual, Template};
 use plantigrade::skeleton::Up;
 
-/// Foot plants in motion capture, found with nothing to tune.
+/// Foot plants and actions in motion capture, found with nothing to tune.
 ///
 /// Reads BVH files, folders of them (with all folders below) and - for
 /// standard input. Exits with 0 when all is done, 1 when some inputs failed
@@ -28,6 +30,8 @@ pub struct Args {
 pub enum Command {
     /// Find the frames in which each foot is planted
     Detect(DetectArgs),
+    /// Cut clips into actions
+    Segment(SegmentArgs),
     /// Compare the labels of clips with their truth
     Score(ScoreArgs),
     /// Say what a file holds: joints, feet, axes, scale, and what had to be repaired
@@ -51,21 +55,9 @@ pub struct ReadArgs {
     pub lenient: bool,
 }
 
-/// How to detect and where to write.
+/// Where to write.
 #[derive(ClapArgs)]
-pub struct DetectArgs {
-    /// The clips.
-    #[command(flatten)]
-    pub read: ReadArgs,
-    /// The method.
-    #[command(flatten)]
-    pub method: MethodArgs,
-    /// A clip of the same character standing still, to be clustered along (spectral methods of toes)
-    #[arg(long, value_name = "CLIP")]
-    pub still: Option<PathBuf>,
-    /// What to write
-    #[arg(long, value_enum, default_value_t = Format::Json)]
-    pub format: Format,
+pub struct WriteArgs {
     /// Folder to write one result per input into [default: standard output, for one input]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -77,12 +69,53 @@ pub struct DetectArgs {
     pub jobs: Option<NonZeroUsize>,
 }
 
-/// How plants are found.
+/// How to detect and where to write.
 #[derive(ClapArgs)]
-pub struct MethodArgs {
+pub struct DetectArgs {
+    /// The clips.
+    #[command(flatten)]
+    pub read: ReadArgs,
     /// The method; robust labels contact, toe and heel
-    #[arg(long, default_value = "robust", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::name)))]
-    pub method: String,
+    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name))]
+    pub method: plants::Method,
+    /// Its parameters.
+    #[command(flatten)]
+    pub plants: PlantArgs,
+    /// A clip of the same character standing still, to be clustered along (spectral methods of toes)
+    #[arg(long, value_name = "CLIP")]
+    pub still: Option<PathBuf>,
+    /// What to write
+    #[arg(long, value_enum, default_value_t = Format::Json)]
+    pub format: Format,
+    /// Where to.
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+/// How to cut into actions and where to write.
+#[derive(ClapArgs)]
+pub struct SegmentArgs {
+    /// The clips.
+    #[command(flatten)]
+    pub read: ReadArgs,
+    /// The method; auto is the one to use
+    #[arg(long, default_value = "auto", value_parser = one_of(segments::Method::ALL, segments::Method::name))]
+    pub method: segments::Method,
+    /// Its parameters.
+    #[command(flatten)]
+    pub segments: SegmentsArgs,
+    /// What to write
+    #[arg(long, value_enum, default_value_t = SegmentFormat::Json)]
+    pub format: SegmentFormat,
+    /// Where to.
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+/// Parameters of the methods that find plants.
+#[derive(ClapArgs)]
+#[group(id = "plants")]
+pub struct PlantArgs {
     /// Threshold on the running variance of the sorted norms
     #[arg(long, value_name = "R", default_value_t = 0.001)]
     pub r: f64,
@@ -93,18 +126,18 @@ pub struct MethodArgs {
     #[arg(long, value_name = "S")]
     pub sigma: Option<f64>,
     /// Height in metres for the methods height and dual
-    #[arg(long, value_name = "M", default_value_t = Params::default().height)]
+    #[arg(long, value_name = "M", default_value_t = plants::Params::default().height)]
     pub height: f64,
     /// Speed in metres per second for the methods speed, dual and min-speed
-    #[arg(long, value_name = "M/S", default_value_t = Params::default().speed)]
+    #[arg(long, value_name = "M/S", default_value_t = plants::Params::default().speed)]
     pub speed: f64,
 }
 
-impl MethodArgs {
-    /// The parameters, or what is wrong with them.
-    pub fn params(&self) -> Result<ValidParams, String> {
-        let params = Params {
-            method: self.method.parse()?,
+impl PlantArgs {
+    /// The parameters of a method, or what is wrong with them.
+    pub fn params(&self, method: plants::Method) -> Result<plants::ValidParams, String> {
+        let params = plants::Params {
+            method,
             tolerance: self.r,
             window: self.w,
             scale: self.sigma,
@@ -115,18 +148,68 @@ impl MethodArgs {
     }
 }
 
+/// Parameters of the methods that cut clips into actions.
+#[derive(ClapArgs)]
+#[group(id = "segments")]
+pub struct SegmentsArgs {
+    /// Dimensions kept before the rest is called residual [default: 1 for mvu, 2 for pca-tail]
+    #[arg(long, value_name = "D")]
+    pub dims: Option<usize>,
+    /// What mvu calls residual: the absolute sum of what is left over, or its ratio to all
+    #[arg(long, value_name = "absolute|ratio", default_value_t)]
+    pub residual: Residual,
+    /// The pose that lsd compares others with: their mean, the T-pose, or a frame from 0
+    #[arg(long, value_name = "mean|tpose|FRAME", default_value_t)]
+    pub template: Template,
+    /// Keep to the letter of what was published (lsd, mvu and ppca)
+    #[arg(long)]
+    pub published: bool,
+}
+
+impl SegmentsArgs {
+    /// The parameters of a method, or what is wrong with them.
+    pub fn params(&self, method: segments::Method) -> Result<segments::ValidParams, String> {
+        let params = segments::Params {
+            method,
+            dims: self.dims,
+            residual: self.residual,
+            template: self.template,
+            published: self.published,
+        };
+        params.check().map_err(|error| error.to_string())
+    }
+}
+
+/// One of the methods that there are, by its name.
+fn one_of<M: FromStr<Err = String> + Clone + Send + Sync + 'static, const N: usize>(
+    all: [M; N],
+    name: fn(M) -> &'static str,
+) -> impl TypedValueParser<Value = M> {
+    PossibleValuesParser::new(all.map(name)).try_map(|name| name.parse::<M>())
+}
+
 /// Which clips to compare with their truth.
 #[derive(ClapArgs)]
+#[command(mut_group("segments", |group| group.requires("cuts")))]
 pub struct ScoreArgs {
     /// Folder of clips with their truth beside them: NAME.bvh with NAME.json
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// The method.
+    /// Compare where actions are cut: NAME.bvh with NAME.segments.json, or named in segmentation*.json
+    #[arg(long, conflicts_with_all = ["plants", "part"])]
+    pub cuts: bool,
+    /// The method, one of detect, or with --cuts of segment [default: robust, or auto]
+    #[arg(long)]
+    pub method: Option<String>,
+    /// Parameters that plants are found by.
     #[command(flatten)]
-    pub method: MethodArgs,
+    pub plants: PlantArgs,
     /// Compare this part only [default: every part that truth and method have]
     #[arg(long, value_parser = PossibleValuesParser::new(Part::ALL.map(Part::name)))]
     pub part: Option<String>,
+    /// Parameters that actions are found by.
+    #[command(flatten, next_help_heading = "Options with --cuts")]
+    pub segments: SegmentsArgs,
 }
 
 /// What to say of which clips.
@@ -161,6 +244,28 @@ impl Format {
             Format::Csv => "csv",
             Format::Intervals => "intervals.csv",
             Format::Events => "events.csv",
+        }
+    }
+}
+
+/// What `segment` writes.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SegmentFormat {
+    /// The segments document: actions with all that was used to find them
+    Json,
+    /// A row per action
+    Csv,
+    /// Actions in the shape of BABEL's files
+    Babel,
+}
+
+impl SegmentFormat {
+    /// The ending of files in this format: another than that of labels in the same folder.
+    pub fn ending(self) -> &'static str {
+        match self {
+            SegmentFormat::Json => "segments.json",
+            SegmentFormat::Csv => "segments.csv",
+            SegmentFormat::Babel => "babel.json",
         }
     }
 }

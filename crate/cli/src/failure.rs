@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use plantigrade::bvh;
 use plantigrade::labels::LabelsError;
 use plantigrade::plants::DetectError;
+use plantigrade::segments::SegmentError;
 
 /// Why an input gave no result.
 #[derive(Debug, thiserror::Error)]
@@ -43,6 +44,14 @@ pub enum Failure {
         path: PathBuf,
         /// Why not.
         error: DetectError,
+    },
+    /// The clip has nothing to cut.
+    #[error("{name}: error: {error}", name = name(.path))]
+    Segment {
+        /// The input.
+        path: PathBuf,
+        /// Why not.
+        error: SegmentError,
     },
     /// The result cannot be written.
     #[error("{name}: error: cannot write the result: {error}", name = name(.path))]

@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{self, Limits, Options, Parsed, Reader};
+use plantigrade::labels::Source;
 use plantigrade::skeleton::Overrides;
 use sha2::{Digest, Sha256};
 use walkdir::WalkDir;
@@ -27,6 +28,14 @@ pub struct Loaded {
     pub parsed: Parsed,
     /// SHA-256 of the file in hexadecimal.
     pub sha256: String,
+}
+
+impl Loaded {
+    /// What documents call the clip.
+    pub fn source(&self, input: &Input) -> Source {
+        let name = input.path.file_name().unwrap_or(input.path.as_os_str());
+        Source { name: name.to_string_lossy().into_owned(), sha256: Some(self.sha256.clone()) }
+    }
 }
 
 /// The files that the paths name, folders with all that is below; or what is wrong with a path.

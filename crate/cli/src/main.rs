@@ -1,4 +1,4 @@
-//! `plantigrade`: foot plants in BVH files, from the command line.
+//! `plantigrade`: foot plants and actions in BVH files, from the command line.
 
 mod args;
 mod detect;
@@ -7,7 +7,9 @@ mod info;
 mod inputs;
 mod output;
 mod parallel;
+mod results;
 mod score;
+mod segment;
 
 use std::process::ExitCode;
 
@@ -19,6 +21,7 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let done = match &args.command {
         Command::Detect(args) => detect::run(args),
+        Command::Segment(args) => segment::run(args),
         Command::Score(args) => score::run(args),
         Command::Info(args) => info::run(args),
     };

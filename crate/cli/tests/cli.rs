@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
+use plantigrade::labels;
+use plantigrade::segments::Segment;
 use serde_json::Value;
 
 fn project(path: &str) -> PathBuf {
@@ -160,6 +162,123 @@ fn labels_are_scored_against_truth() {
 }
 
 #[test]
+fn actions_come_in_every_format() {
+    let segment = |format: &str, method: &str| {
+        let args = ["segment", "../../samples/limp-to-run.bvh", "--format", format, "--method", method];
+        let output = plantigrade(&args);
+        assert_eq!((code(&output), stderr(&output)), (0, String::new()), "{method}");
+        stdout(&output)
+    };
+    let json: Value = serde_json::from_str(&segment("json", "auto")).expect("JSON");
+    assert_eq!((&json["format"], &json["version"]), (&"plantigrade-segments".into(), &1.into()));
+    assert_eq!((&json["method"]["name"], &json["segments"][0]["source"]), (&"auto".into(), &"auto".into()));
+    let (frames, rate) = (json["frames"].as_u64().expect("frames") as usize, json["rate"].as_f64());
+    for method in ["auto", "lsd", "pca", "pca-tail", "ppca"] {
+        let table = segment("csv", method);
+        let mut lines = table.lines();
+        assert_eq!(lines.next(), Some("start_frame,end_frame,start_s,end_s,kind,label"));
+        let end = lines.fold(0, |end, line| {
+            let fields: Vec<&str> = line.split(',').collect();
+            assert_eq!((fields.len(), fields[0]), (6, end.to_string().as_str()), "{method}: {line}");
+            fields[1].parse().expect(line)
+        });
+        assert_eq!(end, frames, "{method}");
+        // What is written reads back alike from every format.
+        let read = |text: &str| labels::read_segments(text, "limp-to-run", frames, rate.expect("a rate"));
+        let segments = read(&table).expect(method);
+        assert_eq!(read(&segment("json", method)).as_ref(), Ok(&segments));
+        let cuts = |segments: &[Segment]| segments.iter().map(|s| s.frames.clone()).collect::<Vec<_>>();
+        assert_eq!(cuts(&read(&segment("babel", method)).expect(method)), cuts(&segments));
+    }
+}
+
+#[test]
+fn actions_of_several_skeletons_have_a_column() {
+    let segment = |format| stdout(&plantigrade(&["segment", "good/two-skeletons.bvh", "--format", format]));
+    let table = segment("csv");
+    assert!(table.starts_with("root,start_frame,"), "{table}");
+    assert!(table.lines().any(|line| line.starts_with("B:Hips,0,")), "{table}");
+    let json: Value = serde_json::from_str(&segment("json")).expect("JSON");
+    assert_eq!(json[1]["root"], "B:Hips");
+}
+
+#[test]
+fn clips_without_actions_fail_alone() {
+    let out = tempfile::tempdir().expect("a folder");
+    let folder = out.path().to_str().expect("a path");
+    let files = ["good/no-motion.bvh", "good/plain.bvh"];
+    let run = |more: &[&str]| plantigrade(&[&["segment"], &files[..], &["--out", folder], more].concat());
+    let output = run(&[]);
+    assert_eq!((code(&output), stdout(&output)), (1, String::new()));
+    assert!(stderr(&output).starts_with("good/no-motion.bvh: error: the clip has no motion"));
+    assert_eq!(stderr(&output).lines().count(), 1);
+    // Labels of the same clip do not stand in the way.
+    plantigrade(&["detect", "good/plain.bvh", "--out", folder]);
+    let made = |name: &str| {
+        let file = fs::metadata(out.path().join(name)).expect(name);
+        file.modified().expect("a time")
+    };
+    let first = (made("plain.json"), made("plain.segments.json"));
+    run(&[]);
+    assert_eq!((made("plain.json"), made("plain.segments.json")), first, "it is not made again");
+    run(&["--published"]);
+    assert_ne!(made("plain.segments.json"), first.1, "other parameters give other results");
+}
+
+#[test]
+fn cuts_are_scored_against_truth() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().to_str().expect("a path");
+    let copy = |sample: &str, name: &str| {
+        fs::copy(project("samples").join(sample), folder.path().join(name)).expect(sample);
+    };
+    // A document of its own, one beside the labels of the feet, a truth file, and none.
+    for name in ["own.bvh", "named.bvh", "shared.bvh", "untold.bvh"] {
+        copy("limp-to-run.bvh", name);
+    }
+    copy("limp-to-run.json", "shared.json");
+    let clips = ["own.bvh", "named.bvh"].map(|name| folder.path().join(name).display().to_string());
+    let made = plantigrade(&["segment", &clips[0], &clips[1], "--out", path]);
+    assert_eq!(code(&made), 0, "{}", stderr(&made));
+    fs::rename(folder.path().join("named.segments.json"), folder.path().join("named.json")).expect("moved");
+    let text = fs::read(folder.path().join("own.segments.json")).expect("a document");
+    let document: Value = serde_json::from_slice(&text).expect("JSON");
+    let (frames, segments) = (document["frames"].as_u64().expect("frames"), &document["segments"]);
+    let cuts = segments.as_array().expect("a list").len() - 1;
+    assert!(cuts > 0, "the limp and the run are told apart");
+    // One cut at the first that is found, with a range about it; the rest are too many.
+    let cut = segments[0]["end"].as_u64().expect("a frame");
+    let truth = serde_json::json!({"_meta": {}, "shared": [
+        {"start": 1, "end": cut, "label": "limp", "cut_earliest": cut - 3, "cut_latest": cut + 3},
+        {"start": cut + 1, "end": frames, "label": "run"},
+    ]});
+    fs::write(folder.path().join("segmentation.json"), truth.to_string()).expect("written");
+
+    let output = plantigrade(&["score", path, "--cuts"]);
+    assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+    let text = stdout(&output);
+    let row = |name: &str| -> Vec<&str> {
+        let line = text.lines().find_map(|line| line.strip_prefix(name));
+        line.expect(&text).split_whitespace().collect()
+    };
+    let all = cuts.to_string();
+    for name in ["own ", "named "] {
+        let perfect = [&[all.as_str(), &all][..], &["1.000"; 6], &["-"; 3]].concat();
+        assert_eq!(row(name), perfect, "{text}");
+    }
+    assert_eq!((row("shared ")[1], row("shared ")[3], row("shared ")[9]), ("1", "1.000", "1.000"), "{text}");
+    assert_eq!(row("all cuts ")[1], (2 * cuts + 1).to_string());
+    assert!(!text.contains("untold"));
+    assert_eq!(code(&plantigrade(&["score", path, "--cuts", "--method", "pca-tail", "--dims", "3"])), 0);
+
+    let other = serde_json::json!({"shared": [{"start": 1, "end": 9}]});
+    fs::write(folder.path().join("segmentation.json"), other.to_string()).expect("written");
+    let output = plantigrade(&["score", path, "--cuts"]);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("segmentation.json: error: the labels are of 9 frames"));
+}
+
+#[test]
 fn every_method_detects() {
     for method in ["robust", "paper", "sigma", "njw", "gmm", "hmm", "dual", "min-speed"] {
         let output =
@@ -188,6 +307,17 @@ fn a_wrong_command_line_is_told_apart() {
         &["detect", "good"],
         &["detect", "../files"],
         &["info", "good/plain.bvh", "--format", "xml"],
+        &["segment", "good/plain.bvh", "--method", "robust"],
+        &["segment", "good/plain.bvh", "--dims", "0"],
+        &["segment", "good/plain.bvh", "--residual", "none"],
+        &["segment", "good/plain.bvh", "--template", "-1"],
+        &["segment", "good"],
+        &["score", "good", "--cuts"],
+        &["score", "../../samples", "--dims", "2"],
+        &["score", "../../samples", "--cuts", "--r", "0.001"],
+        &["score", "../../samples", "--cuts", "--part", "toe"],
+        &["score", "../../samples", "--cuts", "--method", "robust"],
+        &["score", "../../samples", "--method", "lsd"],
     ] {
         let output = plantigrade(args);
         assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{args:?}");

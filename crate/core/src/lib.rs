@@ -7,4 +7,6 @@ pub mod motion;
 pub mod notice;
 pub mod plants;
 pub mod score;
+pub mod segments;
 pub mod skeleton;
+mod spline;

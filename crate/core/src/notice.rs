@@ -65,10 +65,12 @@ pub enum Code {
     Trimmed,
     /// The motion jumps in mid-clip.
     Teleport,
-    /// Too few frames to cluster.
+    /// Too few frames to cluster, or to cut.
     ShortClip,
     /// The clip stands still: every frame is contact.
     StandingStill,
+    /// The skeleton lacks joints that a method would measure.
+    MissingJoints,
     /// The feet are implausibly fast or slow: the stated rate may be wrong.
     ImplausibleRate,
     /// The labels leave a foot or the person in the air implausibly long.

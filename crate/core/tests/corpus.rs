@@ -17,7 +17,7 @@ const WITHOUT_FEET: [&str; 4] = [
 
 #[test]
 fn every_file_is_read_and_has_its_feet() {
-    let Some(corpus) = support::corpus() else { return };
+    let Some(corpus) = support::corpus::folder() else { return };
     let files = support::bvh_files(&corpus);
     assert_eq!(files.len(), 91);
     for path in files {
@@ -41,7 +41,7 @@ fn every_file_is_read_and_has_its_feet() {
 
 #[test]
 fn every_clip_with_motion_and_feet_is_labelled() {
-    let Some(corpus) = support::corpus() else { return };
+    let Some(corpus) = support::corpus::folder() else { return };
     let mut labelled = 0;
     for path in support::bvh_files(&corpus) {
         let clip = support::read(&path).clip;
@@ -66,7 +66,7 @@ fn every_clip_with_motion_and_feet_is_labelled() {
 
 #[test]
 fn what_is_read_survives_writing() {
-    let Some(corpus) = support::corpus() else { return };
+    let Some(corpus) = support::corpus::folder() else { return };
     for path in support::bvh_files(&corpus.join("dialects")) {
         let clip = support::read(&path).clip;
         let back =

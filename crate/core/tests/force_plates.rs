@@ -55,7 +55,7 @@ fn accuracy(corpus: &Path, method: Method, part: Part) -> ([f64; 4], [f64; 4]) {
 
 #[test]
 fn robust_contact_is_that_of_the_plates() {
-    let Some(corpus) = support::corpus() else { return };
+    let Some(corpus) = support::corpus::folder() else { return };
     let (pooled, worst) = accuracy(&corpus, Method::Robust, Part::Contact);
     assert!(pooled[0] >= 98.8 && pooled[1] >= 99.9 && pooled[3] >= 99.9, "{pooled:?}");
     assert!(worst[3] >= 99.5, "{worst:?}");
@@ -63,7 +63,7 @@ fn robust_contact_is_that_of_the_plates() {
 
 #[test]
 fn the_paper_method_has_its_known_figures() {
-    let Some(corpus) = support::corpus() else { return };
+    let Some(corpus) = support::corpus::folder() else { return };
     let (pooled, _) = accuracy(&corpus, Method::Paper, Part::Toe);
     for (found, expected) in pooled.into_iter().zip([77.6, 80.8, 81.9, 82.0]) {
         assert!((found - expected).abs() <= 0.3, "{pooled:?}");
@@ -72,7 +72,7 @@ fn the_paper_method_has_its_known_figures() {
 
 #[test]
 fn robust_plants_are_near_contact() {
-    let Some(corpus) = support::corpus() else { return };
+    let Some(corpus) = support::corpus::folder() else { return };
     let (pooled, _) = accuracy(&corpus, Method::Robust, Part::Toe);
     assert!(pooled[0] >= 95.0 && pooled[3] >= 99.5, "{pooled:?}");
 }

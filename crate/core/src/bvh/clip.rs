@@ -142,6 +142,16 @@ impl Clip {
         Clip { position_rule, ..self }
     }
 
+    /// The same skeleton with some of the frames only.
+    ///
+    /// # Panics
+    /// If there are no such frames.
+    pub fn part(&self, frames: std::ops::Range<usize>) -> Clip {
+        let width = self.channel_count();
+        let values = self.values[frames.start * width..frames.end * width].to_vec();
+        Clip { joints: self.joints.clone(), starts: self.starts.clone(), values, ..*self }
+    }
+
     /// Sets the seconds from one frame to the next.
     pub fn set_frame_time(&mut self, frame_time: f64) {
         self.frame_time = frame_time;

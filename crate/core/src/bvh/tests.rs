@@ -294,6 +294,15 @@ proptest! {
     }
 
     #[test]
+    fn a_part_holds_its_frames(clip in any_clip(), ends in any::<[prop::sample::Index; 2]>()) {
+        let [a, b] = ends.map(|end| end.index(clip.frame_count() + 1));
+        let part = clip.part(a.min(b)..a.max(b));
+        prop_assert_eq!(part.joints(), clip.joints());
+        let rows: Vec<&[f64]> = (0..part.frame_count()).map(|frame| part.row(frame)).collect();
+        prop_assert_eq!(rows, (a.min(b)..a.max(b)).map(|frame| clip.row(frame)).collect::<Vec<_>>());
+    }
+
+    #[test]
     fn chunks_do_not_matter(clip in any_clip(), chunk in 1_usize..50, crlf in any::<bool>()) {
         let mut text = write(&clip);
         if crlf {

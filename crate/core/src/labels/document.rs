@@ -1,4 +1,4 @@
-//! The labels document: the JSON that is saved, shared and read back.
+//! The labels document: foot plants as the JSON that is saved, shared and read back.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,7 @@ use crate::skeleton::Skeleton;
 /// What [`Document::format`] says.
 pub const FORMAT: &str = "plantigrade-labels";
 
-/// The version of the document's shape that this library writes.
+/// The version of the documents' shapes that this library writes.
 pub const VERSION: u32 = 1;
 
 /// Foot plants of one clip with where they come from.
@@ -205,7 +205,8 @@ impl Document {
     }
 }
 
-fn pretty(value: &(impl Serialize + ?Sized)) -> String {
+/// JSON, indented, with a line end.
+pub(super) fn pretty(value: &(impl Serialize + ?Sized)) -> String {
     let mut text = serde_json::to_string_pretty(value).expect("a document has only text, numbers and lists");
     text.push('\n');
     text

@@ -1,15 +1,22 @@
-//! Labels: which frames each foot is planted in, as frames, intervals and documents.
+//! Labels: which frames each foot is planted in, and which action is where, as frames, intervals
+//! and documents.
 
+mod babel;
+mod csv;
 mod document;
 mod read;
+mod read_segments;
+mod segments;
 mod tables;
 
+pub use babel::babel_json;
 pub use document::{
     Document, FORMAT, Foot, FootJoints, Joints, MethodUsed, Source, Span, SpanSource, VERSION,
 };
-
 pub use read::{Labelling, LabelsError, read};
-pub use tables::{Labelled, events_csv, frames_csv, intervals_csv};
+pub use read_segments::{has_segments, read_cuts, read_segments};
+pub use segments::{MotifSpan, SEGMENTS_FORMAT, SegmentSpan, SegmentsDocument, SegmentsMethod, Stretch};
+pub use tables::{Labelled, events_csv, frames_csv, intervals_csv, segments_csv};
 
 use serde::{Deserialize, Serialize};
 

@@ -1,8 +1,10 @@
 //! Labels from elsewhere: documents, truth files and tables.
 
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
 
-use super::{Document, FORMAT, Part, Side, VERSION};
+use super::{Document, FORMAT, Part, Side, VERSION, csv};
 
 /// Labels of one clip by someone else, per frame; `None` where they are not known.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +19,12 @@ pub enum LabelsError {
     /// Neither JSON nor a table.
     #[error("these are no labels: neither a labels document, a truth file nor a table per frame")]
     Unknown,
+    /// Neither JSON with segments nor a table of them.
+    #[error("these are no segments: neither a segments document, BABEL's, a truth file nor a table")]
+    NoSegments,
+    /// Segments of other clips.
+    #[error("there are no segments of {0} in it")]
+    NoClip(String),
     /// A document of a version to come.
     #[error("the document has version {0}, and this program knows version {VERSION}")]
     Version(u32),
@@ -60,20 +68,26 @@ pub fn read(text: &str, frames: usize) -> Result<Labelling, LabelsError> {
     if labelling.parts.is_empty() { Err(LabelsError::Unknown) } else { Ok(labelling) }
 }
 
+impl From<serde_json::Error> for LabelsError {
+    fn from(error: serde_json::Error) -> LabelsError {
+        LabelsError::Wrong(error.to_string())
+    }
+}
+
 fn json(text: &str) -> Result<Labelling, LabelsError> {
-    let wrong = |error: serde_json::Error| LabelsError::Wrong(error.to_string());
-    let value: serde_json::Value = serde_json::from_str(text).map_err(wrong)?;
+    let value: Value = serde_json::from_str(text)?;
     if value["format"] == FORMAT {
-        let version = value["version"].as_u64().unwrap_or(0) as u32;
-        if version != VERSION {
-            return Err(LabelsError::Version(version));
-        }
-        let document: Document = serde_json::from_value(value).map_err(wrong)?;
-        return Ok(of_document(&document));
+        return Ok(of_document(&document(value)?));
     }
     let TruthFile { left, right } = serde_json::from_value(value).map_err(|_| LabelsError::Unknown)?;
     let known = |labels: Vec<i8>| labels.into_iter().map(|label| (label >= 0).then_some(label > 0)).collect();
     Ok(Labelling { parts: vec![(Part::Contact, [known(left), known(right)])] })
+}
+
+/// A document of ours, if this program knows its version.
+pub(super) fn document<T: DeserializeOwned>(value: Value) -> Result<T, LabelsError> {
+    let version = value["version"].as_u64().unwrap_or(0) as u32;
+    if version == VERSION { Ok(serde_json::from_value(value)?) } else { Err(LabelsError::Version(version)) }
 }
 
 /// The labels of a document, for the parts that both feet have.
@@ -87,33 +101,25 @@ fn of_document(document: &Document) -> Labelling {
 }
 
 fn table(text: &str) -> Result<Labelling, LabelsError> {
-    let mut lines = text.lines();
-    let head: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
-    if head.contains(&"root") {
+    let mut rows = csv::rows(text).into_iter();
+    let head = rows.next().unwrap_or_default();
+    if csv::column(&head, "root").is_some() {
         return Err(LabelsError::Wrong("tables of several skeletons are not compared".into()));
     }
-    let column = |side: Side, part: Part| {
-        let name = format!("{}_{}", side.name(), part.name());
-        head.iter().position(|column| *column == name)
-    };
+    let column = |side: Side, part: Part| csv::column(&head, &format!("{}_{}", side.name(), part.name()));
     let columns: Vec<(Part, [usize; 2])> = Part::ALL
         .into_iter()
         .filter_map(|part| Some((part, [column(Side::Left, part)?, column(Side::Right, part)?])))
         .collect();
     let mut parts: Vec<_> = columns.iter().map(|(part, _)| (*part, [Vec::new(), Vec::new()])).collect();
-    for (row, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+    for row in rows {
         for ((_, places), (_, feet)) in columns.iter().zip(&mut parts) {
             for (place, labels) in places.iter().zip(feet) {
-                labels.push(match fields.get(*place) {
-                    Some(&"1") => Some(true),
-                    Some(&"0") => Some(false),
-                    Some(&("-1" | "")) => None,
-                    found => {
-                        let found = found.copied().unwrap_or("nothing");
-                        let what = format!("row {}: expected 0, 1 or -1, found {found:?}", row + 2);
-                        return Err(LabelsError::Wrong(what));
-                    }
+                labels.push(match row.field(*place) {
+                    Some("1") => Some(true),
+                    Some("0") => Some(false),
+                    Some("-1" | "") => None,
+                    found => return Err(row.wrong("0, 1 or -1", found)),
                 });
             }
         }

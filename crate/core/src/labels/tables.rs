@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Part, Side, intervals};
+use super::{Part, SegmentsDocument, Side, csv, intervals};
 use crate::plants::Detection;
 
 /// What was detected in one skeleton of a clip.
@@ -19,7 +19,7 @@ pub struct Labelled<'a> {
 /// Columns hold 0 or 1; a method that labels toes only has only their columns.
 /// With several skeletons a column `root` comes first. Times are in seconds.
 pub fn frames_csv(labelled: &[Labelled], frame_time: f64) -> String {
-    let mut text = head(labelled, "frame,time");
+    let mut text = head(labelled.iter().map(|labelled| labelled.root), "frame,time");
     let Some(first) = labelled.first() else { return text };
     for (side, part) in columns(first.detection) {
         let _ = write!(text, ",{}_{}", side.name(), part.name());
@@ -42,7 +42,10 @@ pub fn frames_csv(labelled: &[Labelled], frame_time: f64) -> String {
 
 /// One row per plant: `foot,part,start_frame,end_frame,start_s,end_s`, half-open.
 pub fn intervals_csv(labelled: &[Labelled], frame_time: f64) -> String {
-    let mut text = head(labelled, "foot,part,start_frame,end_frame,start_s,end_s\n");
+    let mut text = head(
+        labelled.iter().map(|labelled| labelled.root),
+        "foot,part,start_frame,end_frame,start_s,end_s\n",
+    );
     for Labelled { root, detection } in labelled {
         for (side, part) in columns(detection) {
             let labels = detection.part(part).map(|labels| labels.foot(side).planted.as_slice());
@@ -69,7 +72,7 @@ pub fn intervals_csv(labelled: &[Labelled], frame_time: f64) -> String {
 ///
 /// Contact that begins or ends with the clip is no event.
 pub fn events_csv(labelled: &[Labelled], frame_time: f64) -> String {
-    let mut text = head(labelled, "time,frame,context,event\n");
+    let mut text = head(labelled.iter().map(|labelled| labelled.root), "time,frame,context,event\n");
     for Labelled { root, detection } in labelled {
         let mut events = Vec::new();
         for (side, context) in [(Side::Left, "Left"), (Side::Right, "Right")] {
@@ -88,6 +91,30 @@ pub fn events_csv(labelled: &[Labelled], frame_time: f64) -> String {
     text
 }
 
+/// One row per action: `start_frame,end_frame,start_s,end_s,kind,label`, half-open; the rows tile
+/// the clip from frame 0.
+///
+/// With several skeletons a column `root` comes first.
+pub fn segments_csv(documents: &[SegmentsDocument]) -> String {
+    let roots = documents.iter().map(|document| document.root.as_deref());
+    let mut text = head(roots, "start_frame,end_frame,start_s,end_s,kind,label\n");
+    for document in documents {
+        for segment in &document.segments {
+            let (start, end) = (segment.stretch.start, segment.stretch.end);
+            let _ = writeln!(
+                text,
+                "{}{start},{end},{},{},{},{}",
+                field(document.root.as_deref()),
+                seconds(start, 1.0 / document.rate),
+                seconds(end, 1.0 / document.rate),
+                segment.kind.name(),
+                csv::field(&segment.label),
+            );
+        }
+    }
+    text
+}
+
 /// Feet and parts in the order of the columns: left before right, contact, heel, toe.
 fn columns(detection: &Detection) -> impl Iterator<Item = (Side, Part)> + '_ {
     let parts =
@@ -95,18 +122,14 @@ fn columns(detection: &Detection) -> impl Iterator<Item = (Side, Part)> + '_ {
     Side::BOTH.into_iter().flat_map(move |side| parts.clone().map(move |part| (side, part)))
 }
 
-fn head(labelled: &[Labelled], columns: &str) -> String {
-    let rooted = labelled.iter().any(|labelled| labelled.root.is_some());
-    format!("{}{columns}", if rooted { "root," } else { "" })
+/// The columns' names, that of the root first where the clip has several.
+fn head<'a>(mut roots: impl Iterator<Item = Option<&'a str>>, columns: &str) -> String {
+    format!("{}{columns}", if roots.any(|root| root.is_some()) { "root," } else { "" })
 }
 
-/// The root's name as a CSV field with its comma; quoted where it must be.
+/// The root's name as a CSV field with its comma.
 fn field(root: Option<&str>) -> String {
-    match root {
-        None => String::new(),
-        Some(name) if name.contains([',', '"', '\n']) => format!("\"{}\",", name.replace('"', "\"\"")),
-        Some(name) => format!("{name},"),
-    }
+    root.map_or_else(String::new, |name| format!("{},", csv::field(name)))
 }
 
 /// The time of a frame in seconds, to the microsecond.

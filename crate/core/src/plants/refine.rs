@@ -2,10 +2,9 @@
 
 use std::ops::Range;
 
-use nalgebra::Vector3;
-
 use super::{Feet, FootTracks};
 use crate::motion::Track;
+use crate::spline;
 
 /// The rate that clips are brought to at least, in frames per second.
 const RATE: f64 = 120.0;
@@ -38,7 +37,7 @@ pub(super) fn refined(feet: &Feet, pieces: &[Range<usize>]) -> Refined {
     }
 }
 
-/// A track with cubics between its frames that pass through them (Catmull and Rom 1974).
+/// A track with cubics between its frames that pass through them.
 fn between(track: &Track, pieces: &[Range<usize>], stride: usize) -> Track {
     if stride == 1 {
         return track.clone();
@@ -50,21 +49,16 @@ fn between(track: &Track, pieces: &[Range<usize>], stride: usize) -> Track {
         let piece = pieces.iter().find(|piece| piece.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
         let at = |frame: usize| track[frame.clamp(piece.start, piece.end - 1)];
         let points = [at(frame.saturating_sub(1)), at(frame), at(frame + 1), at(frame + 2)];
-        fine.extend((0..stride).map(|step| cubic(&points, step as f64 / stride as f64)));
+        fine.extend((0..stride).map(|step| spline::cubic(points, step as f64 / stride as f64)));
     }
     fine.push(track[last]);
     fine
 }
 
-/// The cubic from the second point to the third whose slopes are those of their neighbours.
-fn cubic([a, b, c, d]: &[Vector3<f64>; 4], t: f64) -> Vector3<f64> {
-    let (from, to) = ((c - a) / 2.0, (d - b) / 2.0);
-    let rise = c - b;
-    b + from * t + (rise * 3.0 - from * 2.0 - to) * (t * t) + (from + to - rise * 2.0) * (t * t * t)
-}
-
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::*;
 
     #[test]

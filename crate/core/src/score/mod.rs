@@ -1,9 +1,11 @@
 //! Accuracy of labels against truth whose boundaries are fuzzy (paper, section 3.1).
 
 mod compare;
+mod cuts;
 mod events;
 
 pub use compare::{Disagreement, DisagreementKind, FUZZY, PartScore, Row, compare};
+pub use cuts::{CutTally, Tolerance, TrueCut, cuts};
 pub use events::{EventScore, Events, events};
 
 use std::ops::AddAssign;

@@ -5,19 +5,7 @@ use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{self, Parsed};
 
-/// The folder of recorded motion, if this machine has one: `PLANTIGRADE_CORPUS`,
-/// or `../shared/corpus` beside the project.
-///
-/// Tests that need it call this first and return when there is none, having said so.
-pub fn corpus() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/corpus");
-    let folder = std::env::var_os("PLANTIGRADE_CORPUS").map_or(beside, PathBuf::from);
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    println!("skipped: no recorded motion here; PLANTIGRADE_CORPUS can name its folder");
-    None
-}
+pub mod corpus;
 
 /// All BVH files below a folder, in order.
 pub fn bvh_files(folder: &Path) -> Vec<PathBuf> {

@@ -1,4 +1,4 @@
-//! `plantigrade score`
+//! Foot plants against truth.
 
 use std::fs;
 
@@ -21,24 +21,8 @@ struct Trial {
 
 /// Scores all clips of a folder that have truth, and counts those that failed.
 pub fn run(args: &ScoreArgs) -> Result<usize, String> {
-    let params = args.method.params()?;
-    let read = ReadArgs { paths: vec![args.folder.clone()], fps: None, up: None, lenient: false };
-    let inputs = inputs::collect(&read)?;
-    let has_truth = |input: &&Input| input.path.with_extension("json").is_file();
-    let mut trials = Vec::new();
-    let mut failed = 0;
-    for input in inputs.iter().filter(has_truth) {
-        match trial(input, params, &read) {
-            Ok(trial) => trials.push(trial),
-            Err(failure) => {
-                eprintln!("{failure}");
-                failed += 1;
-            }
-        }
-    }
-    if trials.is_empty() && failed == 0 {
-        return Err(format!("no clip in {} has truth beside it (NAME.json)", args.folder.display()));
-    }
+    let params = args.plants.params(super::method(args)?)?;
+    let (trials, failed) = super::trials(args, "NAME.json", |input, read| trial(input, params, read))?;
     let wanted = |part: &Part| args.part.as_deref().is_none_or(|name| name == part.name());
     for part in Part::ALL.into_iter().filter(wanted) {
         if trials.iter().any(|trial| pairs(trial, part).is_some()) {
@@ -48,19 +32,23 @@ pub fn run(args: &ScoreArgs) -> Result<usize, String> {
     Ok(failed)
 }
 
-fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Trial, Failure> {
-    let clip = inputs::load(input, read)?.parsed.clip;
+/// The clip's labels and truth; `None` where it has no truth.
+fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<Trial>, Failure> {
     let path = input.path.with_extension("json");
+    if !path.is_file() {
+        return Ok(None);
+    }
+    let clip = inputs::load(input, read)?.parsed.clip;
     let text = fs::read_to_string(&path).map_err(|error| Failure::Read { path: path.clone(), error })?;
     let truth = labels::read(&text, clip.frame_count()).map_err(|error| Failure::Truth { path, error })?;
     let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default()))
         .map_err(|error| Failure::Detect { path: input.path.clone(), error })?;
-    Ok(Trial {
+    Ok(Some(Trial {
         name: input.stem.display().to_string(),
         frame_time: clip.frame_time(),
         detection: plants::detect(&feet, params),
         truth: masked(truth, clip.frame_time()),
-    })
+    }))
 }
 
 /// Off a force plate, "no contact" beside an unknown frame only means that there is no plate.

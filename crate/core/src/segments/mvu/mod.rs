@@ -1,0 +1,79 @@
+//! Cuts where the residual of maximum variance unfolding jumps.
+//!
+//! After Zhang and Wang's segmentation by residual jumps. The poses of a growing window
+//! are unfolded: pulled apart as far as the distances to their neighbours allow
+//! (Weinberger and Saul 2006). A window of one action unfolds into few dimensions; when
+//! another begins, what these leave over jumps.
+
+mod inverse_iteration;
+mod neighbours;
+mod unfold;
+
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DMatrixView};
+
+use super::body::Body;
+use super::growing::Jumps;
+use super::method::Entry;
+use super::pose::Poses;
+use super::task::{Found, Task};
+use super::{Residual, SegmentError};
+
+pub(super) const METHOD: Entry = Entry {
+    name: "mvu",
+    title: "Maximum variance unfolding",
+    about: "Unfolds the poses of a growing window and cuts where what few dimensions leave over jumps.",
+    segment,
+};
+
+/// Poses per second.
+const RATE: f64 = 10.0;
+/// k: neighbours of a pose whose distances are kept.
+const NEIGHBOURS: usize = 6;
+/// d: dimensions kept before the rest is called residual; the published 10 leave hardly anything.
+const DIMS: usize = 1;
+/// The rule as published: against the window before, and more than the mean.
+const PUBLISHED: Jumps = Jumps { lag: 1, factor: 1.0, ..Jumps::RESIDUAL };
+
+fn segment(task: &mut Task) -> Result<Found, SegmentError> {
+    let body = Body::turning(task.clip, task.skeleton)?;
+    let poses = Poses::of(task.clip, &body, &task.frames, RATE);
+    let (dims, kind) = (task.params.dims().unwrap_or(DIMS), task.params.residual());
+    let mut guesses = Vec::new();
+    let of_window =
+        |window: Range<usize>| residual(poses.columns.columns_range(window), dims, kind, &mut guesses);
+    let rule = if task.params.published() { PUBLISHED } else { Jumps::RESIDUAL };
+    let traced = rule.trace(poses.count(), of_window, task.progress)?;
+    let cuts: Vec<usize> = traced.cuts.iter().map(|&cut| poses.frame(cut)).collect();
+    let curve = traced.curve("Residual of the unfolded poses", &poses);
+    Ok(Found::of_cuts(task.clip.frame_count(), &cuts, curve, body.notices()))
+}
+
+/// What the first `dims` eigenvalues of the unfolded window leave over; they are left in
+/// `guesses`, from which those of the next window are found sooner.
+fn residual(poses: DMatrixView<f64>, dims: usize, kind: Residual, guesses: &mut Vec<f64>) -> f64 {
+    let unfolded = unfolded(poses, NEIGHBOURS);
+    let whole = unfolded.trace();
+    *guesses = inverse_iteration::largest(unfolded, dims, guesses);
+    let rest = (whole - guesses.iter().sum::<f64>()).max(0.0);
+    match kind {
+        Residual::Absolute => rest,
+        Residual::Ratio if whole > 0.0 => rest / whole,
+        Residual::Ratio => 0.0,
+    }
+}
+
+/// The inner products of the unfolded poses.
+fn unfolded(poses: DMatrixView<f64>, k: usize) -> DMatrix<f64> {
+    let distances = neighbours::squared_distances(poses);
+    if k + 1 >= poses.ncols() {
+        // All distances are kept: nothing can move.
+        return neighbours::centred_products(&distances);
+    }
+    let edges = neighbours::edges(&distances, k);
+    unfold::unfold(poses.ncols(), &edges).products
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,225 @@
+//! What holds for every method.
+
+use nalgebra::Vector3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::bvh::{Axis, Channel, Joint, JointKind};
+use crate::skeleton::Overrides;
+
+/// A spine, a head, arms and legs, each turning about one axis.
+const BODY: [(&str, usize, [f64; 3]); 13] = [
+    ("Hips", 0, [0.0, 95.0, 0.0]),
+    ("Spine", 0, [0.0, 12.0, 0.0]),
+    ("Chest", 1, [0.0, 20.0, 0.0]),
+    ("Neck", 2, [0.0, 22.0, 0.0]),
+    ("Head", 3, [0.0, 10.0, 0.0]),
+    ("LeftArm", 2, [18.0, 15.0, 0.0]),
+    ("LeftForeArm", 5, [28.0, 0.0, 0.0]),
+    ("LeftUpLeg", 0, [9.0, 0.0, 0.0]),
+    ("LeftLeg", 7, [0.0, -45.0, 0.0]),
+    ("LeftFoot", 8, [0.0, -43.0, 0.0]),
+    ("RightUpLeg", 0, [-9.0, 0.0, 0.0]),
+    ("RightLeg", 10, [0.0, -45.0, 0.0]),
+    ("RightFoot", 11, [0.0, -43.0, 0.0]),
+];
+
+/// The first `joints` of the body with each joint's angle in degrees at each frame.
+fn clip(joints: usize, frames: usize, rate: f64, angle: impl Fn(usize, usize) -> f64) -> Clip {
+    let joint = |(place, &(name, parent, offset)): (usize, &(&str, usize, [f64; 3]))| Joint {
+        name: name.into(),
+        kind: if place == 0 { JointKind::Root } else { JointKind::Joint },
+        parent: (place > 0).then_some(parent),
+        offset: Vector3::from(offset),
+        channels: vec![Channel::Rotation(Axis::X)],
+    };
+    let values = (0..frames).flat_map(|frame| (0..joints).map(move |joint| (joint, frame)));
+    let values = values.map(|(joint, frame)| angle(joint, frame)).collect();
+    Clip::new(BODY[..joints].iter().enumerate().map(joint).collect(), 1.0 / rate, values)
+}
+
+/// Eight seconds of nodding and then of waving.
+fn nod_then_wave(rate: f64, cut: f64) -> Clip {
+    clip(BODY.len(), (16.0 * rate) as usize, rate, |joint, frame| {
+        let time = frame as f64 / rate;
+        let swing = 50.0 * (std::f64::consts::TAU * time / 1.3).sin();
+        let own = 8.0 * (time * 2.0 + joint as f64).sin();
+        own + match BODY[joint].0 {
+            "Neck" | "Chest" if time < cut => swing,
+            "LeftArm" | "LeftForeArm" if time >= cut => swing - 60.0,
+            _ => 0.0,
+        }
+    })
+}
+
+fn cut(clip: &Clip, params: Params) -> Result<Segmentation, SegmentError> {
+    segment(clip, &Skeleton::main(clip, &Overrides::default()), params.check().unwrap(), &mut |_| Ok(()))
+}
+
+fn all_params() -> impl Iterator<Item = Params> {
+    Method::ALL
+        .into_iter()
+        .flat_map(|method| [false, true].map(|published| Params { method, published, ..Params::default() }))
+}
+
+/// What holds for any answer.
+fn check(found: &Segmentation, frames: usize) {
+    let ends: Vec<usize> = found.segments.iter().map(|segment| segment.frames.end).collect();
+    let starts: Vec<usize> = found.segments.iter().map(|segment| segment.frames.start).collect();
+    assert_eq!(starts[0], 0);
+    assert_eq!(starts[1..], ends[..ends.len() - 1]);
+    assert_eq!(ends.last(), Some(&frames));
+    assert!(found.segments.iter().all(|segment| !segment.frames.is_empty()), "{:?}", found.segments);
+    let Curve { frames: places, values, threshold, extrema, .. } = &found.curve;
+    assert_eq!(places.len(), values.len());
+    assert!(threshold.is_empty() || threshold.len() == values.len());
+    assert!([places, values, threshold].into_iter().flatten().all(|value| value.is_finite()));
+    assert!(extrema.iter().all(|&index| index < values.len()));
+}
+
+#[test]
+fn every_method_sees_that_something_else_is_done() {
+    let clip = nod_then_wave(60.0, 8.0);
+    for method in Method::ALL {
+        let found = cut(&clip, Params { method, ..Params::default() }).unwrap();
+        check(&found, clip.frame_count());
+        let cuts = found.cuts();
+        assert!(cuts.iter().any(|cut| cut.abs_diff(480) < 60), "{method}: {cuts:?}");
+    }
+}
+
+#[test]
+fn rates_do_not_matter() {
+    for method in [Method::Auto, Method::PcaTail, Method::Ppca, Method::Mvu] {
+        let seconds = |rate: f64| {
+            let clip = nod_then_wave(rate, 8.0);
+            let cuts = cut(&clip, Params { method, ..Params::default() }).unwrap().cuts();
+            cuts.iter().map(|&cut| cut as f64 / rate).collect::<Vec<_>>()
+        };
+        let at_120 = seconds(120.0);
+        for rate in [24.0, 30.0, 60.0] {
+            let other = seconds(rate);
+            assert_eq!(at_120.len(), other.len(), "{method} at {rate}: {at_120:?} {other:?}");
+            for (a, b) in at_120.iter().zip(&other) {
+                assert!((a - b).abs() <= 0.2, "{method} at {rate}: {at_120:?} {other:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn short_clips_are_one_segment() {
+    for params in all_params() {
+        for frames in 1..=20 {
+            let clip = clip(BODY.len(), frames, 30.0, |joint, frame| (joint * frame) as f64);
+            let found = cut(&clip, params).unwrap();
+            check(&found, frames);
+            assert_eq!(found.segments.len(), 1, "{params:?}, {frames} frames");
+        }
+    }
+}
+
+#[test]
+fn a_body_that_holds_still_is_not_cut() {
+    for params in all_params() {
+        let clip = clip(BODY.len(), 600, 60.0, |joint, _| joint as f64);
+        let found = cut(&clip, params).unwrap();
+        check(&found, 600);
+        assert!(found.cuts().is_empty(), "{params:?}: {:?}", found.cuts());
+    }
+}
+
+#[test]
+fn a_pose_stuck_on_in_front_is_left_out() {
+    let with = clip(BODY.len(), 600, 60.0, |joint, frame| {
+        if frame == 0 { 0.0 } else { 40.0 + (frame as f64 / 20.0 + joint as f64).sin() }
+    });
+    let found = cut(&with, Params::default()).unwrap();
+    assert!(found.notices.iter().any(|notice| notice.code == Code::Trimmed));
+    assert_eq!(found.curve.frames[0], 1.0);
+    assert_eq!(found.segments[0].frames.start, 0);
+}
+
+#[test]
+fn what_is_missing_is_said() {
+    let clip = clip(10, 300, 60.0, |joint, frame| (frame as f64 / 9.0 + joint as f64).sin() * 30.0);
+    for params in all_params() {
+        let found = cut(&clip, params).unwrap();
+        check(&found, 300);
+        let notice = found.notices.iter().find(|notice| notice.code == Code::MissingJoints);
+        assert!(notice.is_some_and(|notice| notice.text.contains("right_thigh")), "{params:?}");
+    }
+}
+
+#[test]
+fn too_few_joints_are_an_error() {
+    let clip = clip(3, 300, 60.0, |_, frame| frame as f64);
+    for params in all_params() {
+        let error = cut(&clip, params).unwrap_err();
+        assert!(matches!(error, SegmentError::TooFewJoints { .. }), "{params:?}");
+        assert!(error.to_string().contains("left_arm"), "{error}");
+    }
+}
+
+#[test]
+fn no_motion_is_an_error() {
+    let clip = clip(BODY.len(), 0, 60.0, |_, _| 0.0);
+    assert_eq!(cut(&clip, Params::default()), Err(SegmentError::NoMotion));
+}
+
+#[test]
+fn all_can_be_cancelled() {
+    let clip = nod_then_wave(60.0, 8.0);
+    let skeleton = Skeleton::main(&clip, &Overrides::default());
+    for method in Method::ALL {
+        let params = Params { method, ..Params::default() }.check().unwrap();
+        let found = segment(&clip, &skeleton, params, &mut |_| Err(Cancelled));
+        assert_eq!(found, Err(SegmentError::Cancelled), "{method}");
+    }
+}
+
+#[test]
+fn progress_goes_from_none_to_all() {
+    let clip = nod_then_wave(60.0, 8.0);
+    let skeleton = Skeleton::main(&clip, &Overrides::default());
+    for method in Method::ALL {
+        let mut shares = Vec::new();
+        let params = Params { method, ..Params::default() }.check().unwrap();
+        segment(&clip, &skeleton, params, &mut |share| {
+            shares.push(share);
+            Ok(())
+        })
+        .unwrap();
+        assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)), "{method}");
+        assert!(shares.is_sorted(), "{method}");
+    }
+}
+
+#[test]
+fn rules_are_stated_when_broken() {
+    let error = Params { dims: Some(0), ..Params::default() }.check().unwrap_err();
+    assert_eq!(error.to_string(), "d must be from 1 to 56, not 0");
+    assert!("best".parse::<Method>().is_err());
+    for method in Method::ALL {
+        assert_eq!(method.name().parse(), Ok(method));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn any_motion_has_an_answer(
+        seed in 0.0..9.0_f64,
+        frames in 1_usize..400,
+        rate in 10.0..250.0_f64,
+        size in prop_oneof![Just(0.0), 0.0..400.0_f64],
+    ) {
+        let clip = clip(BODY.len(), frames, rate, |joint, frame| {
+            size * (seed * frame as f64 / rate + joint as f64).sin().powi(3)
+        });
+        for params in all_params() {
+            check(&cut(&clip, params).unwrap(), frames);
+        }
+    }
+}
