@@ -69,6 +69,8 @@ pub enum Code {
     ShortClip,
     /// The clip stands still: every frame is contact.
     StandingStill,
+    /// A foot moves along the ground: it is dragged, not planted.
+    Dragged,
     /// The skeleton lacks joints that a method would measure.
     MissingJoints,
     /// The feet are implausibly fast or slow: the stated rate may be wrong.

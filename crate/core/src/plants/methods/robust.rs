@@ -13,7 +13,7 @@
 use std::ops::Range;
 
 use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::labels::{Part, Side};
 use crate::motion::Track;
 use crate::notice::{Code, Notice};
 use crate::plants::cluster::{self, Between, Evidence};
@@ -75,7 +75,7 @@ fn detect(task: &Task) -> Found {
     };
     let mut contact = work.label(Part::Contact, &sole, clustering.as_ref());
     if clustering.is_some() {
-        work.drop_dragged(&mut contact.feet);
+        notices.extend(work.drop_dragged(&mut contact.feet));
     }
     // Toe and heel are planted only where something bears weight.
     let within = |mut part: PartLabels| {
@@ -215,14 +215,27 @@ impl Work<'_> {
         (labels, confidence)
     }
 
-    /// Takes the contact of dragged feet away.
-    fn drop_dragged(&self, contact: &mut [FootLabels; 2]) {
+    /// Takes the contact of dragged feet away, and says so.
+    fn drop_dragged(&self, contact: &mut [FootLabels; 2]) -> Vec<Notice> {
+        let planted = |foot: &FootLabels| foot.planted.iter().filter(|planted| **planted).count();
+        let before = contact.each_ref().map(planted);
         for piece in self.pieces {
             drag::drop_dragged(self.feet, piece, contact);
         }
-        for labels in contact {
+        for labels in &mut *contact {
             self.fill_ends(&mut labels.planted, &mut labels.confidence);
         }
+        let dropped = Side::BOTH.into_iter().zip(before.iter().zip(contact.each_ref().map(planted)));
+        let notice = |(side, (before, after)): (Side, (&usize, usize))| {
+            let seconds = (before - after) as f64 * self.feet.frame_time;
+            let text = format!(
+                "The {} foot moves away from the other along the ground for {seconds:.1} s: \
+                 it is dragged, not planted.",
+                side.name()
+            );
+            (after < *before).then(|| Notice::new(Code::Dragged, text))
+        };
+        dropped.filter_map(notice).collect()
     }
 
     /// Frames that were left out are labelled as their nearest neighbour, which nobody can vouch for.
