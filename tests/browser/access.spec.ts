@@ -1,11 +1,20 @@
 import AxeBuilder from "@axe-core/playwright";
 import { type App, expect, test } from "./app";
-import { bad, clip, good } from "./clips";
+import { bad, clip, file, good } from "./clips";
 
 /** Every state of the page, and how to get there. */
 const states: Record<string, (app: App) => Promise<void>> = {
   "the empty page": (app) => app.empty(),
   "the Detect tab": (app) => app.sample("bowling"),
+  "the Segment tab": async (app) => {
+    await app.sample("limp-to-run");
+    await app.tab("Segment");
+    await app.drop(file("mine.csv", "start_frame,end_frame,label\n0,300,walk\n300,744,run\n"));
+    await expect(app.panel).toContainText("mine.csv");
+    await app.page.getByRole("combobox", { name: "Method" }).selectOption("lsd");
+    await app.panel.getByRole("button", { name: /^Loop segment 1/ }).click();
+    await app.panel.getByRole("button", { name: "Save", exact: true }).click();
+  },
   "the Labels tab": async (app) => {
     await app.sample("bowling");
     await app.tab("Labels");

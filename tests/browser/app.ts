@@ -17,9 +17,18 @@ export { expect };
 export interface Saved {
   name: string;
   text: string;
+  bytes: Uint8Array;
 }
 
-export type Tab = "Detect" | "Labels" | "Score" | "Clip";
+/** A segment as it is listed; times in seconds. */
+export interface Listed {
+  number: number;
+  start: number;
+  length: number;
+  name: string;
+}
+
+export type Tab = "Detect" | "Segment" | "Labels" | "Score" | "Clip";
 
 export class App {
   readonly state: Locator;
@@ -184,15 +193,37 @@ export class App {
     return { share, plants };
   }
 
+  /** The segments that the Segment tab lists, as far as they are in sight. */
+  async segments(): Promise<Listed[]> {
+    await this.tab("Segment");
+    const rows = this.panel.getByRole("listitem").filter({ has: this.page.getByRole("textbox") });
+    await expect(rows.first()).toBeVisible();
+    const found: Listed[] = [];
+    for (const row of await rows.all()) {
+      const label = (await row.getByRole("button").getAttribute("aria-label")) ?? "";
+      const [number = 0, start = 0, length = 0] = (label.match(/[\d.]+/g) ?? []).map(Number);
+      found.push({ number, start, length, name: await row.getByRole("textbox").inputValue() });
+    }
+    return found;
+  }
+
+  /** Saves by a button of the Segment tab. */
+  async saveSegments(button: "Segments" | "Table" | "BABEL" | "Clips"): Promise<Saved> {
+    await this.tab("Segment");
+    const save = this.panel.getByRole("button", { name: "Save", exact: true });
+    if ((await save.getAttribute("aria-expanded")) !== "true") await save.click();
+    return this.download(() =>
+      this.panel.getByRole("button", { name: new RegExp(`^${button}`) }).click(),
+    );
+  }
+
   /** What the page hands over as a download when something is done. */
   async download(act: () => Promise<void>): Promise<Saved> {
     const coming = this.page.waitForEvent("download");
     await act();
     const download = await coming;
-    return {
-      name: download.suggestedFilename(),
-      text: readFileSync(await download.path(), "utf8"),
-    };
+    const bytes = readFileSync(await download.path());
+    return { name: download.suggestedFilename(), text: bytes.toString("utf8"), bytes };
   }
 
   /** Saves by a button of the Labels tab. */

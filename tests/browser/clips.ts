@@ -21,13 +21,28 @@ export const good = (name: string) => clip(`tests/files/good/${name}.bvh`);
 export const bad = (name: string) => clip(`tests/files/bad/${name}.bvh`);
 export const sample = (name: string) => clip(`samples/${name}.bvh`);
 
-export interface Listed {
+export interface Sample {
   name: string;
   title: string;
 }
 
+/** A file of a person's own. */
+export const file = (name: string, text: string): Payload => ({
+  name,
+  mimeType: "application/octet-stream",
+  buffer: Buffer.from(text),
+});
+
+/** The same clip with its motion so many times over. */
+export function repeated(clip: Payload, times: number): Payload {
+  const [head = "", motion = ""] = clip.buffer.toString().split(/^Frames: .*\n/m);
+  const [time = "", ...rows] = motion.trimEnd().split("\n");
+  const all = Array.from({ length: times }, () => rows).flat();
+  return file(clip.name, `${head}Frames: ${all.length}\n${time}\n${all.join("\n")}\n`);
+}
+
 /** The samples in the order of the gallery. */
-export const samples: readonly Listed[] = JSON.parse(
+export const samples: readonly Sample[] = JSON.parse(
   readFileSync(join(root, "samples/index.json"), "utf8"),
 );
 

@@ -1,13 +1,7 @@
 import { type App, expect, test } from "./app";
-import { clip, good, type Payload, sample } from "./clips";
+import { clip, file, good, type Payload, sample } from "./clips";
 
 const truth = (name: string) => clip(`samples/${name}.json`);
-
-const file = (name: string, text: string): Payload => ({
-  name,
-  mimeType: "application/octet-stream",
-  buffer: Buffer.from(text),
-});
 
 /** Drops labels beside the clip that is open. */
 async function compare(app: App, labels: Payload) {
@@ -59,6 +53,8 @@ test("N and the list go from difference to difference", async ({ app, page }) =>
   // Thresholds leave something to disagree about.
   await page.getByRole("combobox", { name: "Method" }).selectOption("speed");
   await app.tab("Score");
+  // Rows out of sight do not exist.
+  await app.panel.evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
   const items = app.panel.getByRole("listitem").getByRole("button");
   await expect.poll(() => items.count()).toBeGreaterThan(2);
   const seconds = (await items.allInnerTexts()).map((text) => Number(/\d+\.\d\d/.exec(text)?.[0]));

@@ -1,5 +1,5 @@
 import { type App, expect, test } from "./app";
-import { clip, type Payload, sample } from "./clips";
+import { clip, repeated, sample } from "./clips";
 import { readLabels } from "./labels";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -69,15 +69,6 @@ test("a long clip leaves the buttons of playback their room", async ({ app }) =>
   await expectNoSideways(app);
 });
 
-/** The same clip with its motion so many times over. */
-function repeated(file: Payload, times: number): Payload {
-  const [head = "", motion = ""] = file.buffer.toString().split(/^Frames: .*\n/m);
-  const [time = "", ...rows] = motion.trimEnd().split("\n");
-  const all = Array.from({ length: times }, () => rows).flat();
-  const text = `${head}Frames: ${all.length}\n${time}\n${all.join("\n")}\n`;
-  return { ...file, buffer: Buffer.from(text) };
-}
-
 test("the bars of the timeline can be hit by a thumb", async ({ app, page }) => {
   await app.sample("frog-jumps");
   const labels = readLabels(await app.save("Labels"));
@@ -142,4 +133,41 @@ test("a comparison fits a phone", async ({ app, page }) => {
   const open = page.getByRole("button", { name: "Open", exact: true });
   await expect(open).toBeInViewport({ ratio: 1 });
   await expect(app.panel.getByRole("row", { name: /^0\.3 s/ })).toBeInViewport({ ratio: 1 });
+});
+
+test("a tap loops a segment, and a second one asks for its name", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  const box = await app.tracks.boundingBox();
+  if (!box) throw new Error("The timeline has no canvas.");
+  const loop = app.timeline.getByText("Loop segment", { exact: false });
+  const name = page.getByRole("textbox", { name: "Name of segment 2" });
+  let at = 0;
+  let hit = 0;
+  for (let y = box.height - 40; y > 200; y -= 2) {
+    await page.touchscreen.tap(box.x + 0.75 * box.width, box.y + y);
+    if (!(await loop.textContent({ timeout: 100 }).catch(() => ""))) continue;
+    at ||= y;
+    hit += 2;
+    if (hit >= 24) break;
+    // Not twice in time for a double tap.
+    await page.keyboard.press("Home");
+    await page.keyboard.press("l");
+    await page.waitForTimeout(410);
+  }
+  expect(hit).toBeGreaterThanOrEqual(24);
+  await page.waitForTimeout(410);
+  for (let i = 0; i < 2; i++) await page.touchscreen.tap(box.x + 0.75 * box.width, box.y + at - 8);
+  await expect(name).toBeFocused();
+  await expect(name).toBeInViewport({ ratio: 1 });
+  await expectNoSideways(app);
+});
+
+test("all five tabs fit a phone", async ({ app, page }) => {
+  await app.sample("frog-jumps");
+  await app.drop(clip("samples/frog-jumps.json"));
+  for (const tab of await page.getByRole("tab").all()) {
+    await expect(tab).toBeInViewport({ ratio: 1 });
+  }
+  await expect(page.getByRole("tab")).toHaveCount(5);
+  await expectNoSideways(app);
 });

@@ -57,12 +57,14 @@ test("comma and full stop change the speed", async ({ app, page }) => {
   await expect(speed).toHaveValue("4");
 });
 
-test("L loops the clip, then a plant, then nothing", async ({ app, page }) => {
+test("L loops the clip, then a plant, then a segment, then nothing", async ({ app, page }) => {
   await app.sample("bowling");
   const loop = app.timeline.getByRole("button", { name: /^Loop/ });
   await expect(loop).toHaveText("Loop clip");
   await page.keyboard.press("l");
   await expect(loop).toHaveText(/^Loop plant \d+$/);
+  await page.keyboard.press("l");
+  await expect(loop).toHaveText("Loop segment 1");
   await page.keyboard.press("l");
   await expect(loop).toHaveText("Loop off");
   await expect(loop).toHaveAttribute("aria-pressed", "false");
@@ -72,8 +74,7 @@ test("L loops the clip, then a plant, then nothing", async ({ app, page }) => {
 
 test("without a loop a clip plays to its end and stays there", async ({ app, page }) => {
   await app.sample("bowling");
-  await page.keyboard.press("l");
-  await page.keyboard.press("l");
+  for (let i = 0; i < 3; i++) await page.keyboard.press("l");
   await page.keyboard.press("End");
   for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("Space");

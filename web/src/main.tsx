@@ -10,6 +10,7 @@ import "./styles/viewer.css";
 import "./styles/timeline.css";
 import "./styles/panel.css";
 import "./styles/score.css";
+import "./styles/segment.css";
 
 const root = document.getElementById("app");
 if (root) render(<App />, root);

@@ -51,6 +51,14 @@ impl RawClip {
     pub(crate) fn core(&self) -> &Clip {
         &self.clip
     }
+
+    pub(crate) fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    pub(crate) fn notices(&self) -> &[Notice] {
+        &self.notices
+    }
 }
 
 /// A clip with its skeleton.

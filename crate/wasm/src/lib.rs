@@ -7,11 +7,16 @@ mod clip;
 mod compare;
 mod detection;
 mod records;
+mod segmentation;
 
 pub use clip::{RawClip, RawReader};
 pub use compare::{DisagreementFacts, EventFacts, RawLabelling, ScoreFacts, ScoreRow};
 pub use detection::RawDetection;
-pub use records::{ClipFacts, DetectOptions, Failure, JointFacts, MethodFacts, NoticeText, Overrides};
+pub use records::{
+    ClipFacts, DetectOptions, Failure, JointFacts, MethodFacts, NoticeText, Overrides, SegmentFacts,
+    SegmentMethodFacts, SegmentOptions,
+};
+pub use segmentation::{CutScore, RawSegmentation, RawSegments, has_segments, segment_methods};
 
 use plantigrade::plants::Method;
 use tsify::Ts;

@@ -6,6 +6,7 @@ use plantigrade::bvh::{Error, JointKind};
 use plantigrade::labels::{LabelsError, Side};
 use plantigrade::notice::Notice;
 use plantigrade::plants::{DetectError, Family, Method, ParamError, Params};
+use plantigrade::segments::{self, Segment, SegmentError};
 use plantigrade::skeleton::{self, Role};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -78,6 +79,18 @@ impl From<DetectError> for Failure {
 
 impl From<ParamError> for Failure {
     fn from(error: ParamError) -> Failure {
+        Failure { message: error.to_string(), ..Failure::default() }
+    }
+}
+
+impl From<SegmentError> for Failure {
+    fn from(error: SegmentError) -> Failure {
+        Failure { message: error.to_string(), ..Failure::default() }
+    }
+}
+
+impl From<segments::ParamError> for Failure {
+    fn from(error: segments::ParamError) -> Failure {
         Failure { message: error.to_string(), ..Failure::default() }
     }
 }
@@ -293,6 +306,107 @@ impl From<Method> for MethodFacts {
             about: method.about().into(),
             family: family.into(),
             parts: method.parts().iter().map(|part| part.name().into()).collect(),
+        }
+    }
+}
+
+/// How a clip is to be cut.
+#[derive(Debug, Default, Serialize, Deserialize, Tsify)]
+pub struct SegmentOptions {
+    /// The method's name: one that `segmentMethods` lists.
+    pub method: String,
+    /// Dimensions kept before the rest is called residual.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dims: Option<usize>,
+    /// What of the eigenvalues is called residual.
+    #[tsify(optional, type = "\"absolute\" | \"ratio\"")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual: Option<String>,
+    /// The pose that others are compared with: the mean, the rest pose or that of a frame.
+    #[tsify(optional, type = "\"mean\" | \"tpose\" | `${number}`")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub template: Option<String>,
+    /// Keeps to the letter of what was published.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub published: Option<bool>,
+}
+
+impl TryFrom<&SegmentOptions> for segments::Params {
+    type Error = Failure;
+
+    fn try_from(options: &SegmentOptions) -> Result<segments::Params, Failure> {
+        let SegmentOptions { method, dims, residual, template, published } = options;
+        Ok(segments::Params {
+            method: method.parse()?,
+            dims: *dims,
+            residual: residual.as_deref().map(str::parse).transpose()?.unwrap_or_default(),
+            template: template.as_deref().map(str::parse).transpose()?.unwrap_or_default(),
+            published: published.unwrap_or_default(),
+        })
+    }
+}
+
+/// A method of segmentation, for a menu.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct SegmentMethodFacts {
+    /// What the options call it.
+    pub name: String,
+    /// What people call it.
+    pub title: String,
+    /// What it does, in a sentence.
+    pub about: String,
+    /// The dimensions that it keeps unless told otherwise, if that can be told.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dims: Option<usize>,
+    /// The other options that matter to it.
+    #[tsify(type = "(\"residual\" | \"template\" | \"published\")[]")]
+    pub options: Vec<String>,
+}
+
+impl From<segments::Method> for SegmentMethodFacts {
+    fn from(method: segments::Method) -> SegmentMethodFacts {
+        use segments::Method;
+        let (dims, options): (_, &[&str]) = match method {
+            Method::Auto | Method::Pca => (None, &[]),
+            Method::Lsd => (None, &["template", "published"]),
+            Method::Mvu => (Some(1), &["residual", "published"]),
+            Method::PcaTail => (Some(2), &[]),
+            Method::Ppca => (None, &["published"]),
+        };
+        SegmentMethodFacts {
+            name: method.name().into(),
+            title: method.title().into(),
+            about: method.about().into(),
+            dims,
+            options: options.iter().map(|&option| option.into()).collect(),
+        }
+    }
+}
+
+/// One action: frames half-open.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct SegmentFacts {
+    /// First frame.
+    pub start: usize,
+    /// First frame after.
+    pub end: usize,
+    /// What kind of action it is.
+    #[tsify(type = "\"action\" | \"periodic\" | \"aperiodic\"")]
+    pub kind: String,
+    /// The method's name for it; empty where there is none.
+    pub label: String,
+}
+
+impl From<&Segment> for SegmentFacts {
+    fn from(segment: &Segment) -> SegmentFacts {
+        SegmentFacts {
+            start: segment.frames.start,
+            end: segment.frames.end,
+            kind: segment.kind.name().into(),
+            label: segment.label.clone(),
         }
     }
 }

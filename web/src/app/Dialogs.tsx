@@ -72,7 +72,7 @@ function KeysDialog() {
       </div>
       <p class="note">
         On the timeline: wheel zooms, Shift and wheel or a middle drag pans, a click on a bar goes
-        to its start.
+        to its start, a double click on a segment names it.
       </p>
     </Dialog>
   );

@@ -1,19 +1,22 @@
 import { cancelOpening } from "./open";
-import { task } from "./state";
+import { openClip, task, work } from "./state";
 
 const stages = { fetch: "Downloading", read: "Reading", detect: "Finding plants in" } as const;
 
-/** What is being opened. The style sheet holds it back for 200 ms: most clips are faster. */
+/** What is being done. The style sheet holds it back for 200 ms: most clips are faster. */
 export function Progress() {
-  const held = task.value;
+  const opening = task.value;
+  const held = opening
+    ? { share: undefined, ...opening, what: stages[opening.stage], stop: cancelOpening }
+    : work.value[0] && { name: openClip.value?.name ?? "", share: undefined, ...work.value[0] };
   if (!held) return null;
   return (
     <div class="progress" role="status">
       <p>
-        {stages[held.stage]} <strong>{held.name}</strong>
+        {held.what} <strong>{held.name}</strong>
       </p>
-      <progress aria-label={`${stages[held.stage]} ${held.name}`} value={held.share} max={1} />
-      <button type="button" class="button" onClick={cancelOpening}>
+      <progress aria-label={`${held.what} ${held.name}`} value={held.share} max={1} />
+      <button type="button" class="button" onClick={held.stop}>
         Cancel
       </button>
     </div>

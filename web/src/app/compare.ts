@@ -7,13 +7,16 @@ import { fetchBlob } from "./fetch";
 import { pause, seek } from "./playback";
 import {
   announcement,
+  cutScores,
   detection,
   frame,
   openClip,
   other,
+  otherSegments,
   score,
   scorePart,
   scores,
+  segmentation,
   source,
   tab,
 } from "./state";
@@ -21,7 +24,7 @@ import {
 /** Labels of an hour at 240 Hz stay below. */
 const sizeLimit = 2 ** 27;
 
-/** Shows someone else's labels of the clip beside ours, and how they agree. */
+/** Shows someone else's labels or segments of the clip beside ours, and how they agree. */
 export async function compareWith(name: string, data: Blob): Promise<void> {
   const about = source.value;
   if (!openClip.value) {
@@ -45,11 +48,16 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
       return;
     }
     batch(() => {
-      other.value = compared.other;
-      tab.value = "score";
+      if ("segments" in compared) {
+        otherSegments.value = compared.segments;
+        tab.value = "segment";
+      } else {
+        other.value = compared.other;
+        tab.value = "score";
+      }
       announcement.value = `Compared with ${name}`;
     });
-    await rescore();
+    await ("segments" in compared ? rescoreSegments() : rescore());
   } catch (error) {
     fail(name, { message: messageOf(error) });
   }
@@ -82,6 +90,20 @@ export async function rescore(): Promise<void> {
   const [ours, theirs] = [detection.value, other.value];
   const measured = ours && theirs ? await engine.score() : [];
   if (detection.value === ours && other.value === theirs) scores.value = measured;
+}
+
+/** The same for segments. */
+export async function rescoreSegments(): Promise<void> {
+  const [ours, theirs] = [segmentation.value, otherSegments.value];
+  const measured = ours && theirs ? await engine.scoreSegments() : [];
+  if (segmentation.value === ours && otherSegments.value === theirs) cutScores.value = measured;
+}
+
+export function dropOtherSegments() {
+  batch(() => {
+    otherSegments.value = null;
+    cutScores.value = [];
+  });
 }
 
 /** Goes to the next or the previous frame where the labels begin to differ, round and round. */

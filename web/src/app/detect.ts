@@ -4,6 +4,7 @@ import type { DetectOptions, Overrides } from "../worker/types";
 import { rescore } from "./compare";
 import { engine } from "./engine";
 import { messageOf } from "./failing";
+import { segmentNow, stopSegmenting } from "./segment";
 import {
   clip,
   detectFailure,
@@ -30,8 +31,10 @@ export async function detectNow(asked: DetectOptions = options.value): Promise<v
       detection.value = detected.ok ? detected.detection : null;
       detectFailure.value = detected.ok ? null : detected.failure;
       // Plants have moved: a loop on one of them would repeat something else.
-      if (loop.value === "plant") loop.value = "clip";
-      loopRegion.value = null;
+      if (loop.value === "plant") {
+        loop.value = "clip";
+        loopRegion.value = null;
+      }
     });
     await rescore();
   } catch (error) {
@@ -52,12 +55,14 @@ export function setOptions(change: Partial<DetectOptions>) {
 
 const overrideLatest = latest(async (asked: Overrides) => {
   const about = source.value;
+  stopSegmenting();
   try {
     const opened = await engine.override(asked);
     if (source.value !== about) return;
     if (opened.ok) clip.value = opened.clip;
     else failure.value = { name: about?.name ?? "", failure: opened.failure };
     await detectNow();
+    if (source.value === about) await segmentNow();
   } catch (error) {
     failure.value = { name: about?.name ?? "", failure: { message: messageOf(error) } };
   }

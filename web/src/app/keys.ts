@@ -1,17 +1,22 @@
+import type { Action } from "../lib/segments";
 import { stepDisagreement } from "./compare";
 import {
   changeSpeed,
   cycleLoop,
   fitTimeline,
+  loopSegment,
   pause,
   seek,
+  segmentHere,
   step,
+  stepCut,
   stepEdge,
   togglePlay,
   zoomTimeline,
 } from "./playback";
 import { save } from "./save";
-import { type CameraView, clip, dialog, frameAllRequests, look, openClip } from "./state";
+import { askForName } from "./segment";
+import { type CameraView, chosen, clip, dialog, frameAllRequests, look, openClip } from "./state";
 
 /** Every key of the page, in the words of the dialog that lists them. */
 export const keyTable: readonly (readonly [
@@ -27,7 +32,15 @@ export const keyTable: readonly (readonly [
       ["N", "Next difference; with Shift the one before"],
       ["Home End", "First, last frame"],
       [", .", "Slower, faster"],
-      ["L", "Loop: clip, plant, off"],
+      ["L", "Loop: clip, plant, segment, off"],
+    ],
+  ],
+  [
+    "Segments",
+    [
+      ["[ ]", "Previous, next cut"],
+      ["S", "Loop the segment here"],
+      ["Enter", "Name the segment looped, or here"],
     ],
   ],
   [
@@ -58,7 +71,7 @@ function belongsToControl(event: KeyboardEvent): boolean {
   if (at.closest("[role=slider]")) return false;
   if (at.matches("input[type=range]")) return /^(Arrow|Home|End|Page)/.test(event.key);
   if (at.closest("input, select, textarea, [role=tablist], [contenteditable]")) return true;
-  return event.key === " " && at.closest("button, a, summary") !== null;
+  return /^( |Enter)$/.test(event.key) && at.closest("button, a, summary") !== null;
 }
 
 export function onKey(event: KeyboardEvent, openPicker: () => void) {
@@ -73,7 +86,9 @@ export function onKey(event: KeyboardEvent, openPicker: () => void) {
     }
     return;
   }
-  if (event.ctrlKey || event.metaKey || event.altKey || dialog.value) return;
+  // Brackets need AltGr on many keyboards, which some systems tell as Ctrl and Alt.
+  const isBracket = /^[[\]]$/.test(event.key);
+  if ((!isBracket && (event.ctrlKey || event.altKey)) || event.metaKey || dialog.value) return;
   if (belongsToControl(event)) return;
   if (event.key === "?") {
     dialog.value = "keys";
@@ -94,6 +109,10 @@ function act(event: KeyboardEvent): boolean {
   else if (event.key === ",") changeSpeed(-1);
   else if (event.key === ".") changeSpeed(1);
   else if (event.key === "l" || event.key === "L") cycleLoop();
+  else if (event.key === "[") stepCut(-1);
+  else if (event.key === "]") stepCut(1);
+  else if (event.key === "s" || event.key === "S") withSegment(segmentHere(), loopSegment);
+  else if (event.key === "Enter") withSegment(chosen.value ?? segmentHere(), askForName);
   else if (event.key === "f" || event.key === "F") frameAllRequests.value++;
   else if (event.key === "n" || event.key === "N") stepDisagreement(event.shiftKey ? -1 : 1);
   else if (event.key === "0") fitTimeline();
@@ -101,6 +120,10 @@ function act(event: KeyboardEvent): boolean {
   else if (event.key === "-") zoomTimeline(1 / 0.7);
   else return false;
   return true;
+}
+
+function withSegment(action: Action | undefined, act: (action: Action) => void) {
+  if (action) act(action);
 }
 
 function jump(to: number) {

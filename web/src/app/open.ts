@@ -4,13 +4,14 @@ import { isLabels } from "../lib/labels";
 import { bytes } from "../lib/time";
 import { clampView } from "../lib/timeView";
 import type { Clip } from "../worker/types";
-import { compareWith, dropComparison } from "./compare";
+import { compareWith, dropComparison, dropOtherSegments } from "./compare";
 import { detectNow } from "./detect";
 import { engine } from "./engine";
 import { fail, messageOf, refuse } from "./failing";
 import { fetchBlob } from "./fetch";
 import { pause, play, prefersStill } from "./playback";
 import { heroSample, samples } from "./samples";
+import { segmentNow } from "./segment";
 import type { Refusal, Source } from "./state";
 import * as state from "./state";
 
@@ -82,6 +83,8 @@ export async function openSource(
     return false;
   }
   const { mine, signal } = begin(source.name, "read");
+  // The worker would come to it only after all that it still does for the clip before.
+  for (const { stop } of state.work.value) stop();
   try {
     const opened = await Promise.race([
       engine.open(source.data, source.name, {
@@ -100,7 +103,10 @@ export async function openSource(
     present(opened.clip, source, false);
     state.task.value = { name: source.name, stage: "detect" };
     await Promise.race([detectNow(), aborted(signal)]);
-    if (mine === turn) state.task.value = null;
+    if (mine !== turn) return true;
+    const segmented = segmentNow();
+    state.task.value = null;
+    await segmented;
     return true;
   } catch (error) {
     if (mine === turn) fail(source.name, { message: messageOf(error) }, source);
@@ -117,11 +123,20 @@ function present(clip: Clip, source: Source, asHero: boolean) {
     state.overrides.value = {};
     state.detection.value = null;
     state.detectFailure.value = null;
+    state.segmentation.value = null;
+    state.segmentFailure.value = null;
+    state.segmentNames.value = [];
+    // A frame of another clip is no template.
+    if (Number.isInteger(Number(state.segmentOptions.value.template))) {
+      const { template: _, ...rest } = state.segmentOptions.value;
+      state.segmentOptions.value = rest;
+    }
     dropComparison();
+    dropOtherSegments();
     // What was refused before and opens now is no longer refused.
     state.refused.value = state.refused.value.filter((refusal) => refusal.source !== source);
+    if (state.looped.value) state.loop.value = "clip";
     state.loopRegion.value = null;
-    if (state.loop.value === "plant") state.loop.value = "clip";
     state.playhead.value = 0;
     state.timeView.value = clampView({ start: 0, end: clip.frames }, clip.frames);
     state.clip.value = clip;

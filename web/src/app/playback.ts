@@ -1,13 +1,17 @@
 import { batch } from "@preact/signals";
 import { nextEdge, type Plant, plantAt } from "../lib/plants";
+import { type Action, actionAt, kindText } from "../lib/segments";
 import { clampView, follow as turnPage, zoomAt } from "../lib/timeView";
 import {
+  actions,
   announcement,
   clip,
+  cuts,
   edges,
   frame,
   hero,
   loop,
+  looped,
   loopRegion,
   plants,
   playhead,
@@ -33,7 +37,7 @@ function tick(now: number) {
   // A tab that slept must not leap ahead, and the first picture may be dated before the start.
   const elapsed = Math.min(Math.max(0, now - before) / 1000, 0.25);
   before = now;
-  const region = loop.value === "plant" && !hero.value ? loopRegion.value : null;
+  const region = hero.value ? null : looped.value;
   const start = region?.start ?? 0;
   const end = region ? Math.min(region.end, lastFrame()) : lastFrame();
   let next = playhead.value + elapsed * held.rate * (hero.value ? 1 : speed.value);
@@ -93,24 +97,45 @@ export function seekPlant(plant: Plant) {
   });
 }
 
+/** Goes to the previous or the next cut between segments, or to the end of the clip. */
+export function stepCut(direction: 1 | -1) {
+  pause();
+  seek(nextEdge(cuts.value, frame.value, direction) ?? (direction > 0 ? lastFrame() : 0));
+}
+
+/** Goes to the start of a segment and repeats it. */
+export function loopSegment(action: Action) {
+  batch(() => {
+    loopRegion.value = action;
+    loop.value = "segment";
+    seek(action.start);
+    const words = [action.name, kindText(action)].filter(Boolean).join(", ");
+    announcement.value = `Segment ${action.number}${words && `, ${words}`}, frames ${action.start} to ${action.end}`;
+  });
+}
+
+/** The segment under the playhead. */
+export const segmentHere = () => actionAt(actions.value, frame.value);
+
 export function changeSpeed(direction: 1 | -1) {
   const nearest = speeds.findIndex((s) => s >= speed.value);
   const next = speeds[Math.min(Math.max(nearest + direction, 0), speeds.length - 1)];
   if (next) speed.value = next;
 }
 
-/** Off → the clip → the plant under the playhead (or the next one) → off. */
+/** Off → the clip → the plant under the playhead (or the next one) → the segment there → off. */
 export function cycleLoop() {
-  if (loop.value === "off") loop.value = "clip";
-  else if (loop.value === "plant") loop.value = "off";
-  else {
-    const at = playhead.value;
-    const plant = plantAt(plants.value, at) ?? plants.value.find((p) => p.start >= at);
-    batch(() => {
-      loopRegion.value = plant ?? null;
-      loop.value = plant ? "plant" : "off";
-    });
-  }
+  const at = playhead.value;
+  const plant = plantAt(plants.value, at) ?? plants.value.find((p) => p.start >= at);
+  const regions = { plant, segment: segmentHere() };
+  const order = ["off", "clip", "plant", "segment"] as const;
+  const next = order
+    .slice(order.indexOf(loop.value) + 1)
+    .find((kind) => kind === "clip" || (kind !== "off" && regions[kind]));
+  batch(() => {
+    loopRegion.value = ((next === "plant" || next === "segment") && regions[next]) || null;
+    loop.value = next ?? "off";
+  });
 }
 
 export function fitTimeline() {

@@ -1,8 +1,10 @@
 import { computed, signal } from "@preact/signals";
 import { plantEdges, plantsOf } from "../lib/plants";
+import { type Action, actionsOf, cutsOf, type Named } from "../lib/segments";
 import type { TimeView } from "../lib/timeView";
 import type {
   Clip,
+  CutScore,
   Detection,
   DetectOptions,
   Failure,
@@ -11,6 +13,10 @@ import type {
   Overrides,
   Part,
   Score,
+  Segmentation,
+  SegmentMethod,
+  SegmentOptions,
+  Segments,
 } from "../worker/types";
 
 /** A clip that can be opened: a dropped file, a sample, a link. */
@@ -36,9 +42,17 @@ export interface Task {
   share?: number;
 }
 
+/** What the worker does for the clip on show, where that takes time. */
+export interface Work {
+  /** What is done, to be followed by a name. */
+  what: string;
+  share?: number;
+  stop: () => void;
+}
+
 export type CameraView = "perspective" | "front" | "side" | "top";
-export type Tab = "detect" | "labels" | "score" | "clip";
-export type Loop = "off" | "clip" | "plant";
+export type Tab = "detect" | "segment" | "labels" | "score" | "clip";
+export type Loop = "off" | "clip" | "plant" | "segment";
 
 /** The clip on show; null before the first one is read. */
 export const clip = signal<Clip | null>(null);
@@ -69,6 +83,24 @@ export const score = computed(
   () => scores.value.find(({ part }) => part === scorePart.value) ?? scores.value[0],
 );
 
+/** The segments of the clip on show; null while there are none. */
+export const segmentation = signal<Segmentation | null>(null);
+
+/** Why there are no segments. */
+export const segmentFailure = signal<Failure | null>(null);
+
+/** What people called actions of the clip on show, whatever the segments are at the moment. */
+export const segmentNames = signal<readonly Named[]>([]);
+
+/** Someone else's segments of the clip, shown below ours. */
+export const otherSegments = signal<Segments | null>(null);
+
+/** How the cuts of ours agree with those. */
+export const cutScores = signal<readonly CutScore[]>([]);
+
+/** All methods of segmentation; empty until they are known. */
+export const segmentMethods = signal<readonly SegmentMethod[]>([]);
+
 /** All methods of detection; empty until they are known. */
 export const methods = signal<readonly MethodFacts[]>([]);
 
@@ -84,11 +116,17 @@ export const refusedShown = signal(false);
 /** What is being opened right now. */
 export const task = signal<Task | null>(null);
 
+/** What is being done for the clip on show and may take long, in the order of its beginning. */
+export const work = signal<readonly Work[]>([]);
+
 /** All files of the last drop, when there were several. */
 export const dropped = signal<readonly Source[]>([]);
 
 /** What the detector is asked for; kept from clip to clip. */
 export const options = signal<DetectOptions>({ method: "robust", r: 0.001, w: 1 });
+
+/** What segmentation is asked for; the method is kept from clip to clip. */
+export const segmentOptions = signal<SegmentOptions>({ method: "auto" });
 
 /** What a person corrected about the clip on show. */
 export const overrides = signal<Overrides>({});
@@ -104,8 +142,13 @@ export const speed = signal(1);
 /** What playback repeats. */
 export const loop = signal<Loop>("clip");
 
-/** The frames a loop of one plant repeats, half-open. */
+/** The frames a loop of one plant or segment repeats, half-open. */
 export const loopRegion = signal<TimeView | null>(null);
+
+/** Those frames as long as such a loop is on. */
+export const looped = computed(() =>
+  loop.value === "plant" || loop.value === "segment" ? loopRegion.value : null,
+);
 
 /** The part of the clip the timeline shows. */
 export const timeView = signal<TimeView>({ start: 0, end: 1 });
@@ -129,6 +172,9 @@ export const frameAllRequests = signal(0);
 
 export const tab = signal<Tab>("detect");
 
+/** The segment whose name is asked for; the panel's field for it takes the focus. */
+export const renaming = signal<Action | null>(null);
+
 /** On a phone the panel is a sheet; this is whether it is up. */
 export const sheetOpen = signal(false);
 
@@ -142,7 +188,7 @@ export const announcement = signal("");
 
 export const phase = computed(() => {
   if (failure.value) return "error";
-  if (task.value) return "loading";
+  if (task.value || (work.value.length && !segmentation.value)) return "loading";
   return clip.value && !hero.value ? "ready" : "empty";
 });
 
@@ -155,6 +201,20 @@ export const frame = computed(() => Math.floor(playhead.value + 1e-6));
 export const plants = computed(() => (detection.value ? plantsOf(detection.value) : []));
 
 export const edges = computed(() => plantEdges(plants.value, clip.value?.frames ?? 1));
+
+/** The segments with what people call them. */
+export const actions = computed(() =>
+  actionsOf(segmentation.value?.segments ?? [], segmentNames.value),
+);
+
+/** The first frame of each segment but the first. */
+export const cuts = computed(() => cutsOf(actions.value));
+
+/** The segment that is looped. */
+export const chosen = computed(() => {
+  const start = loop.value === "segment" ? loopRegion.value?.start : undefined;
+  return actions.value.find((action) => action.start === start);
+});
 
 /** Everything the reader and the detector had to say. */
 export const notices = computed(() => [

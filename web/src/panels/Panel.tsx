@@ -4,9 +4,11 @@ import { ClipPanel } from "./ClipPanel";
 import { DetectPanel } from "./DetectPanel";
 import { LabelsPanel } from "./LabelsPanel";
 import { ScorePanel } from "./ScorePanel";
+import { SegmentPanel } from "./SegmentPanel";
 
 const allTabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
   ["detect", "Detect", DetectPanel],
+  ["segment", "Segment", SegmentPanel],
   ["labels", "Labels", LabelsPanel],
   ["score", "Score", ScorePanel],
   ["clip", "Clip", ClipPanel],

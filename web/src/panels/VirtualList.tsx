@@ -8,9 +8,12 @@ const rowHeight = 36;
 export function VirtualList<T>({
   items,
   row,
+  shown,
 }: {
   items: readonly T[];
   row: (item: T) => ComponentChildren;
+  /** Place of an item to bring into sight. */
+  shown?: number | undefined;
 }) {
   const box = useRef<HTMLDivElement>(null);
   const view = useSignal({ top: 0, height: 600 });
@@ -31,6 +34,15 @@ export function VirtualList<T>({
       observer.disconnect();
     };
   }, [view]);
+  useEffect(() => {
+    const scroller = box.current?.closest(".panel-body");
+    if (shown === undefined || !scroller || !box.current) return;
+    const list = box.current.getBoundingClientRect().top - scroller.getBoundingClientRect().top;
+    const at = list + shown * rowHeight;
+    if (at < 0 || at + rowHeight > scroller.clientHeight) {
+      scroller.scrollTop += at - (scroller.clientHeight - rowHeight) / 2;
+    }
+  }, [shown]);
   const { top, height } = view.value;
   const from = Math.max(0, Math.floor(top / rowHeight) - 6);
   const to = Math.min(items.length, Math.ceil((top + height) / rowHeight) + 6);

@@ -1,8 +1,9 @@
 import { effect, type ReadonlySignal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { pause, seek } from "../app/playback";
+import { pause, seek, segmentHere } from "../app/playback";
 import { clip, detection, frame, plants, playhead, timeView } from "../app/state";
 import { plantAt } from "../lib/plants";
+import { titleOf } from "../lib/segments";
 import { toFrame, toX } from "../lib/timeView";
 import type { Layout } from "./layout";
 import { margin } from "./scene";
@@ -36,7 +37,11 @@ export function Playhead({
     const foot = (side: "left" | "right") =>
       plantAt(plants.value, at, side) ? `${side} planted` : `${side} in the air`;
     const feet = detection.value ? `, ${foot("left")}, ${foot("right")}` : "";
-    return `${(at / rate).toFixed(3)} s, frame ${at}${feet}`;
+    const action = segmentHere();
+    const segment = action
+      ? `, ${[`segment ${action.number}`, titleOf(action)].join(" ").trim()}`
+      : "";
+    return `${(at / rate).toFixed(3)} s, frame ${at}${feet}${segment}`;
   });
   const drag = (event: PointerEvent) => {
     const handle = event.currentTarget as HTMLElement;

@@ -1,14 +1,17 @@
 import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import {
+  actions,
+  chosen,
   clip,
   detectFailure,
   detection,
-  loop,
-  loopRegion,
+  looped,
   openClip,
   other,
+  otherSegments,
   plants,
+  segmentation,
   sheetOpen,
   tab,
   task,
@@ -23,6 +26,7 @@ import { layOut } from "./layout";
 import { PlantTable } from "./PlantTable";
 import { Playhead } from "./Playhead";
 import { paint } from "./paint";
+import { SegmentTable } from "./SegmentTable";
 import { Transport } from "./Transport";
 
 export function Timeline() {
@@ -30,9 +34,15 @@ export function Timeline() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const box = useSignal({ width: 0, height: 0 });
   const width = useComputed(() => box.value.width);
-  const layout = useComputed(() =>
-    layOut(detection.value, other.value, box.value.width, box.value.height),
-  );
+  const layout = useComputed(() => {
+    const shown = {
+      detection: detection.value,
+      other: other.value,
+      segmentation: segmentation.value,
+      otherSegments: otherSegments.value,
+    };
+    return layOut(shown, box.value.width, box.value.height);
+  });
 
   useEffect(() => {
     const host = room.current;
@@ -72,7 +82,11 @@ export function Timeline() {
         rate: held.rate,
         width: wide,
         plants: plants.peek(),
-        loop: loop.peek() === "plant" ? loopRegion.peek() : null,
+        segmentation: segmentation.peek(),
+        actions: actions.peek(),
+        chosen: chosen.peek(),
+        otherSegments: otherSegments.peek(),
+        loop: looped.peek(),
       });
     };
     const ask = () => {
@@ -85,13 +99,16 @@ export function Timeline() {
         ask();
       }),
       effect(() => {
-        void [layout.value, clip.value, timeView.value, plants.value, loop.value, loopRegion.value];
+        void [layout.value, clip.value, timeView.value, plants.value, actions.value, looped.value];
         ask();
       }),
       listen(surface, () => layout.peek()),
     ];
-    // Numbers measured before the typeface came would be cut.
-    void document.fonts?.ready.then(ask);
+    // What was measured before the typeface came would be cut.
+    void document.fonts?.ready.then(() => {
+      ink = undefined;
+      ask();
+    });
     return () => {
       cancelAnimationFrame(due);
       for (const stop of stops) stop();
@@ -114,18 +131,35 @@ export function Timeline() {
             }}
           />
         ) : (
-          detectFailure.value && !task.value && <Why failure={detectFailure.value} toJoints />
+          detectFailure.value &&
+          !task.value && (
+            <Why
+              failure={detectFailure.value}
+              toJoints
+              below={box.value.height - (layout.value.lanes[0]?.y ?? layout.value.minimap.y)}
+            />
+          )
         )}
       </div>
       <PlantTable />
+      <SegmentTable />
     </section>
   );
 }
 
 /** Why there are no lanes, in words, with the way out. */
-function Why({ failure, toJoints }: { failure: Failure; toJoints?: boolean }) {
+function Why({
+  failure,
+  toJoints,
+  below = 0,
+}: {
+  failure: Failure;
+  toJoints?: boolean;
+  /** Height of what stands below it, in pixels. */
+  below?: number;
+}) {
   return (
-    <div class="why">
+    <div class="why" ref={(element) => element?.style.setProperty("--below", `${below}px`)}>
       <p>{sentence(failure.message)}</p>
       {failure.hint && <p class="quiet">{failure.hint}</p>}
       {toJoints && (

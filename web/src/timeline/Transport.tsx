@@ -1,7 +1,7 @@
 import { useComputed } from "@preact/signals";
 import { Icon } from "../app/icons";
 import { cycleLoop, fitTimeline, speeds, togglePlay } from "../app/playback";
-import { frame, loop, loopRegion, openClip, plants, playing, speed } from "../app/state";
+import { chosen, frame, loop, loopRegion, openClip, plants, playing, speed } from "../app/state";
 import { clock, count } from "../lib/time";
 
 export function Transport() {
@@ -34,7 +34,7 @@ export function Transport() {
         type="button"
         class="button plain loop"
         aria-pressed={loop.value !== "off"}
-        title="Loop the clip, a plant, nothing (L)"
+        title="Loop the clip, a plant, a segment, nothing (L)"
         onClick={cycleLoop}
         disabled={still}
       >
@@ -75,6 +75,7 @@ export function Transport() {
 function LoopName() {
   if (loop.value === "off") return <span>Loop off</span>;
   if (loop.value === "clip") return <span>Loop clip</span>;
+  if (loop.value === "segment") return <span>Loop segment {chosen.value?.number}</span>;
   const plant = plants.value.find((p) => p.start === loopRegion.value?.start);
   return <span>Loop plant {plant?.number}</span>;
 }

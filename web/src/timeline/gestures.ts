@@ -1,10 +1,15 @@
 import { batch } from "@preact/signals";
-import { pause, seek, seekPlant } from "../app/playback";
-import { clip, plants, timeView } from "../app/state";
+import { loopSegment, pause, seek, seekPlant } from "../app/playback";
+import { askForName } from "../app/segment";
+import { actions, clip, plants, timeView } from "../app/state";
 import { intervalAt } from "../lib/plants";
+import { actionAt, titleOf } from "../lib/segments";
 import { moveEdge, pan, toFrame, toX, zoomAt } from "../lib/timeView";
 import { isBars, type Layout } from "./layout";
 import { margin } from "./scene";
+
+/** A second click on a segment within this time asks for its name, in milliseconds. */
+const doubleClick = 400;
 
 type Drag = "scrub" | "pan" | "map" | "map-start" | "map-end" | "pinch";
 
@@ -15,6 +20,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   let drag: Drag | null = null;
   let from = { x: 0, y: 0 };
   let moved = false;
+  let before = { number: 0, at: 0 };
 
   const place = (event: MouseEvent) => {
     const box = canvas.getBoundingClientRect();
@@ -83,7 +89,10 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   };
 
   const laneAt = (y: number) =>
-    layoutNow().lanes.find((lane) => isBars(lane) && y >= lane.y && y <= lane.y + lane.height);
+    layoutNow().lanes.find(
+      (lane) =>
+        (isBars(lane) || lane.kind === "segments") && y >= lane.y && y <= lane.y + lane.height,
+    );
 
   const scrub = (x: number, inner: number) => {
     batch(() => {
@@ -104,9 +113,11 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
           ? "ew-resize"
           : part === "map"
             ? "grab"
-            : barAt(x, y, inner)
+            : barAt(x, y, inner) || segmentAt(x, y, inner)
               ? "pointer"
               : "default";
+      const segment = segmentAt(x, y, inner);
+      canvas.title = segment ? titleOf(segment) : "";
       return;
     }
     const dx = event.clientX - finger.x;
@@ -150,6 +161,11 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
       : { lane, start: lane.track.intervals[at] ?? 0, end: lane.track.intervals[at + 1] ?? 0 };
   };
 
+  const segmentAt = (x: number, y: number, inner: number) =>
+    laneAt(y)?.kind === "segments"
+      ? actionAt(actions.value, toFrame(timeView.value, x, inner))
+      : undefined;
+
   const up = (event: PointerEvent) => {
     if (!fingers.delete(event.pointerId)) return;
     if (drag === "scrub" && !moved && event.type === "pointerup") click(event);
@@ -159,6 +175,15 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   const click = (event: PointerEvent) => {
     const { x, y, inner } = place(event);
     if (y < layoutNow().ruler.height) return;
+    const segment = segmentAt(x, y, inner);
+    if (segment) {
+      const now = { number: segment.number, at: event.timeStamp };
+      const again = before.number === now.number && now.at - before.at < doubleClick;
+      before = again ? { number: 0, at: 0 } : now;
+      if (again) askForName(segment);
+      else loopSegment(segment);
+      return;
+    }
     const bar = barAt(x, y, inner);
     if (!bar) {
       scrub(x, inner);

@@ -5,6 +5,9 @@ export interface Ink {
   ground: string;
   lane: string;
   line: string;
+  edge: string;
+  raised: string;
+  why: string;
   muted: string;
   text: string;
   left: string;
@@ -14,6 +17,7 @@ export interface Ink {
   hatch: Record<Side, CanvasPattern | string>;
   unknown: CanvasPattern | string;
   erode: CanvasPattern | string;
+  transition: CanvasPattern | string;
 }
 
 export function readInk(from: Element, pen: CanvasRenderingContext2D, ratio: number): Ink {
@@ -24,6 +28,9 @@ export function readInk(from: Element, pen: CanvasRenderingContext2D, ratio: num
     ground,
     lane: color("--lane"),
     line: color("--line"),
+    edge: color("--edge"),
+    raised: color("--raised"),
+    why: color("--why"),
     muted: color("--muted"),
     text: color("--ink"),
     left,
@@ -32,6 +39,7 @@ export function readInk(from: Element, pen: CanvasRenderingContext2D, ratio: num
     tint: { left: color("--left-tint"), right: color("--right-tint") },
     unknown: hatch(pen, color("--edge"), ratio),
     hatch: { left: hatch(pen, left, ratio), right: hatch(pen, right, ratio) },
+    transition: hatch(pen, color("--muted"), ratio),
     erode: dots(pen, ground, ratio),
   };
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { walker, walkerTrack } from "../lib/testing/walker";
-import type { Detection, Labelling } from "../worker/types";
-import { layOut } from "./layout";
+import type { Detection, Labelling, Segmentation } from "../worker/types";
+import { layOut, type Shown } from "./layout";
 
 const clip = walker("walk.bvh", 2);
 const tracks = {
@@ -14,8 +14,9 @@ const robust: Detection = {
   floor: 0,
   notices: [],
 };
+const nothing: Shown = { detection: null, other: null, segmentation: null, otherSegments: null };
 const kinds = (detection: Detection | null, width: number, room: number) =>
-  layOut(detection, null, width, room).lanes.map((lane) => lane.kind);
+  layOut({ ...nothing, detection }, width, room).lanes.map((lane) => lane.kind);
 
 it("shows per foot what the method knows, then the curves", () => {
   const foot = ["contact", "heel", "toe"];
@@ -40,7 +41,7 @@ describe("someone else's labels", () => {
   const other: Labelling = { name: "truth", parts: { contact: labels, toe: labels, heel: labels } };
   const foot = ["contact", "other", "heel", "other", "toe", "other"];
   const bars = (detection: Detection | null, width: number, room: number) =>
-    layOut(detection, other, width, room)
+    layOut({ ...nothing, detection, other }, width, room)
       .lanes.map(({ kind }) => kind)
       .filter((kind) => kind !== "height" && kind !== "speed");
 
@@ -50,7 +51,9 @@ describe("someone else's labels", () => {
   it("are reduced to one part where room is short", () => {
     const short = ["contact", "other", "heel", "toe"];
     expect(bars(robust, 390, 272)).toEqual([...short, ...short]);
-    expect(layOut(robust, other, 390, 272).height).toBeLessThanOrEqual(280);
+    expect(layOut({ ...nothing, detection: robust, other }, 390, 272).height).toBeLessThanOrEqual(
+      280,
+    );
   });
   it("stay away where we found none: the reason stands there", () => {
     expect(bars(null, 1440, 284)).toEqual([]);
@@ -59,14 +62,78 @@ describe("someone else's labels", () => {
 
 it("gives up curves before it overflows", () => {
   expect(kinds(robust, 1440, 236)).not.toContain("speed");
-  expect(kinds(robust, 390, 280)).not.toContain("height");
+  expect(kinds(robust, 390, 250)).not.toContain("height");
   for (const room of [236, 284, 400]) {
-    expect(layOut(robust, null, 1440, room).height).toBeLessThanOrEqual(room);
+    expect(layOut({ ...nothing, detection: robust }, 1440, room).height).toBeLessThanOrEqual(room);
   }
 });
 
 it("makes bars a finger can touch on a phone", () => {
-  for (const lane of layOut(robust, null, 390, 364).lanes) {
+  for (const lane of layOut({ ...nothing, detection: robust }, 390, 388).lanes) {
     if (lane.kind === "toe" || lane.kind === "heel") expect(lane.height).toBeGreaterThanOrEqual(28);
   }
+});
+
+describe("segments", () => {
+  const values = new Float32Array(9);
+  const curve = {
+    title: "Distance",
+    frames: values,
+    values,
+    threshold: new Float32Array(0),
+    extrema: new Uint32Array(0),
+  };
+  const segmentation: Segmentation = {
+    options: { method: "lsd" },
+    segments: [{ start: 0, end: 120, kind: "action", label: "" }],
+    transitions: new Uint32Array(0),
+    motifs: Uint32Array.of(0, 40, 40, 120),
+    classes: Uint32Array.of(1, 2),
+    curve,
+    notices: [],
+  };
+  const otherSegments = { name: "truth", segments: segmentation.segments };
+  const shown: Shown = { detection: robust, other: null, segmentation, otherSegments };
+  const below = (what: Shown, width: number, room: number) =>
+    layOut(what, width, room)
+      .lanes.slice(6)
+      .map(({ kind }) => kind);
+
+  it("stand below the feet, with motifs, someone else's and the method's curve", () => {
+    const all = ["height", "speed", "segments", "motifs", "others", "why"];
+    expect(below(shown, 1440, 400)).toEqual(all);
+    const plain = { ...segmentation, motifs: new Uint32Array(0) };
+    const alone = { ...shown, segmentation: plain, otherSegments: null };
+    expect(below(alone, 1440, 351)).toEqual(["height", "speed", "segments", "why"]);
+  });
+
+  it("give up curves before they overflow", () => {
+    const single = { ...shown, otherSegments: null };
+    for (const [width, room] of [
+      [1440, 300],
+      [1440, 270],
+      [390, 388],
+      [375, 280],
+    ] as const) {
+      const { height, lanes, minimap } = layOut(single, width, room);
+      expect(height).toBeLessThanOrEqual(room);
+      for (const [i, lane] of lanes.entries()) {
+        const next = lanes[i + 1]?.y ?? minimap.y;
+        expect(lane.y + lane.height).toBeLessThanOrEqual(next);
+      }
+    }
+  });
+
+  it("leave the room of the feet to the reason why there are none", () => {
+    const { lanes, minimap, height } = layOut({ ...shown, detection: null }, 1440, 351);
+    expect(lanes.map(({ kind }) => kind)).toEqual(["segments", "motifs", "others", "why"]);
+    expect(lanes[0]?.y).toBeGreaterThan(160);
+    expect(minimap.y).toBeGreaterThan(lanes.at(-1)?.y ?? 0);
+    expect(height).toBeLessThanOrEqual(351);
+  });
+
+  it("are high enough for a finger on a phone", () => {
+    const lane = layOut(shown, 390, 388).lanes.find(({ kind }) => kind === "segments");
+    expect(lane?.height).toBeGreaterThanOrEqual(28);
+  });
 });

@@ -1,5 +1,13 @@
 import { principalPart } from "../lib/plants";
-import type { Detection, Labelling, Part, Side, Track } from "../worker/types";
+import type {
+  Detection,
+  Labelling,
+  Part,
+  Segmentation,
+  Segments,
+  Side,
+  Track,
+} from "../worker/types";
 
 /** Bars of one part of one foot. */
 export interface Bars {
@@ -31,9 +39,25 @@ export interface Curves {
   height: number;
 }
 
-export type Lane = Bars | OtherBars | Curves;
+/** The segments, their motifs, someone else's segments, or what the method looks at. */
+export interface SegmentLane {
+  kind: "segments" | "motifs" | "others" | "why";
+  y: number;
+  height: number;
+}
+
+export type Lane = Bars | OtherBars | Curves | SegmentLane;
 
 export const isBars = (lane: Lane): lane is Bars => "track" in lane;
+export const isCurves = (lane: Lane): lane is Curves => "part" in lane;
+
+/** What there is to lay out. */
+export interface Shown {
+  detection: Detection | null;
+  other: Labelling | null;
+  segmentation: Segmentation | null;
+  otherSegments: Segments | null;
+}
 
 export interface Layout {
   lanes: readonly Lane[];
@@ -45,49 +69,63 @@ export interface Layout {
   height: number;
 }
 
-/** Sizes of a wide page and of a phone, where tracks grow to be touched. */
+/** Sizes of a wide page, of a phone, where tracks grow to be touched, and of a short phone. */
 const wide = {
   labels: 118,
   ruler: 30,
   contact: 12,
   bar: 16,
   other: 8,
+  segments: 20,
+  motifs: 13,
+  others: 14,
   gap: 3,
   group: 10,
-  curve: 40,
+  curve: 30,
   map: 18,
 };
-const narrow = {
+const narrow: Sizes = {
+  ...wide,
   labels: 100,
-  ruler: 30,
   contact: 16,
   bar: 28,
   other: 10,
-  gap: 3,
-  group: 10,
-  curve: 48,
+  segments: 28,
+  motifs: 14,
+  others: 16,
+  curve: 34,
   map: 28,
 };
+const short: Sizes = { ...narrow, contact: 12, bar: 24, segments: 24, group: 7, map: 24 };
+
+type Sizes = typeof wide;
+
+function sizesOf(width: number, room: number): Sizes {
+  if (width > 720) return wide;
+  return room < 300 ? short : narrow;
+}
+
+/** The tallest a curve grows, as so much more than the least. */
+const grow = 44;
 
 const order = ["contact", "heel", "toe"] as const;
 
 /**
  * The lanes from top to bottom: per foot contact, heel and toe, whichever the method
- * knows, each with someone else's below it, then as many curves as find room, which
- * share what is left.
+ * knows, each with someone else's below it; curves of the feet; the segments with their
+ * motifs, someone else's and the method's curve. Curves share what room is left.
  */
-export function layOut(
-  detection: Detection | null,
-  other: Labelling | null,
-  width: number,
-  room: number,
-): Layout {
-  const size = width <= 720 ? narrow : wide;
+export function layOut(shown: Shown, width: number, room: number): Layout {
+  const { detection, other } = shown;
+  const size = sizesOf(width, room);
   const ours = detection?.parts ?? {};
-  const compared = detection && other ? comparedParts(ours, other, size, room) : [];
+  const segments = segmentRows(shown, size);
+  const segmentsHeight = segments.reduce((sum, { height }) => sum + height + size.gap, 0);
+  const least = size.map + 10 + segmentsHeight + (segments.length ? size.gap : 0);
+  const compared = detection && other ? comparedParts(ours, other, size, room - least) : [];
   const lanes: Lane[] = [];
   let y = size.ruler + 6;
-  const add = (lane: Omit<Bars, "y"> | Omit<OtherBars, "y">) => {
+  const add = (lane: Omit<Bars, "y"> | Omit<OtherBars, "y"> | Omit<SegmentLane, "y">) => {
     lanes.push({ ...lane, y });
     y += lane.height + size.gap;
   };
@@ -105,15 +143,27 @@ export function layOut(
   }
   const part = ours.toe ? "toe" : principalPart(ours);
   const tracks = part && ours[part];
-  if (tracks) {
-    const left = room - y - size.map - 12;
-    const fit = Math.min(Math.floor(left / (size.curve + 8)), 2);
-    const height = Math.min(left / Math.max(fit, 1) - 8, size.curve + 60);
-    for (const kind of (["height", "speed"] as const).slice(0, Math.max(fit, 0))) {
-      lanes.push({ kind, part, left: tracks.left, right: tracks.right, y, height });
-      y += height + 8;
-    }
+  const left = room - y - least - 2;
+  const wanted = [
+    tracks && "height",
+    shown.segmentation?.curve.values.length && "why",
+    tracks && "speed",
+  ].filter(Boolean);
+  const fit = Math.min(Math.max(0, Math.floor(left / (size.curve + 8))), wanted.length);
+  const height = Math.min(left / Math.max(fit, 1) - 8, size.curve + grow);
+  const curves = wanted.slice(0, fit);
+  for (const kind of ["height", "speed"] as const) {
+    if (!tracks || !curves.includes(kind)) continue;
+    lanes.push({ kind, part, left: tracks.left, right: tracks.right, y, height });
+    y += height + 8;
   }
+  // Without feet the reason for it stands where they would be.
+  if (!lanes.length) y = room - least - (fit ? height + 8 : 0);
+  for (const row of segments) add(row);
+  if (curves.includes("why")) {
+    add({ kind: "why", height });
+    y += 8 - size.gap;
+  } else if (segments.length) y += size.gap;
   const mapY = Math.max(y, room - size.map - 10);
   return {
     lanes,
@@ -124,11 +174,20 @@ export function layOut(
   };
 }
 
+/** What there is of segments but the curve. */
+function segmentRows({ segmentation, otherSegments }: Shown, size: Sizes) {
+  const rows: Omit<SegmentLane, "y">[] = [];
+  if (segmentation) rows.push({ kind: "segments", height: size.segments });
+  if (segmentation?.motifs.length) rows.push({ kind: "motifs", height: size.motifs });
+  if (otherSegments) rows.push({ kind: "others", height: size.others });
+  return rows;
+}
+
 /** The parts of someone else's labels that are shown: all, or the principal one where room is short. */
 function comparedParts(
   ours: Detection["parts"],
   other: Labelling,
-  size: typeof wide,
+  size: Sizes,
   room: number,
 ): readonly Part[] {
   const theirs = order.filter((part) => other.parts[part]);
@@ -138,6 +197,6 @@ function comparedParts(
   const own = heights.reduce((sum, height) => sum + height, 0);
   const all = own + theirs.length * (size.other + size.gap) + size.group;
   const principal = principalPart(other.parts);
-  const fits = size.ruler + 6 + 2 * all + size.map + 10 <= room;
+  const fits = size.ruler + 6 + 2 * all <= room;
   return fits ? theirs : theirs.filter((part) => part === principal);
 }

@@ -3,7 +3,8 @@ import { toX } from "../lib/timeView";
 import { firstAfter } from "./bars";
 import type { Ink } from "./ink";
 import type { OtherBars } from "./layout";
-import { font, type Scene } from "./scene";
+import type { Scene } from "./scene";
+import { fitted } from "./text";
 
 interface Found {
   planted: Uint32Array;
@@ -57,18 +58,12 @@ export function paintOther(
 export function nameOther(
   pen: CanvasRenderingContext2D,
   ink: Ink,
-  lane: OtherBars,
+  name: string,
+  { y, height }: { y: number; height: number },
   left: number,
   right: number,
 ) {
-  pen.font = font(10);
+  const shown = fitted(pen, ink, name.replace(/\.(json|csv)$/i, ""), right - left, 10);
   pen.fillStyle = ink.muted;
-  let name = lane.name.replace(/\.(json|csv)$/i, "");
-  if (pen.measureText(name).width > right - left) {
-    while (name.length > 1 && pen.measureText(`${name}…`).width > right - left) {
-      name = name.slice(0, -1);
-    }
-    name = `${name.trimEnd()}…`;
-  }
-  pen.fillText(name, left, lane.y + lane.height / 2 + 0.5);
+  pen.fillText(shown, left, y + height / 2 + 0.5);
 }

@@ -2,10 +2,20 @@ import { toX } from "../lib/timeView";
 import { bar, bracket, paintBars } from "./bars";
 import { curveText, paintCurves, scaleText } from "./curves";
 import type { Ink } from "./ink";
-import { type Bars, isBars, type Lane } from "./layout";
+import { type Bars, isBars, isCurves, type Lane } from "./layout";
 import { nameOther, paintOther } from "./otherBars";
 import { paintRuler } from "./rulerPaint";
 import { font, margin, type Scene } from "./scene";
+import { paintMotifs, paintOthers, paintSegments, segmentSwatch } from "./segmentBars";
+import { twoLines } from "./text";
+import { paintWhy } from "./whyCurve";
+
+const painters = {
+  segments: paintSegments,
+  motifs: paintMotifs,
+  others: paintOthers,
+  why: paintWhy,
+};
 
 /** Draws everything but the playhead, which is an element of its own. */
 export function paint(pen: CanvasRenderingContext2D, scene: Scene) {
@@ -23,33 +33,48 @@ export function paint(pen: CanvasRenderingContext2D, scene: Scene) {
   pen.clip();
   for (const lane of layout.lanes) {
     if (isBars(lane)) paintBars(pen, scene, lane, inner);
+    else if (isCurves(lane)) paintCurves(pen, scene, lane, inner);
     else if (lane.kind === "other") paintOther(pen, scene, lane, inner);
-    else paintCurves(pen, scene, lane, inner);
+    else painters[lane.kind](pen, scene, lane, inner);
   }
   paintMinimap(pen, scene, inner);
   pen.restore();
 }
 
-function paintLabel(pen: CanvasRenderingContext2D, { ink, layout }: Scene, lane: Lane) {
+function paintLabel(pen: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
+  const { ink, layout } = scene;
   const middle = lane.y + lane.height / 2 + 0.5;
   const left = layout.labels > 100 ? 16 : 12;
+  const right = layout.labels - 6;
   pen.textAlign = "left";
   pen.font = font(12);
   pen.fillStyle = ink.muted;
-  if (lane.kind === "other") {
-    nameOther(pen, ink, lane, left + 20, layout.labels - 6);
-    return;
-  }
-  if (!isBars(lane)) {
+  if (isBars(lane)) {
+    // The swatch repeats the texture of the bar: a legend that needs no room.
+    swatch(pen, ink, lane, left, middle - 5);
+    pen.fillStyle = lane.kind === "contact" ? ink.text : ink.muted;
+    pen.fillText(`${lane.side === "left" ? "L" : "R"} ${lane.kind}`, left + 20, middle);
+  } else if (isCurves(lane)) {
     pen.fillText(curveText(lane), left, middle - 8);
     pen.font = font(11);
     pen.fillText(scaleText(lane), left, middle + 8);
-    return;
+  } else if (lane.kind === "other") {
+    nameOther(pen, ink, lane.name, lane, left + 20, right);
+  } else if (lane.kind === "others") {
+    nameOther(pen, ink, scene.otherSegments?.name ?? "", lane, left + 20, right);
+  } else if (lane.kind === "why") {
+    const title = scene.segmentation?.curve.title ?? "";
+    const [first, second] = twoLines(pen, ink, title, right - left, 11);
+    pen.fillText(first, left, second ? middle - 7 : middle);
+    pen.fillText(second, left, middle + 7);
+  } else {
+    if (lane.kind === "segments") {
+      segmentSwatch(pen, ink, left, middle - 5);
+      pen.fillStyle = ink.text;
+    }
+    pen.font = font(lane.kind === "motifs" ? 11 : 12);
+    pen.fillText(lane.kind === "motifs" ? "Motifs" : "Segments", left + 20, middle);
   }
-  // The swatch repeats the texture of the bar: a legend that needs no room.
-  swatch(pen, ink, lane, left, middle - 5);
-  pen.fillStyle = lane.kind === "contact" ? ink.text : ink.muted;
-  pen.fillText(`${lane.side === "left" ? "L" : "R"} ${lane.kind}`, left + 20, middle);
 }
 
 function swatch(pen: CanvasRenderingContext2D, ink: Ink, lane: Bars, x: number, y: number) {

@@ -1,5 +1,7 @@
 import type { Plant } from "../lib/plants";
+import type { Action } from "../lib/segments";
 import type { TimeView } from "../lib/timeView";
+import type { Segmentation, Segments } from "../worker/types";
 import type { Ink } from "./ink";
 import type { Layout } from "./layout";
 
@@ -12,6 +14,11 @@ export interface Scene {
   rate: number;
   width: number;
   plants: readonly Plant[];
+  segmentation: Segmentation | null;
+  actions: readonly Action[];
+  /** The action that is looped. */
+  chosen: Action | undefined;
+  otherSegments: Segments | null;
   loop: TimeView | null;
 }
 

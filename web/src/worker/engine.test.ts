@@ -1,12 +1,13 @@
 import { expect, test, vi } from "vitest";
 import { Cancelled, createEngine, type Thread } from "./engine";
-import type { Clip, Detection, Failure, Labelling } from "./types";
+import type { Clip, Detection, Failure, Labelling, Segmentation, Segments } from "./types";
 
 const failure: Failure = { message: "no" };
 
 /** A worker that writes down what it is told; opening "bad" fails, and "slow" never ends. */
 function worker(said: string[]) {
   let held = "";
+  let isBusy = false;
   const opened = () => ({ ok: true, clip: { name: held } as Clip }) as const;
   const calls: Thread["calls"] = {
     async open(_, name) {
@@ -21,16 +22,31 @@ function worker(said: string[]) {
       return opened();
     },
     async detect() {
+      if (isBusy) return new Promise(() => {});
       said.push(`detect ${held}`);
       if (!held) throw new Error("No clip is open.");
       return { ok: true, detection: {} as Detection };
     },
+    async segment({ method }) {
+      said.push(`segment ${method}`);
+      isBusy = method === "mvu";
+      if (isBusy) return new Promise(() => {});
+      return { ok: true, segmentation: {} as Segmentation };
+    },
     methods: async () => [],
+    segmentMethods: async () => [],
     async compare(text) {
       said.push(`compare ${text}`);
+      if (text === "cuts") return { ok: true, segments: {} as Segments };
       return { ok: true, other: {} as Labelling };
     },
     score: async () => [],
+    scoreSegments: async () => [],
+    async saveSegments() {
+      said.push("save segments");
+      return "";
+    },
+    cut: async () => new Blob(),
     async save() {
       if (said.includes("trap"))
         throw Object.assign(new Error("unreachable"), { name: "RuntimeError" });
@@ -99,4 +115,36 @@ test("a worker that breaks is replaced", async () => {
   said.splice(said.indexOf("trap"), 1);
   expect(await made.save("csv")).toBe("walk");
   expect(said.filter((word) => word === "start")).toHaveLength(3);
+});
+
+test("segments are found again only by a new worker that needs them", async () => {
+  const { said, made } = engine();
+  await made.open(file, "walk");
+  await made.segment({ method: "auto" });
+  await made.compare("cuts", "cuts.csv");
+  made.cancel();
+  await made.detect(options);
+  expect(said.slice(4)).toEqual(["start", "open walk", "compare cuts", "detect walk"]);
+  await made.saveSegments("json", []);
+  await made.saveSegments("csv", []);
+  expect(said.slice(8)).toEqual(["segment auto", "save segments", "save segments"]);
+});
+
+test("a segmentation can be stopped; what else was asked is asked of the next worker", async () => {
+  const { said, made } = engine();
+  await made.open(file, "walk");
+  await made.segment({ method: "auto" });
+  const stop = new AbortController();
+  const endless = made.segment({ method: "mvu" }, { signal: stop.signal });
+  const stopped = expect(endless).rejects.toBeInstanceOf(Cancelled);
+  const detected = made.detect(options);
+  await vi.waitFor(() => expect(said.at(-1)).toBe("segment mvu"));
+  stop.abort();
+  await stopped;
+  expect((await detected).ok).toBe(true);
+  expect(said.slice(3)).toEqual(["segment mvu", "start", "open walk", "detect walk"]);
+  await made.saveSegments("json", []);
+  expect(said.slice(7)).toEqual(["segment auto", "save segments"]);
+  const late = made.segment({ method: "auto" }, { signal: stop.signal });
+  await expect(late).rejects.toBeInstanceOf(Cancelled);
 });

@@ -1,15 +1,19 @@
 /** The page's hold on the worker: starts it, ends it, and starts another when it fails. */
 
 import * as Comlink from "comlink";
-import type { DetectOptions, Overrides } from "./types";
-import type { Api, Compared, Detected, Opened } from "./worker";
+import type { DetectOptions, Overrides, SegmentOptions } from "./types";
+import type { Api, Compared, CutPart, Detected, Opened, Segmented } from "./worker";
 
-export type { Compared, Detected, Opened } from "./worker";
+export type { Compared, CutPart, Detected, Opened, Segmented } from "./worker";
 
-/** What the worker offers, with a way to stop it. */
-export interface Engine extends Omit<Calls, "open"> {
+/** What the worker offers, with ways to stop it. */
+export interface Engine extends Omit<Calls, "open" | "segment" | "cut"> {
   /** Reads a clip and holds it in place of the one before. */
   open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
+  /** Cuts the clip into actions. */
+  segment(options: SegmentOptions, stoppable?: Stoppable): Promise<Segmented>;
+  /** Writes parts of the clip as files of their own into one zip archive. */
+  cut(parts: readonly CutPart[], stoppable?: Stoppable): Promise<Blob>;
   /** Ends the worker and what it is doing; the clip opened before stays at hand. */
   cancel(): void;
 }
@@ -18,6 +22,13 @@ export interface OpenOptions {
   /** Hold the previous frame's value where one is no number. */
   lenient?: boolean;
   /** Gets the share read so far, 0 … 1. */
+  onProgress?: (share: number) => void;
+}
+
+/** Work that may take long: aborted, its worker ends, and what else that was asked is asked of the next one. */
+export interface Stoppable {
+  signal?: AbortSignal;
+  /** Gets the share done so far, 0 … 1. */
   onProgress?: (share: number) => void;
 }
 
@@ -32,6 +43,9 @@ export class Cancelled extends Error {
   }
 }
 
+/** The worker was ended because of another call than this one. */
+class Replaced extends Error {}
+
 /** What the page shows: all that it takes to have it again. */
 interface Held {
   file: Blob;
@@ -39,8 +53,15 @@ interface Held {
   lenient: boolean;
   overrides?: Overrides;
   options?: DetectOptions;
-  /** Labels of someone else that it is compared with. */
-  other?: { text: string; name: string };
+  segmentOptions?: SegmentOptions;
+  /** Labels and segments of someone else that it is compared with. */
+  other?: Text;
+  otherSegments?: Text;
+}
+
+interface Text {
+  text: string;
+  name: string;
 }
 
 /** A worker that runs. */
@@ -55,6 +76,8 @@ interface Running extends Thread {
   end: (reason: Error) => void;
   /** Settles when the worker holds what the page shows; absent as long as it does not. */
   restored?: Promise<unknown>;
+  /** The same for the segments, which may take long to find again: only who needs them waits. */
+  segmented?: Promise<unknown>;
 }
 
 /** An engine on workers that `start` gives; `onBroken` is told of one that fails by itself. */
@@ -93,41 +116,76 @@ export function createEngine(
     if (held.overrides) await calls.override(held.overrides);
     if (held.options) await calls.detect(held.options);
     if (held.other) await calls.compare(held.other.text, held.other.name);
+    if (held.otherSegments) await calls.compare(held.otherSegments.text, held.otherSegments.name);
+  }
+
+  async function resegment(calls: Calls) {
+    if (held?.segmentOptions) await calls.segment(held.segmentOptions);
   }
 
   /** Runs one call; if the worker breaks, it is replaced, and the call fails with a reason. */
-  async function call<T>(work: (calls: Calls) => Promise<T>): Promise<T> {
+  async function call<T>(work: (here: Running) => Promise<T>, signal?: AbortSignal): Promise<T> {
     const here = started();
     try {
-      return await Promise.race([work(here.calls), here.ended]);
+      return await Promise.race([work(here), here.ended]);
     } catch (error) {
+      if (signal?.aborted) throw new Cancelled();
+      if (error instanceof Replaced) return call(work, signal);
       if (isTrap(error) && running === here) stop(error as Error);
       throw error;
     }
   }
 
   /** Runs a call on the clip that the page shows, which a new worker has to open first. */
-  function callOnClip<T>(work: (calls: Calls) => Promise<T>): Promise<T> {
-    const here = started();
-    return call(async (calls) => {
-      here.restored ??= restore(calls);
+  function callOnClip<T>(
+    work: (calls: Calls, here: Running) => Promise<T>,
+    signal?: AbortSignal,
+  ): Promise<T> {
+    return call(async (here) => {
+      here.restored ??= restore(here.calls);
       await here.restored;
+      return work(here.calls, here);
+    }, signal);
+  }
+
+  /** Runs a call on its segments. */
+  function callOnSegments<T>(work: (calls: Calls) => Promise<T>): Promise<T> {
+    return callOnClip(async (calls, here) => {
+      here.segmented ??= resegment(calls);
+      await here.segmented;
       return work(calls);
     });
+  }
+
+  /** Runs a call on the clip that may be aborted. */
+  async function callStoppable<T>(
+    work: (calls: Calls, here: Running, report?: (share: number) => void) => Promise<T>,
+    { signal, onProgress }: Stoppable = {},
+  ): Promise<T> {
+    if (signal?.aborted) throw new Cancelled();
+    const report = onProgress && Comlink.proxy(onProgress);
+    const abort = () => stop(new Replaced());
+    signal?.addEventListener("abort", abort);
+    try {
+      return await callOnClip((calls, here) => work(calls, here, report), signal);
+    } finally {
+      signal?.removeEventListener("abort", abort);
+    }
   }
 
   started();
   return {
     async open(file, name, { lenient = false, onProgress } = {}) {
       const report = onProgress && Comlink.proxy(onProgress);
-      const here = started();
-      const opened: Opened = await call((calls) => calls.open(file, name, lenient, report)).catch(
-        broken,
-      );
-      if (opened.ok) {
-        held = { file, name, lenient };
-        here.restored = Promise.resolve();
-      }
+      const opened: Opened = await call(async (here) => {
+        const opened = await here.calls.open(file, name, lenient, report);
+        if (opened.ok) {
+          held = { file, name, lenient };
+          here.restored = Promise.resolve();
+          here.segmented = Promise.resolve();
+        }
+        return opened;
+      }).catch(broken);
       return opened;
     },
     async override(overrides) {
@@ -140,16 +198,33 @@ export function createEngine(
       if (detected.ok && held) held.options = options;
       return detected;
     },
+    segment(options, stoppable) {
+      return callStoppable(async (calls, here, report) => {
+        const segmented = await calls.segment(options, report);
+        if (segmented.ok && held) {
+          held.segmentOptions = options;
+          here.segmented = Promise.resolve();
+        }
+        return segmented;
+      }, stoppable).catch(broken);
+    },
     async compare(text, name) {
       const compared: Compared = await callOnClip((calls) => calls.compare(text, name)).catch(
         broken,
       );
-      if (compared.ok && held) held.other = { text, name };
+      if (compared.ok && held) {
+        held["other" in compared ? "other" : "otherSegments"] = { text, name };
+      }
       return compared;
     },
-    methods: () => call((calls) => calls.methods()),
+    methods: () => call(({ calls }) => calls.methods()),
+    segmentMethods: () => call(({ calls }) => calls.segmentMethods()),
     score: () => callOnClip((calls) => calls.score()),
+    scoreSegments: () => callOnSegments((calls) => calls.scoreSegments()),
     save: (format) => callOnClip((calls) => calls.save(format)),
+    saveSegments: (format, names) => callOnSegments((calls) => calls.saveSegments(format, names)),
+    cut: (parts, stoppable) =>
+      callStoppable((calls, _, report) => calls.cut(parts, report), stoppable),
     cancel: () => stop(new Cancelled()),
   };
 }

@@ -1,10 +1,13 @@
 export {
   Cancelled,
   type Compared,
+  type CutPart,
   createEngine,
   type Detected,
   type Engine,
   type Opened,
   type OpenOptions,
+  type Segmented,
+  type Stoppable,
 } from "./engine";
 export type * from "./types";

@@ -3,9 +3,10 @@
  * times are seconds; frames count from 0.
  */
 
-import type { ClipFacts, DetectOptions } from "../wasm/plantigrade";
+import type { ClipFacts, DetectOptions, SegmentFacts, SegmentOptions } from "../wasm/plantigrade";
 
 export type {
+  CutScore,
   DetectOptions,
   DisagreementFacts as Disagreement,
   Failure,
@@ -14,6 +15,9 @@ export type {
   NoticeText as Notice,
   Overrides,
   ScoreFacts as Score,
+  SegmentFacts as Segment,
+  SegmentMethodFacts as SegmentMethod,
+  SegmentOptions,
 } from "../wasm/plantigrade";
 
 /** A signed axis of the file that points up. */
@@ -22,6 +26,8 @@ export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
 /** What labels are saved as: a document, or tables per frame, plant and gait event. */
 export type SaveFormat = "json" | "csv" | "intervals" | "events";
+/** What segments are saved as: a document, a table, or the shape of BABEL. */
+export type SegmentFormat = "json" | "csv" | "babel";
 
 /** A clip as it was read, with what was found out about it. */
 export interface Clip extends ClipFacts {
@@ -75,10 +81,43 @@ export interface Detection {
   notices: NoticeList;
 }
 
+/** What a method of segmentation looks at. */
+export interface Curve {
+  title: string;
+  /** Where the values lie: frames with fractions, ascending. */
+  frames: Float32Array;
+  values: Float32Array;
+  /** What each value was compared with; empty where there is no such threshold. */
+  threshold: Float32Array;
+  /** Indices of the values at which the curve turns, where that matters. */
+  extrema: Uint32Array;
+}
+
+export interface Segmentation {
+  /** The options it was made with. */
+  options: SegmentOptions;
+  /** In order; they tile the clip. */
+  segments: readonly SegmentFacts[];
+  /** Frames in which one action goes over into the next: start, end, start, end …, half-open. */
+  transitions: Uint32Array;
+  /** The pieces of motion between turning points: start, end, start, end …, half-open. */
+  motifs: Uint32Array;
+  /** The class of each motif, from 1: those that are alike have the same. */
+  classes: Uint32Array;
+  curve: Curve;
+  notices: NoticeList;
+}
+
 /** Labels of the clip by someone else: 1 planted, 0 not, −1 not known, per frame. */
 export interface Labelling {
   name: string;
   parts: Partial<Record<Part, Record<Side, Int8Array>>>;
+}
+
+/** Segments of the clip by someone else; they tile it. */
+export interface Segments {
+  name: string;
+  segments: readonly SegmentFacts[];
 }
 
 type NoticeList = ClipFacts["notices"];

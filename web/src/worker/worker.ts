@@ -1,15 +1,21 @@
 /** The clip and its detector, in a thread of their own. */
 
 import * as Comlink from "comlink";
+import { Zip, ZipDeflate } from "fflate";
 import init, {
+  hasSegments,
   methods,
   type RawClip,
   type RawDetection,
   RawLabelling,
   RawReader,
+  type RawSegmentation,
+  RawSegments,
+  segmentMethods,
 } from "../wasm/plantigrade";
 import type {
   Clip,
+  CutScore,
   Detection,
   DetectOptions,
   Evidence,
@@ -20,6 +26,11 @@ import type {
   Part,
   SaveFormat,
   Score,
+  Segmentation,
+  SegmentFormat,
+  SegmentMethod,
+  SegmentOptions,
+  Segments,
   Side,
   Track,
   Tracks,
@@ -27,18 +38,37 @@ import type {
 
 export type Opened = { ok: true; clip: Clip } | { ok: false; failure: Failure };
 export type Detected = { ok: true; detection: Detection } | { ok: false; failure: Failure };
+export type Segmented = { ok: true; segmentation: Segmentation } | { ok: false; failure: Failure };
 
 /** Least time between two reports of progress, in milliseconds. */
 const PROGRESS_INTERVAL = 50;
 
 const ready = init();
 
-export type Compared = { ok: true; other: Labelling } | { ok: false; failure: Failure };
+export type Compared =
+  | { ok: true; other: Labelling }
+  | { ok: true; segments: Segments }
+  | { ok: false; failure: Failure };
 
-/** The file held, what was read from it, its last labels, and those of someone else. */
-let held:
-  | { file: Blob; name: string; clip: RawClip; detection?: RawDetection; other?: RawLabelling }
-  | undefined;
+/** A part of the clip that becomes a file: frames half-open. */
+export interface CutPart {
+  name: string;
+  start: number;
+  end: number;
+}
+
+/** The file held, what was read from it, its last labels and segments, and those of someone else. */
+interface Held {
+  file: Blob;
+  name: string;
+  clip: RawClip;
+  detection?: RawDetection;
+  segmentation?: RawSegmentation;
+  other?: RawLabelling;
+  otherSegments?: RawSegments;
+}
+
+let held: Held | undefined;
 
 const api = {
   /** Reads a clip and holds it in place of the one before; `onProgress` gets the share read, 0 … 1. */
@@ -50,7 +80,7 @@ const api = {
   ): Promise<Opened> {
     await ready;
     const opened = await refusals(async () => {
-      const clip = await read(file, lenient, onProgress);
+      const clip = await read(file, lenient, seldom(onProgress));
       release();
       held = { file, name, clip };
       return clip;
@@ -71,7 +101,25 @@ const api = {
     here.detection?.free();
     here.detection = detected.value;
     const detection = copy(detected.value, options);
-    return Comlink.transfer({ ok: true, detection }, buffers(detection));
+    return Comlink.transfer({ ok: true, detection }, buffers(detection.parts));
+  },
+
+  /** Cuts the clip into actions; `onProgress` gets the share done, 0 … 1. */
+  async segment(options: SegmentOptions, onProgress?: (share: number) => void): Promise<Segmented> {
+    const report = seldom(onProgress);
+    const segmented = await refusals(() => current().clip.segment(options, report));
+    if (!segmented.ok) return segmented;
+    const here = current();
+    here.segmentation?.free();
+    here.segmentation = segmented.value;
+    const segmentation = copySegments(segmented.value, options);
+    return Comlink.transfer({ ok: true, segmentation }, buffers(segmentation));
+  },
+
+  /** All methods of segmentation, the default first. */
+  async segmentMethods(): Promise<SegmentMethod[]> {
+    await ready;
+    return segmentMethods();
   },
 
   /** All methods of detection, the default first. */
@@ -80,9 +128,17 @@ const api = {
     return methods();
   },
 
-  /** Reads labels of the clip by someone else and holds them in place of those before. */
+  /** Reads labels or segments of the clip by someone else and holds them in place of those before. */
   async compare(text: string, name: string): Promise<Compared> {
     const here = current();
+    const about = stem(here.name);
+    if (hasSegments(text, about)) {
+      const read = await refusals(() => new RawSegments(text, about, here.clip));
+      if (!read.ok) return read;
+      here.otherSegments?.free();
+      here.otherSegments = read.value;
+      return { ok: true, segments: { name, segments: read.value.segments() } };
+    }
     const read = await refusals(() => new RawLabelling(text, here.clip.facts().frames));
     if (!read.ok) return read;
     here.other?.free();
@@ -94,6 +150,41 @@ const api = {
   async score(): Promise<Score[]> {
     const { clip, detection, other } = current();
     return detection && other ? other.score(clip, detection) : [];
+  },
+
+  /** How well the cuts of the last segmentation agree with those of someone else. */
+  async scoreSegments(): Promise<CutScore[]> {
+    const { clip, segmentation, otherSegments } = current();
+    return segmentation && otherSegments ? otherSegments.score(clip, segmentation) : [];
+  },
+
+  /** The segments of the last segmentation, under the names that are given, in order. */
+  async saveSegments(format: SegmentFormat, names: string[]): Promise<string> {
+    const { file, name, clip, segmentation } = current();
+    if (!segmentation) throw new Error("There are no segments to save.");
+    const hash = format === "json" ? await sha256(file) : undefined;
+    return clip.saveSegments(segmentation, names, format, name, hash);
+  },
+
+  /** Writes parts of the clip as files of their own into one zip archive. */
+  async cut(parts: readonly CutPart[], onProgress?: (share: number) => void): Promise<Blob> {
+    const { clip } = current();
+    const report = seldom(onProgress);
+    const chunks: Uint8Array<ArrayBuffer>[] = [];
+    const zip = new Zip((error, chunk) => {
+      if (error) throw error;
+      chunks.push(chunk as Uint8Array<ArrayBuffer>);
+    });
+    const utf8 = new TextEncoder();
+    // One after the other: all texts at once might be more than there is room for.
+    for (const [i, { name, start, end }] of parts.entries()) {
+      const entry = new ZipDeflate(name, { level: 6 });
+      zip.add(entry);
+      entry.push(utf8.encode(clip.cut(start, end)), true);
+      report((i + 1) / parts.length);
+    }
+    zip.end();
+    return new Blob(chunks, { type: "application/zip" });
   },
 
   /** The labels of the last detection. */
@@ -115,10 +206,15 @@ function current() {
 
 function release() {
   held?.detection?.free();
+  held?.segmentation?.free();
   held?.other?.free();
+  held?.otherSegments?.free();
   held?.clip.free();
   held = undefined;
 }
+
+/** A file's name without its ending. */
+const stem = (name: string) => name.replace(/\.\w+$/, "");
 
 /** What the core refuses with a reason comes back as one; anything else is a fault and is thrown. */
 async function refusals<T>(
@@ -132,23 +228,29 @@ async function refusals<T>(
   }
 }
 
+/** Passes reports on, but not so many that they would take longer than the work. */
+function seldom(onProgress?: (share: number) => void): (share: number) => void {
+  let reported = performance.now();
+  return (share) => {
+    if (!onProgress || performance.now() - reported < PROGRESS_INTERVAL) return;
+    reported = performance.now();
+    onProgress(share);
+  };
+}
+
 async function read(
   file: Blob,
   lenient: boolean,
-  onProgress?: (share: number) => void,
+  report: (share: number) => void,
 ): Promise<RawClip> {
   const reader = new RawReader(lenient);
   let done = 0;
-  let reported = performance.now();
   const chunks = file.stream().getReader();
   try {
     for (let next = await chunks.read(); !next.done; next = await chunks.read()) {
       reader.push(next.value);
       done += next.value.length;
-      if (onProgress && performance.now() - reported > PROGRESS_INTERVAL) {
-        reported = performance.now();
-        onProgress(done / file.size);
-      }
+      report(done / file.size);
     }
   } catch (refusal) {
     reader.free();
@@ -172,6 +274,24 @@ function copy(raw: RawDetection, options: DetectOptions): Detection {
     options,
     parts: parts as Detection["parts"],
     floor: raw.floor,
+    notices: raw.notices(),
+  };
+}
+
+function copySegments(raw: RawSegmentation, options: SegmentOptions): Segmentation {
+  return {
+    options,
+    segments: raw.segments(),
+    transitions: raw.transitions(),
+    motifs: raw.motifs(),
+    classes: raw.motifClasses(),
+    curve: {
+      title: raw.curveTitle(),
+      frames: raw.curveFrames(),
+      values: raw.curveValues(),
+      threshold: raw.curveThreshold(),
+      extrema: raw.extrema(),
+    },
     notices: raw.notices(),
   };
 }
@@ -208,14 +328,12 @@ function evidence(raw: RawDetection, part: Part): Evidence {
   };
 }
 
-/** The memory of all series of a detection, to be handed over rather than copied. */
-function buffers(detection: Detection): Transferable[] {
-  const series = (record: object): Transferable[] =>
-    Object.values(record).flatMap((value) => {
-      if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
-      return value && typeof value === "object" ? series(value) : [];
-    });
-  return series(detection.parts);
+/** The memory of all series of a record, to be handed over rather than copied. */
+function buffers(record: object): Transferable[] {
+  return Object.values(record).flatMap((value) => {
+    if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+    return value && typeof value === "object" ? buffers(value) : [];
+  });
 }
 
 /** The file's SHA-256 in hexadecimal; unknown where the browser does not offer it. */

@@ -1,10 +1,14 @@
 //! What the bindings must do, wherever they run.
 
+use js_sys::Function;
 use plantigrade::bvh;
 use plantigrade::labels::Document;
 use plantigrade::plants::{self, Feet};
 use plantigrade::skeleton::Skeleton;
-use plantigrade_wasm::{ClipFacts, DetectOptions, Failure, Overrides, RawClip, RawLabelling, RawReader};
+use plantigrade_wasm::{
+    ClipFacts, DetectOptions, Failure, Overrides, RawClip, RawLabelling, RawReader, RawSegments,
+    SegmentFacts, SegmentOptions, has_segments,
+};
 use tsify::{Ts, Tsify};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -114,4 +118,82 @@ fn refusals_say_where() {
     let Failure { message, line, column, hint, .. } = refused;
     assert_eq!((line, column), (Some(4), Some(12)));
     assert!(message.contains("expected a number") && hint.is_some());
+}
+
+/// A walk that becomes a run.
+fn limp() -> RawClip {
+    let mut reader = RawReader::new(false);
+    reader.push(include_bytes!("../../../../samples/limp-to-run.bvh")).unwrap();
+    reader.finish().unwrap()
+}
+
+fn cutting(method: &str) -> Ts<SegmentOptions> {
+    SegmentOptions { method: method.into(), ..SegmentOptions::default() }.into_ts().unwrap()
+}
+
+/// A listener that hears nothing.
+fn deaf() -> Function {
+    Function::new_no_args("")
+}
+
+#[wasm_bindgen_test]
+fn every_method_of_segmentation_tiles_the_clip() {
+    let clip = limp();
+    let methods = plantigrade_wasm::segment_methods().unwrap();
+    assert_eq!(methods.len(), 6);
+    for method in methods {
+        let method = method.to_rust().unwrap();
+        let found = clip.segment(cutting(&method.name), &deaf()).unwrap();
+        let segments: Vec<SegmentFacts> =
+            found.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap()).collect();
+        assert_eq!((segments[0].start, segments[segments.len() - 1].end), (0, 744), "{}", method.name);
+        assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].start), "{}", method.name);
+        let values = found.curve_values();
+        assert_eq!(found.curve_frames().len(), values.len());
+        assert!([0, values.len()].contains(&found.curve_threshold().len()));
+        assert!(found.extrema().iter().all(|&index| (index as usize) < values.len()));
+        assert_eq!(found.motifs().len(), 2 * found.motif_classes().len());
+        assert!(!found.curve_title().is_empty() && !method.about.is_empty());
+    }
+    assert!(clip.segment(cutting("best"), &deaf()).is_err());
+    let wrong = SegmentOptions { dims: Some(0), ..cutting("mvu").to_rust().unwrap() };
+    assert!(clip.segment(wrong.into_ts().unwrap(), &deaf()).is_err());
+}
+
+#[wasm_bindgen_test]
+fn segmentation_tells_how_far_it_is() {
+    let told = Function::new_with_args("share", "(globalThis.told ??= []).push(share)");
+    limp().segment(cutting("mvu"), &told).unwrap();
+    let shares = js_sys::Reflect::get(&js_sys::global(), &"told".into()).unwrap();
+    let shares: Vec<f64> = js_sys::Array::from(&shares).iter().filter_map(|share| share.as_f64()).collect();
+    assert!(shares.len() > 3 && shares.iter().all(|share| (0.0..=1.0).contains(share)));
+}
+
+#[wasm_bindgen_test]
+fn segments_read_back_under_the_names_given() {
+    let clip = limp();
+    let found = clip.segment(cutting("lsd"), &deaf()).unwrap();
+    let count = found.segments().unwrap().len();
+    let names: Vec<String> = (1..=count).map(|number| format!("move {number}")).collect();
+    for format in ["json", "csv", "babel"] {
+        let text = clip.save_segments(&found, names.clone(), format, "limp.bvh".into(), None).unwrap();
+        assert!(has_segments(&text, "limp") && !has_segments("frame,left_toe\n", "limp"));
+        let other = RawSegments::new(&text, "limp", &clip).unwrap();
+        let read = other.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap().label);
+        assert_eq!(read.collect::<Vec<_>>(), names, "{format}");
+        for score in other.score(&clip, &found).unwrap() {
+            assert_eq!(score.to_rust().unwrap().f1, 1.0);
+        }
+    }
+    assert!(clip.save_segments(&found, names, "xml", "limp.bvh".into(), None).is_err());
+    assert!(RawSegments::new("{}", "limp", &clip).is_err());
+}
+
+#[wasm_bindgen_test]
+fn a_cut_is_a_clip_of_its_own() {
+    let clip = walk();
+    let part = bvh::parse(clip.cut(10, 30).unwrap().as_bytes(), bvh::Options::default()).unwrap().clip;
+    let whole = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
+    assert_eq!((part.frame_count(), part.row(0)), (20, whole.row(10)));
+    assert!(clip.cut(10, 10).is_err() && clip.cut(0, 246).is_err());
 }

@@ -1,16 +1,20 @@
-import type { Engine } from "../../worker/engine";
-import type { Clip, Detection, Labelling, Tracks } from "../../worker/types";
+import { Cancelled, type Engine } from "../../worker/engine";
+import type { Clip, Detection, Labelling, Segments, Tracks } from "../../worker/types";
 import { walker, walkerTrack } from "./walker";
+
+export { Cancelled } from "../../worker/engine";
 
 const pause = (ms: number) => new Promise((done) => setTimeout(done, ms));
 
 /**
  * An engine for tests, made of a walking figure. The file's name chooses what happens:
  * `bad` cannot be read, `crab` has no feet, `rest` has no frames, `slow` takes a while.
+ * Segments are as long as the method's name has letters, in seconds; `mvu` never ends.
  */
 export function createEngine(): Engine {
   let clip: Clip | undefined;
   let other: Labelling | undefined;
+  let otherSegments: Segments | undefined;
   return {
     async open(_file, name, { onProgress } = {}) {
       if (name.includes("bad")) {
@@ -30,6 +34,7 @@ export function createEngine(): Engine {
         onProgress?.(i / 10);
       }
       other = undefined;
+      otherSegments = undefined;
       clip = walker(name, name.includes("rest") ? 0 : 12);
       if (name.includes("crab")) clip.roles = { hips: 0 };
       return { ok: true, clip };
@@ -82,7 +87,52 @@ export function createEngine(): Engine {
         { ...method, name: "dual", title: "Height and speed", family: "threshold" },
       ];
     },
+    segment(options, { signal, onProgress } = {}) {
+      const { frames = 0, rate = 1 } = clip ?? {};
+      if (options.method === "mvu") {
+        onProgress?.(0.5);
+        return new Promise((_, reject) => {
+          signal?.addEventListener("abort", () => reject(new Cancelled()));
+        });
+      }
+      const step = options.method.length * rate;
+      const starts = Array.from({ length: Math.ceil(frames / step) }, (_, i) => i * step);
+      return Promise.resolve({
+        ok: true,
+        segmentation: {
+          options,
+          segments: starts.map((start) => ({
+            start,
+            end: Math.min(start + step, frames),
+            kind: "action",
+            label: "",
+          })),
+          transitions: new Uint32Array(0),
+          motifs: new Uint32Array(0),
+          classes: new Uint32Array(0),
+          curve: {
+            title: "Made up",
+            frames: Float32Array.from(starts),
+            values: Float32Array.from(starts),
+            threshold: new Float32Array(0),
+            extrema: new Uint32Array(0),
+          },
+          notices: [],
+        },
+      });
+    },
+    async segmentMethods() {
+      const method = { about: "A method for tests.", options: [] };
+      return [
+        { ...method, name: "auto", title: "Gaussian segments" },
+        { ...method, name: "mvu", title: "Never ends" },
+      ];
+    },
     async compare(text, name) {
+      if (text.includes("segments")) {
+        otherSegments = { name, segments: JSON.parse(text).segments };
+        return { ok: true, segments: otherSegments };
+      }
       const labels = JSON.parse(text) as { left: number[]; right: number[] };
       if (labels.left.length !== clip?.frames) {
         return {
@@ -108,6 +158,15 @@ export function createEngine(): Engine {
           ],
         },
       ];
+    },
+    async scoreSegments() {
+      return otherSegments ? [{ within: 0.5, precision: 1, recall: 0.5, f1: 2 / 3 }] : [];
+    },
+    async saveSegments(format, names) {
+      return JSON.stringify({ format, names });
+    },
+    async cut(parts) {
+      return new Blob(parts.map(({ name }) => name));
     },
     async save(format) {
       return `{"made up": "${format}"}`;

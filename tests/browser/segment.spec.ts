@@ -1,0 +1,353 @@
+import { unzipSync } from "fflate";
+import { type App, expect, test } from "./app";
+import { clip, file, good, repeated, sample } from "./clips";
+import { readTable } from "./labels";
+
+interface SegmentsDocument {
+  format: string;
+  frames: number;
+  rate: number;
+  method: { name: string };
+  segments: { start: number; end: number; kind: string; label: string; source: string }[];
+}
+
+const read = (text: string): SegmentsDocument => JSON.parse(text);
+
+const menu = (app: App) => app.panel.getByRole("combobox", { name: "Method" });
+const progress = (app: App) => app.page.getByText("Finding segments in");
+const name = (app: App, number: number) =>
+  app.panel.getByRole("textbox", { name: `Name of segment ${number}`, exact: true });
+
+/** The middle of the bar of a segment on the timeline, by clicking upwards until it is hit. */
+async function barOf(app: App, share: number): Promise<{ x: number; y: number }> {
+  const box = await app.tracks.boundingBox();
+  if (!box) throw new Error("The timeline has no canvas.");
+  const x = box.x + share * box.width;
+  for (let y = box.y + box.height - 40; y > box.y + 150; y -= 3) {
+    await app.page.mouse.click(x, y);
+    if (await app.timeline.getByText("Loop segment").isVisible()) return { x, y: y - 8 };
+  }
+  throw new Error("No bar of a segment was hit.");
+}
+
+test("segments come with a clip and tile it", async ({ app }) => {
+  await app.sample("limp-to-run");
+  const segments = await app.segments();
+  expect(segments.length).toBeGreaterThan(1);
+  let end = 0;
+  for (const { start, length } of segments) {
+    expect(start).toBeCloseTo(end, 1);
+    end = start + length;
+  }
+  expect(end).toBeCloseTo(31, 1);
+  const table = app.timeline.getByRole("table", { name: `${segments.length} segments` });
+  await expect(table.getByRole("row")).toHaveCount(segments.length + 1);
+});
+
+test("all six methods are offered and cut a clip", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  await app.tab("Segment");
+  await expect(menu(app)).toHaveValue("auto");
+  const names = await menu(app)
+    .locator("option")
+    .evaluateAll((all) => all.map((option) => (option as HTMLOptionElement).value));
+  expect(names).toEqual(["auto", "lsd", "mvu", "pca", "pca-tail", "ppca"]);
+  const lines = new Set<string>();
+  for (const method of names) {
+    await menu(app).selectOption(method);
+    await expect(progress(app)).toBeHidden();
+    lines.add(await page.locator("#segment-method-line").innerText());
+    expect(read((await app.saveSegments("Segments")).text).method.name).toBe(method);
+    expect((await app.segments()).length).toBeGreaterThan(0);
+  }
+  expect(lines.size).toBe(6);
+});
+
+test("the options that matter to a method are offered", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  await app.tab("Segment");
+  for (const [method, dims, residual, template, published] of [
+    ["auto", false, false, false, false],
+    ["lsd", false, false, true, true],
+    ["mvu", true, true, false, true],
+    ["pca-tail", true, false, false, false],
+    ["ppca", false, false, false, true],
+  ] as const) {
+    await menu(app).selectOption(method);
+    const select = (called: string) => app.panel.getByRole("combobox", { name: called });
+    await expect(select("Dimensions d")).toBeVisible({ visible: dims });
+    await expect(select("Residual")).toBeVisible({ visible: residual });
+    await expect(select("Template")).toBeVisible({ visible: template });
+    const check = app.panel.getByRole("checkbox", { name: "As published" });
+    await expect(check).toBeVisible({ visible: published });
+  }
+  await menu(app).selectOption("lsd");
+  await app.pressRuler(0.5);
+  const frame = await app.frame();
+  const template = app.panel.getByRole("combobox", { name: "Template" });
+  await template.selectOption({ label: "This frame" });
+  await expect(template).toHaveValue(String(frame));
+  const { method } = read((await app.saveSegments("Segments")).text) as {
+    method: { template?: string };
+  };
+  expect(method.template).toBe(String(frame));
+  await page.keyboard.press("Home");
+});
+
+test("a click on a bar or in the list loops a segment", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  const segments = await app.segments();
+  await app.pressRuler(0.9);
+  await barOf(app, 0.3);
+  await expect(app.timeline.getByText("Loop segment 1")).toBeVisible();
+  expect(await app.frame()).toBe(0);
+  const second = app.panel.getByRole("button", { name: /^Loop segment 2/ });
+  await second.click();
+  await expect(second).toHaveAttribute("aria-pressed", "true");
+  expect(await app.frame()).toBe(Math.round((segments[1]?.start ?? 0) * 24));
+  // Playing goes round within the segment.
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await page.getByRole("combobox", { name: "Speed" }).selectOption("4");
+  await page.keyboard.press("Space");
+  const [from, to] = [segments[1]?.start ?? 0, (segments[2]?.start ?? 31) + 0.1];
+  for (let i = 0; i < 20; i++) {
+    await page.waitForTimeout(200);
+    const seconds = (await app.frame()) / 24;
+    expect(seconds).toBeGreaterThanOrEqual(from - 0.1);
+    expect(seconds).toBeLessThanOrEqual(to);
+  }
+});
+
+test("brackets go from cut to cut, S loops and Enter asks for a name", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  const { segments } = read((await app.saveSegments("Segments")).text);
+  await app.tab("Detect");
+  const cuts = segments.slice(1).map(({ start }) => start);
+  for (const cut of [...cuts, 743]) {
+    await page.keyboard.press("]");
+    expect(await app.frame()).toBe(cut);
+  }
+  for (const cut of [...cuts.reverse(), 0]) {
+    await page.keyboard.press("[");
+    expect(await app.frame()).toBe(cut);
+  }
+  await page.keyboard.press("]");
+  await page.keyboard.press("s");
+  await expect(app.timeline.getByText("Loop segment 2")).toBeVisible();
+  await expect(app.playhead).toHaveAttribute("aria-valuetext", /segment 2/);
+  await page.keyboard.press("Enter");
+  await expect(name(app, 2)).toBeFocused();
+  await page.keyboard.type("l s ]");
+  await expect(name(app, 2)).toHaveValue("l s ]");
+  await page.keyboard.press("Escape");
+  await expect(name(app, 2)).toHaveValue("");
+  await page.keyboard.press("?");
+  await expect(app.dialog).toContainText("Previous, next cut");
+});
+
+test("a name is on the bar, in the files, and outlives another method", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  await app.tab("Segment");
+  const before = await app.tracks.screenshot();
+  const { x, y } = await barOf(app, 0.3);
+  await page.keyboard.press("l");
+  await page.waitForTimeout(450);
+  await page.mouse.dblclick(x, y);
+  await expect(name(app, 1)).toBeFocused();
+  await page.keyboard.type("Limping, slowly");
+  await page.keyboard.press("Enter");
+  await expect(name(app, 1)).not.toBeFocused();
+  expect(await app.tracks.screenshot()).not.toEqual(before);
+  await menu(app).selectOption("lsd");
+  await expect(app.panel.getByRole("combobox", { name: "Template" })).toBeVisible();
+  await menu(app).selectOption("auto");
+  await expect(name(app, 1)).toHaveValue("Limping, slowly");
+  const { segments } = read((await app.saveSegments("Segments")).text);
+  expect(segments[0]).toMatchObject({ label: "Limping, slowly", source: "edited" });
+  expect(segments[1]).toMatchObject({ label: "", source: "auto" });
+  await app.drop(sample("bowling"));
+  await app.opened("bowling.bvh");
+  await expect(name(app, 1)).toHaveValue("");
+});
+
+test("segments are saved as documents and tables", async ({ app }) => {
+  await app.sample("limp-to-run");
+  const listed = await app.segments();
+  const saved = await app.saveSegments("Segments");
+  expect(saved.name).toBe("limp-to-run.segments.json");
+  const document = read(saved.text);
+  expect(document).toMatchObject({ format: "plantigrade-segments", frames: 744 });
+  const starts = document.segments.map(({ start }) => (start / 24).toFixed(2));
+  expect(starts).toEqual(listed.map(({ start }) => start.toFixed(2)));
+  expect(document.segments.at(-1)?.end).toBe(744);
+  const table = await app.saveSegments("Table");
+  expect(table.name).toBe("limp-to-run.segments.csv");
+  const rows = readTable(table).rows.map((row) => [Number(row.start_frame), Number(row.end_frame)]);
+  expect(rows).toEqual(document.segments.map(({ start, end }) => [start, end]));
+  const babel = await app.saveSegments("BABEL");
+  expect(babel.name).toBe("limp-to-run.babel.json");
+  expect(babel.text).toContain("frame_ann");
+});
+
+test("clips of the segments are BVH files that open again", async ({ app }) => {
+  await app.sample("limp-to-run");
+  const { segments } = read((await app.saveSegments("Segments")).text);
+  await name(app, 1).fill("a limp / walk");
+  const saved = await app.saveSegments("Clips");
+  expect(saved.name).toBe("limp-to-run.segments.zip");
+  const files = Object.entries(unzipSync(saved.bytes));
+  expect(files.map(([path]) => path)).toEqual(
+    segments.map((_, i) => `limp-to-run-0${i + 1}${i === 0 ? "-a-limp-walk" : ""}.bvh`),
+  );
+  const texts = files.map(([, bytes]) => Buffer.from(bytes).toString());
+  expect(texts.map((text) => Number(/^Frames: (\d+)$/m.exec(text)?.[1]))).toEqual(
+    segments.map(({ start, end }) => end - start),
+  );
+  const [path = "", text = ""] = [files[1]?.[0], texts[1]];
+  await app.drop(file(path, text));
+  await app.opened(path);
+  await expect(app.head).toContainText("24 Hz");
+});
+
+for (const button of ["Segments", "Table", "BABEL"] as const) {
+  test(`segments read back from ${button} agree with themselves`, async ({ app }) => {
+    await app.sample("limp-to-run");
+    await app.tab("Segment");
+    const lanes = await app.tracks.screenshot();
+    const saved = await app.saveSegments(button);
+    await app.drop(file(saved.name, saved.text));
+    await expect(app.panel).toContainText(saved.name);
+    for (const within of ["0.5", "1.0"]) {
+      const row = app.panel.getByRole("row", { name: `± ${within} s` });
+      await expect(row.getByRole("cell")).toHaveText(["100", "100", "100"]);
+    }
+    expect(await app.tracks.screenshot()).not.toEqual(lanes);
+    await app.panel.getByRole("button", { name: "Remove" }).click();
+    await expect.poll(() => app.tracks.screenshot()).toEqual(lanes);
+  });
+}
+
+test("truth dropped with the clip is compared, and follows the method", async ({ app, page }) => {
+  await app.empty();
+  const truth = {
+    "limp-to-run": [
+      { start: 1, end: 380, label: "limp" },
+      { start: 381, end: 744, label: "run" },
+    ],
+  };
+  await app.drop(file("truth.json", JSON.stringify(truth)), sample("limp-to-run"));
+  await app.opened("limp-to-run.bvh");
+  await expect(page.getByRole("tabpanel", { name: "Segment" })).toContainText("truth.json");
+  const row = app.panel.getByRole("row", { name: "± 1.0 s" });
+  await expect(row.getByRole("cell").nth(1)).toHaveText("100");
+  // Labels of the feet stand beside them.
+  await app.drop(clip("samples/limp-to-run.json"));
+  await expect(page.getByRole("tabpanel", { name: "Score" })).toContainText("limp-to-run.json");
+  await app.tab("Segment");
+  await expect(app.panel).toContainText("truth.json");
+});
+
+test("segments of another clip are refused in words", async ({ app }) => {
+  await app.sample("limp-to-run");
+  const saved = await app.saveSegments("Segments");
+  await app.drop(sample("bowling"));
+  await app.opened("bowling.bvh");
+  await app.drop(file(saved.name, saved.text));
+  await expect(app.alert).toContainText("744");
+  await expect(app.alert).toContainText("316");
+});
+
+test("a long segmentation can be cancelled at once, and what was there stays", async ({ app }) => {
+  await app.with(repeated(sample("limp-to-run"), 14));
+  const before = await app.segments();
+  await name(app, 1).fill("first");
+  const lanes = await app.tracks.screenshot();
+  await menu(app).selectOption("mvu");
+  const cancel = app.page.getByRole("button", { name: "Cancel" });
+  await expect(cancel).toBeVisible();
+  const bar = app.page.getByRole("progressbar", { name: /^Finding segments/ });
+  await expect.poll(async () => Number(await bar.getAttribute("value"))).toBeGreaterThan(0);
+  const took = await cancel.evaluate(async (button) => {
+    const since = performance.now();
+    (button as HTMLButtonElement).click();
+    while (document.querySelector(".progress")) {
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    return performance.now() - since;
+  });
+  expect(took).toBeLessThan(100);
+  await expect(menu(app)).toHaveValue("auto");
+  const named = before.map((segment, i) => (i ? segment : { ...segment, name: "first" }));
+  expect(await app.segments()).toEqual(named);
+  expect(await app.tracks.screenshot()).toEqual(lanes);
+  // The worker that took its place knows it all again.
+  const { segments } = read((await app.saveSegments("Segments")).text);
+  await expect(app.panel.getByRole("heading", { name: "Segments" })).toContainText(
+    String(segments.length),
+  );
+  expect(segments[0]?.label).toBe("first");
+  expect((await app.result("Left")).plants).toBeGreaterThan(100);
+});
+
+test("settings of the plants are heard while segments are looked for", async ({ app, page }) => {
+  await app.with(repeated(sample("limp-to-run"), 14));
+  const robust = (await app.result("Left")).plants;
+  await app.tab("Segment");
+  await menu(app).selectOption("mvu");
+  await expect(page.getByRole("button", { name: "Cancel" })).toBeVisible();
+  await app.tab("Detect");
+  await page.getByRole("combobox", { name: "Method" }).selectOption("speed");
+  await page.getByRole("button", { name: "Cancel" }).click();
+  await expect.poll(async () => (await app.result("Left")).plants).not.toBe(robust);
+  await app.tab("Segment");
+  expect((await app.segments()).length).toBeGreaterThan(1);
+});
+
+test("another rate cuts anew", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  await app.tab("Clip");
+  const rate = page.getByRole("spinbutton", { name: "Rate" });
+  await rate.fill("48");
+  await rate.press("Enter");
+  await expect(app.head).toContainText("48 Hz");
+  await expect
+    .poll(async () => {
+      const last = (await app.segments()).at(-1);
+      return Math.round(10 * ((last?.start ?? 0) + (last?.length ?? 0)));
+    })
+    .toBe(155);
+});
+
+test("a clip too short to cut is one segment, and says so", async ({ app }) => {
+  await app.with(good("plain"));
+  expect(await app.segments()).toHaveLength(1);
+  await expect(app.panel).toContainText("shorter than");
+});
+
+test("a skeleton without a body has no segments; the rest goes on", async ({ app, page }) => {
+  const rows = Array.from({ length: 90 }, (_, i) => `${i} 0 0 0 0 ${i}`).join("\n");
+  const body = `HIERARCHY
+ROOT Thing
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  End Site
+  {
+    OFFSET 0 10 0
+  }
+}
+MOTION
+Frames: 90
+Frame Time: 0.0333333
+${rows}
+`;
+  await app.with(file("thing.bvh", body));
+  await app.tab("Segment");
+  await expect(app.panel).toContainText(/Only 0 of the \d+ joints/);
+  await expect(app.panel.getByRole("button", { name: "Save", exact: true })).toBeHidden();
+  await page.keyboard.press("End");
+  expect(await app.frame()).toBe(89);
+  await page.keyboard.press("s");
+  await page.keyboard.press("[");
+  expect(await app.frame()).toBe(0);
+});

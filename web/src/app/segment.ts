@@ -1,0 +1,108 @@
+import { batch } from "@preact/signals";
+import { latest } from "../lib/latest";
+import { type Action, renamed, sameAction } from "../lib/segments";
+import { Cancelled } from "../worker";
+import type { SegmentOptions } from "../worker/types";
+import { rescoreSegments } from "./compare";
+import { engine } from "./engine";
+import { messageOf } from "./failing";
+import {
+  clip,
+  loop,
+  loopRegion,
+  renaming,
+  segmentation,
+  segmentFailure,
+  segmentMethods,
+  segmentNames,
+  segmentOptions,
+  sheetOpen,
+  tab,
+} from "./state";
+import { withProgress } from "./work";
+
+/** Whoever changes a setting waits this long for the answer to the one before, in milliseconds. */
+const patience = 300;
+
+let running: { since: number; controller: AbortController } | undefined;
+
+/** Cuts the clip on show into actions; an answer that comes too late for it is dropped. */
+export async function segmentNow(asked: SegmentOptions = segmentOptions.value): Promise<void> {
+  if (!clip.value?.frames) return;
+  stopSegmenting();
+  const controller = new AbortController();
+  const here = { since: performance.now(), controller };
+  running = here;
+  try {
+    const segmented = await withProgress(
+      "Finding segments in",
+      controller,
+      async (stoppable) => {
+        if (!segmentMethods.value.length) segmentMethods.value = await engine.segmentMethods();
+        return engine.segment(asked, stoppable);
+      },
+      keepBefore,
+    );
+    if (running !== here) return;
+    batch(() => {
+      segmentation.value = segmented.ok ? segmented.segmentation : null;
+      segmentFailure.value = segmented.ok ? null : segmented.failure;
+      moveLoop();
+    });
+    await rescoreSegments();
+  } catch (error) {
+    if (running !== here || error instanceof Cancelled) return;
+    batch(() => {
+      segmentation.value = null;
+      segmentFailure.value = { message: messageOf(error), hint: "Change a setting to try again." };
+    });
+  } finally {
+    if (running === here) running = undefined;
+  }
+}
+
+/** Ends a segmentation that nobody waits for any more. */
+export function stopSegmenting() {
+  running?.controller.abort();
+  running = undefined;
+}
+
+/** After a person has stopped it, the settings are again those of what is shown. */
+function keepBefore() {
+  batch(() => {
+    if (segmentation.value) segmentOptions.value = segmentation.value.options;
+    else
+      segmentFailure.value = { message: "it was cancelled", hint: "Choose a method to try again." };
+  });
+}
+
+/** The loop goes on with the segment that is the same action, if there is one. */
+function moveLoop() {
+  if (loop.value !== "segment" || !loopRegion.value) return;
+  const same = sameAction(segmentation.value?.segments ?? [], loopRegion.value);
+  loopRegion.value = same ?? null;
+  if (!same) loop.value = "clip";
+}
+
+const segmentLatest = latest((asked: SegmentOptions) => segmentNow(asked));
+
+/** Puts options in place of those before; at once in force. */
+export function setSegmentOptions(next: SegmentOptions) {
+  segmentOptions.value = next;
+  if (running && performance.now() - running.since > patience) stopSegmenting();
+  segmentLatest(next);
+}
+
+/** Gives an action a name that lasts as long as there is such an action. */
+export function rename(action: Action, name: string) {
+  segmentNames.value = renamed(segmentNames.value, action, name);
+}
+
+/** Takes a person to the field with the name of an action. */
+export function askForName(action: Action) {
+  batch(() => {
+    tab.value = "segment";
+    sheetOpen.value = true;
+    renaming.value = action;
+  });
+}

@@ -1,0 +1,96 @@
+import type { Segment } from "../worker/types";
+
+/** One action of the clip as it is shown. */
+export interface Action extends Segment {
+  /** Counts from 1. */
+  number: number;
+  /** What a person calls it; empty where nobody has named it. */
+  name: string;
+}
+
+/** A name that a person gave to some frames, half-open. */
+export interface Named {
+  start: number;
+  end: number;
+  name: string;
+}
+
+interface Span {
+  start: number;
+  end: number;
+}
+
+/**
+ * How much of the longer of two spans both have in common. Above a half they are the same
+ * action, and of each other's segments no other one can be.
+ */
+function likeness(a: Span, b: Span): number {
+  const common = Math.min(a.end, b.end) - Math.max(a.start, b.start);
+  return common / Math.max(a.end - a.start, b.end - b.start);
+}
+
+/** The item that spans the same action, if there is one. */
+export function sameAction<T extends Span>(items: readonly T[], span: Span): T | undefined {
+  let found: T | undefined;
+  let most = 0.5;
+  for (const item of items) {
+    const like = likeness(item, span);
+    if (like > most) [found, most] = [item, like];
+  }
+  return found;
+}
+
+/** The segments in order with the names that people gave to those actions. */
+export function actionsOf(segments: readonly Segment[], names: readonly Named[]): Action[] {
+  return segments.map((segment, i) => ({
+    ...segment,
+    number: i + 1,
+    name: sameAction(names, segment)?.name ?? "",
+  }));
+}
+
+/** The names with that of one action changed; without a name it has none. */
+export function renamed(names: readonly Named[], { start, end }: Span, name: string): Named[] {
+  const others = names.filter((other) => likeness(other, { start, end }) <= 0.5);
+  return name.trim() ? [...others, { start, end, name }] : others;
+}
+
+/** What an action is called on its bar and in files: a person's name, or the method's. */
+export const titleOf = ({ name, label }: Action) => name.trim() || label;
+
+/** What kind of action it is, in a word; nothing where the method does not tell. */
+export const kindText = ({ kind }: Segment) => (kind === "action" ? "" : kind);
+
+/** The action that holds a frame. */
+export function actionAt(actions: readonly Action[], frame: number): Action | undefined {
+  return actions[placeAt(actions, frame)];
+}
+
+/** Place of the segment that holds a frame, or of the first or the last one. */
+export function placeAt(segments: readonly Span[], frame: number): number {
+  let low = 0;
+  let high = segments.length - 1;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (frame >= (segments[middle] as Span).end) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** The first frame of each action but the first. */
+export const cutsOf = (actions: readonly Action[]) => actions.slice(1).map(({ start }) => start);
+
+/** A file name for each action, in order: `walk-03-turn.bvh`. */
+export function fileNames(actions: readonly Action[], clip: string): string[] {
+  const digits = Math.max(2, String(actions.length).length);
+  return actions.map((action) => {
+    // A person's words may hold what file systems do not.
+    const words = action.name
+      .trim()
+      .replace(/[^\p{L}\p{N}]+/gu, "-")
+      .replace(/^-|-$/g, "");
+    const parts = [clip, String(action.number).padStart(digits, "0"), words];
+    return `${parts.filter(Boolean).join("-")}.bvh`;
+  });
+}

@@ -1,0 +1,45 @@
+import { loopSegment } from "../app/playback";
+import { actions, openClip } from "../app/state";
+import { kindText, titleOf } from "../lib/segments";
+
+/** More rows than this help nobody who listens; the Segment panel lists them all. */
+const most = 500;
+
+/** The lane of segments in words, for screen readers: reached by browsing, not in the way of Tab. */
+export function SegmentTable() {
+  const rate = openClip.value?.rate ?? 1;
+  const listed = actions.value.slice(0, most);
+  if (!listed.length) return null;
+  return (
+    <table class="hidden">
+      <caption>
+        {actions.value.length} segments
+        {actions.value.length > most ? `, the first ${most} listed` : ""}
+      </caption>
+      <thead>
+        <tr>
+          <th>Segment</th>
+          <th>Name</th>
+          <th>Kind</th>
+          <th>Start</th>
+          <th>Duration</th>
+        </tr>
+      </thead>
+      <tbody>
+        {listed.map((action) => (
+          <tr key={action.number}>
+            <td>
+              <button type="button" tabIndex={-1} onClick={() => loopSegment(action)}>
+                Go to segment {action.number}
+              </button>
+            </td>
+            <td>{titleOf(action)}</td>
+            <td>{kindText(action)}</td>
+            <td>{(action.start / rate).toFixed(2)} s</td>
+            <td>{((action.end - action.start) / rate).toFixed(2)} s</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
