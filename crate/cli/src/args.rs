@@ -131,6 +131,9 @@ pub struct PlantArgs {
     /// Speed in metres per second for the methods speed, dual and min-speed
     #[arg(long, value_name = "M/S", default_value_t = plants::Params::default().speed)]
     pub speed: f64,
+    /// Compare all pairs of frames, however long the clip: slow, and hardly ever another label
+    #[arg(long)]
+    pub exact: bool,
 }
 
 impl PlantArgs {
@@ -143,6 +146,7 @@ impl PlantArgs {
             scale: self.sigma,
             height: self.height,
             speed: self.speed,
+            exact: self.exact,
         };
         params.check().map_err(|error| error.to_string())
     }

@@ -4,7 +4,7 @@ mod support;
 
 use plantigrade::bvh;
 use plantigrade::labels::Side;
-use plantigrade::plants::{self, DetectError, Feet, ValidParams};
+use plantigrade::plants::{self, DetectError, Feet, Params, ValidParams};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
 /// Files that have no pair of feet: a bar, a chain, a trunk, and a body with one leg.
@@ -80,4 +80,28 @@ fn what_is_read_survives_writing() {
             assert!((found - expected).norm() < 1e-9, "{}", path.display());
         }
     }
+}
+
+#[test]
+fn long_clips_have_the_labels_of_all_pairs() {
+    let Some(corpus) = support::corpus::folder() else { return };
+    let (mut labels, mut others, mut clips) = (0, 0, 0);
+    for path in support::bvh_files(&corpus) {
+        let clip = support::read(&path).clip;
+        let Ok(feet) = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default())) else { continue };
+        if clip.frame_count() <= 1500 {
+            continue;
+        }
+        clips += 1;
+        let [few, all] = [false, true]
+            .map(|exact| plants::detect(&feet, Params { exact, ..Params::default() }.check().unwrap()));
+        for (few, all) in few.parts.iter().zip(&all.parts) {
+            for (few, all) in few.feet.iter().zip(&all.feet) {
+                labels += few.planted.len();
+                others += few.planted.iter().zip(&all.planted).filter(|(few, all)| few != all).count();
+            }
+        }
+    }
+    assert!(clips >= 3, "{clips} clips are long");
+    assert!(others * 10_000 <= labels, "{others} of {labels} labels are others");
 }

@@ -1,6 +1,6 @@
-//! From samples to two classes: degrees and threshold.
+//! From samples to two classes: the threshold.
 
-use super::degree::{Graph, Kernel};
+use super::roots::Roots;
 use super::samples::Samples;
 use super::scale::Scale;
 use super::two_means;
@@ -29,33 +29,6 @@ pub struct Evidence {
     pub planted_middle: f64,
 }
 
-/// A scale no larger than this is none: so many samples are at rest that the knee is among them.
-const AT_REST: f64 = 1e-30;
-
-/// The roots of the weighted degrees of `samples`; all 0 where the scale is none.
-pub(super) fn roots(samples: &Samples, sigma: f64, kernel: Kernel, weights: &[f64]) -> Vec<f64> {
-    if sigma <= AT_REST {
-        return vec![0.0; samples.len()];
-    }
-    let degrees = Graph::new(samples, sigma, kernel).times(weights);
-    degrees.into_iter().map(f64::sqrt).collect()
-}
-
-/// The roots of what `others` would have for degrees among `samples`; all 0 where the scale is none.
-pub(super) fn roots_towards(
-    samples: &Samples,
-    others: &Samples,
-    sigma: f64,
-    kernel: Kernel,
-    weights: &[f64],
-) -> Vec<f64> {
-    if sigma <= AT_REST {
-        return vec![0.0; others.len()];
-    }
-    let degrees = Graph::new(samples, sigma, kernel).towards(others, weights);
-    degrees.into_iter().map(f64::sqrt).collect()
-}
-
 /// Where the threshold lies between two classes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Between {
@@ -68,44 +41,70 @@ pub(super) enum Between {
 /// Parts samples by a value that each has, and tells which are planted.
 ///
 /// Two-means finds the classes; the one of the lower mean norm is planted.
-/// Where all samples are at rest or alike, all are planted.
-pub(super) fn divide(
+/// Where all samples are at rest or alike, all are planted. Values that are only close are made
+/// exact where they decide.
+pub(super) fn divide<'a>(
     frames: Vec<usize>,
     samples: &Samples,
     scale: Scale,
     sigma: f64,
-    values: Vec<f64>,
+    values: impl Into<Roots<'a>>,
     between: Between,
 ) -> (Evidence, Vec<bool>) {
-    let mut evidence = Evidence {
+    let mut roots = values.into();
+    let mut parting = Parting::of(&roots.values, &samples.norms, between);
+    while let Some(found) = &parting
+        && roots.settle(found.threshold)
+    {
+        parting = Parting::of(&roots.values, &samples.norms, between);
+    }
+    let planted = match &parting {
+        Some(found) => {
+            roots.values.iter().map(|&value| (value > found.threshold) == found.planted_is_high).collect()
+        }
+        None => vec![true; samples.len()],
+    };
+    let evidence = Evidence {
         frames,
         norms: samples.norms.clone(),
         sorted_norms: scale.sorted_norms,
         running_variance: scale.running_variance,
         knee: scale.knee,
         sigma,
-        threshold: f64::NEG_INFINITY,
-        planted_middle: 0.0,
-        roots: values,
+        roots: roots.values,
+        threshold: parting.as_ref().map_or(f64::NEG_INFINITY, |found| found.threshold),
+        planted_middle: parting.map_or(0.0, |found| found.planted_middle),
     };
-    let values = &evidence.roots;
-    let Some(gap) = two_means::threshold(values) else {
-        let planted = vec![true; values.len()];
-        return (evidence, planted);
-    };
-    let (high, low): (Vec<usize>, Vec<usize>) = (0..values.len()).partition(|&sample| values[sample] > gap);
-    let mean_norm =
-        |class: &[usize]| class.iter().map(|&sample| samples.norms[sample]).sum::<f64>() / class.len() as f64;
-    let middle = |class: &[usize]| median(class.iter().map(|&sample| values[sample]).collect());
-    let (low_middle, high_middle) = (middle(&low), middle(&high));
-    let planted_is_high = mean_norm(&high) < mean_norm(&low);
-    evidence.threshold = match between {
-        Between::Gap => gap,
-        Between::Medians => (low_middle + high_middle) / 2.0,
-    };
-    evidence.planted_middle = if planted_is_high { high_middle } else { low_middle };
-    let planted = values.iter().map(|&value| (value > evidence.threshold) == planted_is_high).collect();
     (evidence, planted)
+}
+
+/// Two classes of values.
+struct Parting {
+    threshold: f64,
+    /// Whether the planted class is the one above.
+    planted_is_high: bool,
+    /// Its median.
+    planted_middle: f64,
+}
+
+impl Parting {
+    /// By two-means; none where all values are equal.
+    fn of(values: &[f64], norms: &[f64], between: Between) -> Option<Parting> {
+        let gap = two_means::threshold(values)?;
+        let (high, low): (Vec<usize>, Vec<usize>) =
+            (0..values.len()).partition(|&sample| values[sample] > gap);
+        let mean_norm =
+            |class: &[usize]| class.iter().map(|&sample| norms[sample]).sum::<f64>() / class.len() as f64;
+        let middle = |class: &[usize]| median(class.iter().map(|&sample| values[sample]).collect());
+        let (low_middle, high_middle) = (middle(&low), middle(&high));
+        let planted_is_high = mean_norm(&high) < mean_norm(&low);
+        let threshold = match between {
+            Between::Gap => gap,
+            Between::Medians => (low_middle + high_middle) / 2.0,
+        };
+        let planted_middle = if planted_is_high { high_middle } else { low_middle };
+        Some(Parting { threshold, planted_is_high, planted_middle })
+    }
 }
 
 /// The middle value, or the mean of the two middle ones.

@@ -78,7 +78,7 @@ fn cauchy(squares: Lanes) -> Lanes {
 
 /// 2^−x for each x ≥ 0, with a relative error of 2e-7; from 60 on, 2^−60.
 #[inline(always)]
-fn power_of_two(squares: Lanes) -> Lanes {
+pub(super) fn power_of_two<const COUNT: usize>(squares: [f32; COUNT]) -> [f32; COUNT] {
     // Adding and taking away this rounds to a whole number, which stays in the low bits.
     const ROUND: f32 = 1.5 * (1 << 23) as f32;
     squares.map(|square| {
@@ -133,9 +133,10 @@ impl Columns {
         likeness: impl Fn(Lanes) -> Lanes + Copy,
     ) -> Vec<f64> {
         let weights = self.padded(weights);
-        let sum = |i: usize| {
-            let mut sum = 0.0;
-            for block in (0..self.padded).step_by(BLOCK) {
+        let mut sums = vec![0.0; others.count];
+        // Block by block, so that what all others are compared with stays close at hand.
+        for block in (0..self.padded).step_by(BLOCK) {
+            for (i, sum) in sums.iter_mut().enumerate() {
                 let mut lanes: Lanes = [0.0; LANES];
                 for j in (block..block + BLOCK).step_by(LANES) {
                     let alike = likeness(self.squares(others, i, j));
@@ -145,11 +146,10 @@ impl Columns {
                         *lane += weight * alike;
                     }
                 }
-                sum += f64::from(lanes.iter().sum::<f32>());
+                *sum += f64::from(lanes.iter().sum::<f32>());
             }
-            sum
-        };
-        (0..others.count).map(sum).collect()
+        }
+        sums
     }
 
     fn times(&self, weights: &[f64], likeness: impl Fn(Lanes) -> Lanes + Copy) -> Vec<f64> {

@@ -10,12 +10,14 @@
 //! samples → scale → degree → threshold → labels. [`Method::Paper`] is the
 //! published method; [`Method::Robust`] the one to use.
 
+mod cells;
 mod clean;
 mod cluster;
 mod confidence;
 mod degree;
 mod derivative;
 mod drag;
+mod expansion;
 mod feet;
 mod floor;
 mod lanczos;
@@ -23,6 +25,7 @@ mod methods;
 mod params;
 mod plausible;
 mod refine;
+mod roots;
 mod samples;
 mod scale;
 mod signal;
@@ -99,7 +102,8 @@ impl PartLabels {
 /// Finds the frames in which each foot is planted.
 ///
 /// Any frame rate, unit and up axis; the labels of spectral methods do not depend
-/// on them. Takes time proportional to the square of the number of frames.
+/// on them. Takes time proportional to the number of frames, but for some of the methods
+/// that stand beside, whose time grows with its square.
 pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
     run(Task { feet, still: None, params })
 }

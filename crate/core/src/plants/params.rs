@@ -1,6 +1,7 @@
 //! Parameters of detection and the rules they keep.
 
 use super::Method;
+use super::roots::Pairs;
 
 /// What can be set; the defaults serve any clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,11 +19,23 @@ pub struct Params {
     pub height: f64,
     /// Speed under which thresholds take a toe for planted, in metres per second. Default 0.5.
     pub speed: f64,
+    /// Whether the degrees of long clips are summed over all pairs, which takes time proportional to
+    /// the square of the frames, instead of expanded about cells of alike frames and made exact only
+    /// where they decide, which gives the same labels but for ties. Default false.
+    pub exact: bool,
 }
 
 impl Default for Params {
     fn default() -> Params {
-        Params { method: Method::Robust, tolerance: 0.001, window: 1, scale: None, height: 0.05, speed: 0.5 }
+        Params {
+            method: Method::Robust,
+            tolerance: 0.001,
+            window: 1,
+            scale: None,
+            height: 0.05,
+            speed: 0.5,
+            exact: false,
+        }
     }
 }
 
@@ -103,6 +116,15 @@ impl ValidParams {
     /// See [`Params::speed`].
     pub fn speed(&self) -> f64 {
         self.0.speed
+    }
+
+    /// See [`Params::exact`].
+    pub fn exact(&self) -> bool {
+        self.0.exact
+    }
+
+    pub(super) fn pairs(&self) -> Pairs {
+        if self.0.exact { Pairs::All } else { Pairs::Few }
     }
 
     /// See [`Params::scale`].

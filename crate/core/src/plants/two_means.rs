@@ -9,7 +9,7 @@ pub(super) fn threshold(values: &[f64]) -> Option<f64> {
     let count = values.len();
     let mean = values.iter().sum::<f64>() / count as f64;
     let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     // With the mean at zero both classes' sums are opposite, and rounding stays small.
     let mut low_sum = 0.0;
     let mut best: Option<(f64, f64)> = None;

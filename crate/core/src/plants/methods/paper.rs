@@ -3,8 +3,6 @@
 use super::toes::Toes;
 use super::{Entry, Family, Found, Task};
 use crate::labels::Part;
-use crate::plants::cluster;
-use crate::plants::degree::Kernel;
 
 pub(super) const METHOD: Entry = Entry {
     name: "paper",
@@ -18,6 +16,5 @@ pub(super) const METHOD: Entry = Entry {
 fn detect(task: &Task) -> Found {
     let toes = Toes::of(task);
     let (scale, sigma) = toes.scale(task);
-    let roots = cluster::roots(&toes.samples, sigma, Kernel::Gaussian, &vec![1.0; toes.samples.len()]);
-    toes.parted_by(roots, scale, sigma)
+    toes.parted_by_degree(scale, sigma, task.params.pairs())
 }

@@ -3,6 +3,8 @@
 use super::{Found, Task};
 use crate::labels::Part;
 use crate::plants::cluster::{self, Between, Evidence};
+use crate::plants::degree::Kernel;
+use crate::plants::roots::{Pairs, Roots};
 use crate::plants::samples::{Ranges, Samples};
 use crate::plants::scale::Scale;
 use crate::plants::signal::{self, Signal, Signals};
@@ -54,8 +56,20 @@ impl<'a> Toes<'a> {
     /// Labels by a value that each sample has, parted at the gap (paper, section 2.3, steps 10 to 12).
     pub fn parted_by(self, values: Vec<f64>, scale: Scale, sigma: f64) -> Found {
         let frames = (0..self.feet.frame_count()).collect();
-        let (mut evidence, planted) =
-            cluster::divide(frames, &self.samples, scale, sigma, values, Between::Gap);
+        let parted = cluster::divide(frames, &self.samples, scale, sigma, values, Between::Gap);
+        self.parted(parted)
+    }
+
+    /// Labels by the roots of the degrees (paper, section 2.3, steps 6 to 12).
+    pub fn parted_by_degree(self, scale: Scale, sigma: f64, pairs: Pairs) -> Found {
+        let frames = (0..self.feet.frame_count()).collect();
+        let weights = vec![1.0; self.samples.len()];
+        let roots = Roots::of(&self.samples, sigma, Kernel::Gaussian, &weights, pairs);
+        let parted = cluster::divide(frames, &self.samples, scale, sigma, roots, Between::Gap);
+        self.parted(parted)
+    }
+
+    fn parted(self, (mut evidence, planted): (Evidence, Vec<bool>)) -> Found {
         // A standing clip has had its say.
         evidence.roots.truncate(2 * self.feet.frame_count());
         evidence.norms.truncate(2 * self.feet.frame_count());

@@ -1,0 +1,225 @@
+//! Samples in cells of those that lie close together.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::samples::Samples;
+
+/// Coordinates that are kept: those of a window of three frames.
+pub(super) const DIMS: usize = 6;
+
+/// A sample in units of the kernel's scale, turned so that coordinates vary most first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point {
+    pub place: [f32; DIMS],
+    /// Squared length of what is not kept of it.
+    pub rest: f32,
+    /// Which sample it is.
+    pub index: u32,
+}
+
+/// The turn that makes the coordinates of samples vary most first.
+pub(super) struct Axes {
+    mean: DVector<f64>,
+    axes: DMatrix<f64>,
+}
+
+impl Axes {
+    /// The principal axes of samples, in units of `sigma`.
+    pub fn of(samples: &Samples, sigma: f64) -> Axes {
+        let dimension = samples.dimension;
+        let count = samples.len() as f64;
+        let points = samples.points.chunks_exact(dimension);
+        let mean = points.clone().fold(DVector::zeros(dimension), |mut sum, point| {
+            sum.iter_mut().zip(point).for_each(|(sum, value)| *sum += value);
+            sum
+        }) / count;
+        let mut scatter = DMatrix::zeros(dimension, dimension);
+        for point in points {
+            let off = DVector::from_column_slice(point) - &mean;
+            scatter.syger(1.0, &off, &off, 1.0);
+        }
+        let eigen = scatter.symmetric_eigen();
+        let mut order: Vec<usize> = (0..dimension).collect();
+        order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+        order.truncate(DIMS);
+        let rows: Vec<_> =
+            order.iter().map(|&axis| eigen.eigenvectors.column(axis).transpose() / sigma).collect();
+        Axes { mean, axes: DMatrix::from_rows(&rows) }
+    }
+
+    /// The samples as points.
+    pub fn points(&self, samples: &Samples, sigma: f64) -> Vec<Point> {
+        let point = |(index, values): (usize, &[f64])| {
+            let mut place = [0.0; DIMS];
+            let mut whole = 0.0;
+            for (axis, (value, mean)) in values.iter().zip(self.mean.iter()).enumerate() {
+                let off = value - mean;
+                whole += (off / sigma).powi(2);
+                for (place, along) in place.iter_mut().zip(self.axes.column(axis).iter()) {
+                    *place += along * off;
+                }
+            }
+            let kept: f64 = place.iter().map(|place| place * place).sum();
+            Point {
+                place: place.map(|place| place as f32),
+                rest: (whole - kept).max(0.0) as f32,
+                index: index as u32,
+            }
+        };
+        samples.points.chunks_exact(samples.dimension).enumerate().map(point).collect()
+    }
+}
+
+/// Points in the order of their cells.
+pub(super) struct Cells {
+    pub points: Vec<Point>,
+    /// The places of each cell among the points, and their mean.
+    pub cells: Vec<(Range<usize>, [f32; DIMS])>,
+}
+
+impl Cells {
+    /// Parts points into at most `most` cells, the most spread and most filled ones first.
+    pub fn of(mut points: Vec<Point>, most: usize) -> Cells {
+        let mut open = BinaryHeap::from([Cell::of(&points, 0..points.len())]);
+        let mut closed = Vec::new();
+        while open.len() + closed.len() < most {
+            let Some(cell) = open.pop() else { break };
+            let Cell { range, mean, axis, .. } = &cell;
+            let middle =
+                range.start + part(&mut points[range.clone()], |point| point.place[*axis] < mean[*axis]);
+            if middle == range.start || middle == range.end {
+                // Its points are one as far as can be told.
+                closed.push(cell);
+                continue;
+            }
+            open.extend([range.start..middle, middle..range.end].map(|range| Cell::of(&points, range)));
+        }
+        let cells = open.into_iter().chain(closed).map(|cell| (cell.range, cell.mean)).collect();
+        Cells { points, cells }
+    }
+}
+
+/// Moves points that are `first` before the others, and tells how many they are.
+fn part(points: &mut [Point], first: impl Fn(&Point) -> bool) -> usize {
+    let mut count = 0;
+    for place in 0..points.len() {
+        if first(&points[place]) {
+            points.swap(place, count);
+            count += 1;
+        }
+    }
+    count
+}
+
+/// A cell that may be parted.
+struct Cell {
+    range: Range<usize>,
+    mean: [f32; DIMS],
+    /// The axis along which its points are spread most.
+    axis: usize,
+    /// What it adds to the error: about its points' number times the cube of their spread, of which
+    /// half the number is taken so that lone points get cells too.
+    weight: f64,
+}
+
+impl Cell {
+    fn of(points: &[Point], range: Range<usize>) -> Cell {
+        let (mut sum, mut squares) = ([0.0; DIMS], [0.0; DIMS]);
+        for point in &points[range.clone()] {
+            for (axis, &place) in point.place.iter().enumerate() {
+                sum[axis] += f64::from(place);
+                squares[axis] += f64::from(place) * f64::from(place);
+            }
+        }
+        let count = range.len().max(1) as f64;
+        let mean = sum.map(|sum| sum / count);
+        let spread: [f64; DIMS] =
+            std::array::from_fn(|axis| (squares[axis] / count - mean[axis] * mean[axis]).max(0.0));
+        let axis = (0..DIMS).max_by(|&a, &b| spread[a].total_cmp(&spread[b])).unwrap_or(0);
+        let weight = spread.iter().sum::<f64>().powf(1.5) * count.sqrt();
+        Cell { range, mean: mean.map(|mean| mean as f32), axis, weight }
+    }
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Cell) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Cell {}
+
+impl PartialOrd for Cell {
+    fn partial_cmp(&self, other: &Cell) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Cell {
+    fn cmp(&self, other: &Cell) -> Ordering {
+        // Where weights are equal, the order must not depend on the heap.
+        self.weight.total_cmp(&other.weight).then(other.range.start.cmp(&self.range.start))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn samples(points: Vec<f64>, dimension: usize) -> Samples {
+        let norms =
+            points.chunks_exact(dimension).map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt());
+        Samples { norms: norms.collect(), dimension, points }
+    }
+
+    proptest! {
+        #[test]
+        fn turned_points_are_as_far_apart(
+            values in prop::collection::vec(0.0..1.0_f64, 10 * 8),
+            dimension in prop_oneof![Just(2_usize), Just(5), Just(10)],
+        ) {
+            let samples = samples(values, dimension);
+            let points = Axes::of(&samples, 0.5).points(&samples, 0.5);
+            for (i, a) in points.iter().enumerate() {
+                for (j, b) in points.iter().enumerate() {
+                    let own: f64 =
+                        samples.point(i).iter().zip(samples.point(j)).map(|(a, b)| ((a - b) / 0.5).powi(2)).sum();
+                    let kept: f64 =
+                        a.place.iter().zip(b.place).map(|(a, b)| f64::from(a - b).powi(2)).sum();
+                    prop_assert!(kept <= own + 1e-4);
+                    if dimension <= DIMS {
+                        prop_assert!((kept - own).abs() < 1e-4);
+                        prop_assert!(a.rest < 1e-4);
+                    }
+                }
+            }
+        }
+
+        #[test]
+        fn every_point_has_one_cell(values in prop::collection::vec(-1.0..1.0_f64, 2..120), most in 1_usize..40) {
+            let samples = samples(values[..values.len() / 2 * 2].to_vec(), 2);
+            let cells = Cells::of(Axes::of(&samples, 1.0).points(&samples, 1.0), most);
+            prop_assert!(cells.cells.len() <= most);
+            let mut indices: Vec<u32> = cells.points.iter().map(|point| point.index).collect();
+            indices.sort_unstable();
+            prop_assert!(indices.iter().copied().eq(0..samples.len() as u32));
+            let mut ranges: Vec<_> = cells.cells.iter().map(|(range, _)| range.clone()).collect();
+            ranges.sort_by_key(|range| range.start);
+            prop_assert!(ranges.iter().all(|range| !range.is_empty()));
+            prop_assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start));
+        }
+    }
+
+    #[test]
+    fn equal_points_stay_together() {
+        let samples = samples([0.25, 0.75].repeat(50), 2);
+        let cells = Cells::of(Axes::of(&samples, 1.0).points(&samples, 1.0), 10);
+        assert_eq!(cells.cells.len(), 1);
+    }
+}
