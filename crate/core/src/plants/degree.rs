@@ -82,7 +82,8 @@ pub(super) fn power_of_two<const COUNT: usize>(squares: [f32; COUNT]) -> [f32; C
     // Adding and taking away this rounds to a whole number, which stays in the low bits.
     const ROUND: f32 = 1.5 * (1 << 23) as f32;
     squares.map(|square| {
-        let x = -square.min(60.0);
+        // A call to `min` would not become SIMD on wasm.
+        let x = if square < 60.0 { -square } else { -60.0 };
         let rounded = x + ROUND;
         let f = x - (rounded - ROUND);
         // Taylor's series of 2^f for |f| ≤ ½.

@@ -62,6 +62,8 @@ fn steps(labels: &FootLabels, fast: f64) -> Vec<usize> {
 struct Stand {
     /// The ways of ankle and toe of each foot; what they move in other frames is left out.
     ways: [[Track; 2]; 2],
+    /// The furthest that two joints part from one place to the next.
+    fastest: f64,
 }
 
 impl Stand {
@@ -77,7 +79,13 @@ impl Stand {
             };
             (0..shared.len()).map(step).collect()
         };
-        Stand { ways: feet.tracks.each_ref().map(|foot| [way(&foot.ankle), way(&foot.toe)]) }
+        let ways = feet.tracks.each_ref().map(|foot| [way(&foot.ankle), way(&foot.toe)]);
+        let [left, right] = &ways;
+        let step = |a: &Track, b: &Track, to: usize| ((a[to] - a[to - 1]) - (b[to] - b[to - 1])).norm();
+        let fastest = (1..shared.len())
+            .flat_map(|to| left.iter().flat_map(move |a| right.iter().map(move |b| step(a, b, to))))
+            .fold(0.0, f64::max);
+        Stand { ways, fastest }
     }
 
     /// The shortest stretches in which a foot is dragged away from the other, as first and last
@@ -89,11 +97,9 @@ impl Stand {
         let mut earliest = count;
         let mut partings = Vec::new();
         for from in (0..count).rev() {
-            let mut places =
-                (from + 1..count.min(from + longest + 1)).take_while(|&to| stay(to) == stay(from));
             // One that holds a shorter one begins or ends at rest.
-            let Some(to) = places.find(|&to| self.parted(from, to) > parted).filter(|&to| to < earliest)
-            else {
+            let end = earliest.min(from + longest + 1);
+            let Some(to) = self.first_parted(from, end, parted).filter(|&to| stay(to) == stay(from)) else {
                 continue;
             };
             earliest = to;
@@ -105,6 +111,20 @@ impl Stand {
             }
         }
         partings
+    }
+
+    /// The first place after `from` and before `end` to which the feet part by more than `far`.
+    fn first_parted(&self, from: usize, end: usize, far: f64) -> Option<usize> {
+        let mut to = from + 1;
+        while to < end {
+            let left = far - self.parted(from, to);
+            if left < 0.0 {
+                return Some(to);
+            }
+            // Sooner they cannot get there.
+            to = to.saturating_add((left / self.fastest) as usize).saturating_add(1);
+        }
+        None
     }
 
     /// How far the feet part between two places: by the joints that do least, as ankles turn about toes.

@@ -15,9 +15,8 @@ const CELLS: f64 = 7.0;
 const MOST_CELLS: usize = 4096;
 /// Samples that are made exact at first; then twice as many, and so on.
 const FIRST: usize = 64;
-/// How many times the largest correction so far the nearest sample that is not exact has to be
-/// from the threshold.
-const SAFETY: f64 = 3.0;
+/// How many times the largest correction so far a sample has to be from the threshold to stay as it is.
+const SAFETY: f64 = 2.0;
 
 /// Which pairs of samples are looked at one by one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,28 +111,29 @@ impl<'a> Roots<'a> {
         if threshold.is_nan() || threshold <= 0.0 {
             return false;
         }
-        let mut count = FIRST;
+        let mut most = FIRST;
         let mut is_changed = false;
         loop {
             let off = |sample: usize| (self.values[sample] / threshold - 1.0).abs();
-            let mut near: Vec<usize> =
-                (0..self.values.len()).filter(|&sample| !close.is_exact[sample]).collect();
-            if count < near.len() {
-                near.select_nth_unstable_by(count, |&a, &b| off(a).total_cmp(&off(b)).then(a.cmp(&b)));
-                near.truncate(count);
-            }
-            let next = near.iter().map(|&sample| off(sample)).fold(f64::INFINITY, f64::min);
-            let is_known = close.worst > 0.0 || is_changed;
-            if near.is_empty() || is_known && next > SAFETY * close.worst {
+            // At first nobody knows how far off they are.
+            let reach = if close.worst > 0.0 { SAFETY * close.worst } else { f64::INFINITY };
+            let is_near = |sample: &usize| !close.is_exact[*sample] && off(*sample) <= reach;
+            let mut near: Vec<usize> = (0..self.values.len()).filter(is_near).collect();
+            if near.is_empty() {
                 return is_changed;
+            }
+            if most < near.len() {
+                near.select_nth_unstable_by(most, |&a, &b| off(a).total_cmp(&off(b)).then(a.cmp(&b)));
+                near.truncate(most);
             }
             for (&sample, value) in near.iter().zip(close.exact(&near)) {
                 let old = std::mem::replace(&mut self.values[sample], value);
-                close.worst = close.worst.max((old / value.max(f64::MIN_POSITIVE) - 1.0).abs());
+                let off = (old / value.max(f64::MIN_POSITIVE) - 1.0).abs();
+                close.worst = close.worst.max(off).max(f64::EPSILON);
                 close.is_exact[sample] = true;
             }
             is_changed = true;
-            count *= 2;
+            most *= 2;
         }
     }
 }

@@ -60,8 +60,8 @@ impl Samples {
                         let neighbour =
                             (frame + place).saturating_sub(window).clamp(piece.start, piece.end - 1);
                         let [height, speed] = signal.at(neighbour);
-                        points.push((height / ranges.height).min(1.0));
-                        points.push((speed / ranges.speed).min(1.0));
+                        points.push(limited(height / ranges.height));
+                        points.push(limited(speed / ranges.speed));
                     }
                 }
             }
@@ -86,6 +86,11 @@ impl Samples {
     pub fn point(&self, sample: usize) -> &[f64] {
         &self.points[sample * self.dimension..(sample + 1) * self.dimension]
     }
+}
+
+/// At most 1; a call to `min` costs more than the comparison on wasm.
+fn limited(value: f64) -> f64 {
+    if value < 1.0 { value } else { 1.0 }
 }
 
 #[cfg(test)]
