@@ -257,6 +257,10 @@ pub struct DetectOptions {
     #[tsify(optional)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,
+    /// Whether all pairs of frames are compared, however long the clip; slow. Default false.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exact: Option<bool>,
 }
 
 impl TryFrom<&DetectOptions> for Params {
@@ -272,6 +276,7 @@ impl TryFrom<&DetectOptions> for Params {
             scale: None,
             height: options.height.unwrap_or(default.height),
             speed: options.speed.unwrap_or(default.speed),
+            exact: options.exact.unwrap_or_default(),
         })
     }
 }

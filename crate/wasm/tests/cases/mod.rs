@@ -23,7 +23,9 @@ fn walk() -> RawClip {
 }
 
 fn options(method: &str) -> Ts<DetectOptions> {
-    DetectOptions { method: method.into(), r: 0.001, w: 1, height: None, speed: None }.into_ts().unwrap()
+    DetectOptions { method: method.into(), r: 0.001, w: 1, height: None, speed: None, exact: None }
+        .into_ts()
+        .unwrap()
 }
 
 fn facts(clip: &RawClip) -> ClipFacts {
