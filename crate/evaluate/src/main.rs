@@ -1,9 +1,10 @@
-//! Writes `RESULTS.md` and its figures: the detector on generated and on measured
-//! truth, beside the published figures and every alternative.
+//! Writes `RESULTS.md` and its figures: the detector, and the cutting into actions, on
+//! generated and on recorded truth, beside the published figures and every alternative.
 //!
 //! The result depends on nothing but the code (and on the recorded trials for the
-//! section that reports them, which is kept as it is where they are not at hand).
+//! sections that report them, which are kept as they are where they are not at hand).
 
+mod actions;
 mod confidence;
 mod figure;
 mod hard;
@@ -36,10 +37,17 @@ fn main() -> anyhow::Result<()> {
     hard::write(&mut report)?;
     rates::write(&mut report)?;
     confidence::write(&mut report)?;
-    match corpus(&root) {
-        Some(corpus) => plates::write(&mut report, &corpus)?,
+    let corpus = corpus(&root);
+    match &corpus {
+        Some(corpus) => plates::write(&mut report, corpus)?,
         None => report.keep(&before, plates::MARK),
     }
+    let generated = actions::generated::write(&mut report);
+    match &corpus {
+        Some(corpus) => actions::recorded::write(&mut report, corpus)?,
+        None => report.keep(&before, actions::recorded::MARK),
+    }
+    actions::limits::write(&mut report, &generated);
     fs::write(&file, report.finish())?;
     println!("{} is written.", file.display());
     Ok(())
@@ -57,7 +65,8 @@ const INTRODUCTION: &str = "\
 
 How well the detector does, on motion generated with exact truth and on contact
 measured by force plates, beside the figures of the paper it builds on and beside
-every alternative we know. `npm run evaluate` writes this page anew.
+every alternative we know; and how well clips are cut into actions.
+`npm run evaluate` writes this page anew.
 
 *Accuracy* is the share of right labels over both feet, pooled over frames.
 Boundaries are fuzzy for *p* seconds: labels within p/2 of a true boundary are

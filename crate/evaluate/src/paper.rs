@@ -238,8 +238,8 @@ fn heights(report: &mut Report, all: &[Trial]) -> anyhow::Result<()> {
             series: vec![
                 Series::dots("left planted", points(0, true)),
                 Series::dots("right planted", points(1, true)),
-                Series { label: String::new(), points: Vec::new(), dots: true },
-                Series { label: String::new(), points: Vec::new(), dots: true },
+                Series::none(),
+                Series::none(),
                 Series::dots("in the air", [points(0, false), points(1, false)].concat()),
             ],
         });
