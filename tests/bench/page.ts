@@ -1,0 +1,87 @@
+/** What is measured in the browser: ours and the reference, in the same page. */
+
+import { BVHLoader } from "three/examples/jsm/loaders/BVHLoader.js";
+import init, { type RawClip, RawReader } from "../../web/src/wasm/plantigrade";
+
+const { memory } = await init();
+
+/** Bytes read at a time, as the app's worker reads a file. */
+const CHUNK = 1 << 20;
+
+let clip: RawClip | undefined;
+
+/** Reads a file as the app does: chunk by chunk. */
+async function read(file: Blob): Promise<RawClip> {
+  const reader = new RawReader(false);
+  for (let at = 0; at < file.size; at += CHUNK) {
+    reader.push(new Uint8Array(await file.slice(at, at + CHUNK).arrayBuffer()));
+  }
+  return reader.finish();
+}
+
+/** Milliseconds that the quickest of some runs takes, and what the last gave. */
+async function timed<T>(runs: number, work: () => T | Promise<T>): Promise<[number, T]> {
+  let best = Number.POSITIVE_INFINITY;
+  for (;;) {
+    const start = performance.now();
+    const result = await work();
+    best = Math.min(best, performance.now() - start);
+    if (--runs <= 0) return [best, result];
+  }
+}
+
+const bench = {
+  /** Reads a clip and holds it; milliseconds, bytes of the file and of wasm memory. */
+  async parse(url: string, runs: number) {
+    const file = await (await fetch(url)).blob();
+    const before = memory.buffer.byteLength;
+    const [time] = await timed(runs, async () => {
+      clip?.free();
+      clip = await read(file);
+    });
+    return { time, bytes: file.size, memory: memory.buffer.byteLength, before };
+  },
+
+  /** The same by three.js' loader: milliseconds, and what the heap grew by. */
+  async loader(url: string, runs: number) {
+    const text = await (await fetch(url)).text();
+    const heap = () => (performance as { memory?: { usedJSHeapSize: number } }).memory;
+    (globalThis as { gc?: () => void }).gc?.();
+    const before = heap()?.usedJSHeapSize ?? 0;
+    const [time, parsed] = await timed(runs, () => new BVHLoader().parse(text));
+    const grown = (heap()?.usedJSHeapSize ?? 0) - before;
+    return { time, bytes: text.length, grown, joints: parsed.skeleton.bones.length };
+  },
+
+  /** Holds the first frames of the clip only. */
+  async cut(frames: number) {
+    if (!clip) throw new Error("there is no clip");
+    const part = new Blob([clip.cut(0, frames)]);
+    clip.free();
+    clip = await read(part);
+    return clip.facts().frames;
+  },
+
+  /** Milliseconds to label the clip, all parts of both feet. */
+  async detect(runs: number, exact: boolean, method = "robust") {
+    const [time] = await timed(runs, () => clip?.detect({ method, r: 0.001, w: 1, exact }).free());
+    return time;
+  },
+
+  /** Milliseconds to cut it into actions. */
+  async segment(method: string, runs: number) {
+    const [time] = await timed(runs, () => clip?.segment({ method }, () => {}).free());
+    return time;
+  },
+
+  /** Milliseconds to place all joints in all frames. */
+  async positions(runs: number) {
+    const [time] = await timed(runs, () => clip?.positions().length);
+    return time;
+  },
+};
+
+export type Bench = typeof bench;
+
+Object.assign(globalThis, { bench });
+document.title = "ready";
