@@ -6,7 +6,7 @@ use plantigrade::bvh::{Error, JointKind};
 use plantigrade::labels::{LabelsError, Side};
 use plantigrade::notice::Notice;
 use plantigrade::plants::{DetectError, Family, Method, ParamError, Params};
-use plantigrade::segments::{self, Segment, SegmentError};
+use plantigrade::segments::{self, MethodOption, Segment, SegmentError};
 use plantigrade::skeleton::{self, Role};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -373,20 +373,22 @@ pub struct SegmentMethodFacts {
 
 impl From<segments::Method> for SegmentMethodFacts {
     fn from(method: segments::Method) -> SegmentMethodFacts {
-        use segments::Method;
-        let (dims, options): (_, &[&str]) = match method {
-            Method::Auto | Method::Pca => (None, &[]),
-            Method::Lsd => (None, &["template", "published"]),
-            Method::Mvu => (Some(1), &["residual", "published"]),
-            Method::PcaTail => (Some(2), &[]),
-            Method::Ppca => (None, &["published"]),
-        };
+        let mut dims = None;
+        let mut options = Vec::new();
+        for option in method.options() {
+            match option {
+                MethodOption::Dims(default) => dims = Some(*default),
+                MethodOption::Residual => options.push("residual".into()),
+                MethodOption::Template => options.push("template".into()),
+                MethodOption::Published => options.push("published".into()),
+            }
+        }
         SegmentMethodFacts {
             name: method.name().into(),
             title: method.title().into(),
             about: method.about().into(),
             dims,
-            options: options.iter().map(|&option| option.into()).collect(),
+            options,
         }
     }
 }

@@ -8,7 +8,7 @@ use super::document::pretty;
 use super::{Source, SpanSource, VERSION};
 use crate::bvh::Clip;
 use crate::notice::Notice;
-use crate::segments::{Kind, Method, Segmentation, ValidParams};
+use crate::segments::{Kind, MethodOption, Segmentation, ValidParams};
 use crate::skeleton::Skeleton;
 
 /// What [`SegmentsDocument::format`] says.
@@ -50,7 +50,7 @@ pub struct SegmentsDocument {
 pub struct SegmentsMethod {
     /// `auto`, `lsd`, ...; `truth` where the segments are known from elsewhere.
     pub name: String,
-    /// Dimensions kept, where they were set by hand.
+    /// Dimensions kept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dims: Option<usize>,
     /// `absolute` or `ratio`.
@@ -116,14 +116,13 @@ impl Stretch {
 impl SegmentsMethod {
     fn of(params: &ValidParams) -> SegmentsMethod {
         let method = params.method();
-        let (residual, template) = (params.residual().to_string(), params.template().to_string());
+        let matters = |option| method.options().contains(&option);
         SegmentsMethod {
             name: method.name().into(),
-            dims: params.dims().filter(|_| matches!(method, Method::Mvu | Method::PcaTail)),
-            residual: (method == Method::Mvu).then_some(residual),
-            template: (method == Method::Lsd).then_some(template),
-            published: matches!(method, Method::Lsd | Method::Mvu | Method::Ppca)
-                .then_some(params.published()),
+            dims: params.dims(),
+            residual: matters(MethodOption::Residual).then(|| params.residual().to_string()),
+            template: matters(MethodOption::Template).then(|| params.template().to_string()),
+            published: matters(MethodOption::Published).then(|| params.published()),
         }
     }
 }
@@ -194,7 +193,7 @@ impl SegmentsDocument {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::segments::{Params, Template};
+    use crate::segments::{Method, Params, Template};
 
     #[test]
     fn only_what_matters_to_the_method_is_told() {

@@ -24,11 +24,25 @@ pub enum Method {
     Ppca,
 }
 
+/// A parameter that matters to a method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MethodOption {
+    /// [`Params::dims`](super::Params::dims), with its default.
+    Dims(usize),
+    /// [`Params::residual`](super::Params::residual)
+    Residual,
+    /// [`Params::template`](super::Params::template)
+    Template,
+    /// [`Params::published`](super::Params::published)
+    Published,
+}
+
 /// What a method's file says of it.
 pub(super) struct Entry {
     pub name: &'static str,
     pub title: &'static str,
     pub about: &'static str,
+    pub options: &'static [MethodOption],
     pub segment: fn(&mut Task) -> Result<Found, SegmentError>,
 }
 
@@ -61,6 +75,11 @@ impl Method {
     /// What the method does, in a sentence.
     pub fn about(self) -> &'static str {
         self.entry().about
+    }
+
+    /// The parameters that matter to the method.
+    pub fn options(self) -> &'static [MethodOption] {
+        self.entry().options
     }
 
     pub(super) fn segment(self, task: &mut Task) -> Result<Found, SegmentError> {

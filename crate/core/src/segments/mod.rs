@@ -22,7 +22,7 @@ mod body;
 mod pca;
 mod ppca;
 
-pub use method::Method;
+pub use method::{Method, MethodOption};
 pub use params::{ParamError, Params, Residual, Template, ValidParams};
 pub use task::{Cancelled, Progress};
 

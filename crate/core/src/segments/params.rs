@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::Method;
+use super::{Method, MethodOption};
 
 /// What can be set; the defaults serve any clip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -124,9 +124,13 @@ impl ValidParams {
         self.0.method
     }
 
-    /// See [`Params::dims`].
+    /// See [`Params::dims`]: as set, or the method's default; none where it does not matter.
     pub fn dims(&self) -> Option<usize> {
-        self.0.dims
+        let default = self.method().options().iter().find_map(|option| match option {
+            MethodOption::Dims(default) => Some(*default),
+            _ => None,
+        })?;
+        Some(self.0.dims.unwrap_or(default))
     }
 
     /// See [`Params::residual`].

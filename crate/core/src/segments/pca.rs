@@ -7,7 +7,7 @@
 
 use super::body::Body;
 use super::growing::{Jumps, Moments, residual};
-use super::method::Entry;
+use super::method::{Entry, MethodOption};
 use super::pose::Poses;
 use super::task::{Found, Task};
 use super::{Curve, Residual, SegmentError};
@@ -16,6 +16,7 @@ pub(super) const BARBIC: Entry = Entry {
     name: "pca",
     title: "PCA, as published",
     about: "Cuts where the error of the subspace that held the beginning grows faster than it did.",
+    options: &[],
     segment: barbic,
 };
 
@@ -23,6 +24,7 @@ pub(super) const TAIL: Entry = Entry {
     name: "pca-tail",
     title: "PCA tail",
     about: "Cuts where the variance that two dimensions leave over jumps.",
+    options: &[MethodOption::Dims(2)],
     segment: tail,
 };
 
@@ -86,13 +88,11 @@ fn barbic(task: &mut Task) -> Result<Found, SegmentError> {
 
 /// Poses per second that the tail is judged by.
 const TAIL_RATE: f64 = 10.0;
-/// Dimensions kept before the rest is called tail.
-const TAIL_DIMS: usize = 2;
 
 fn tail(task: &mut Task) -> Result<Found, SegmentError> {
     let body = Body::turning(task.clip, task.skeleton)?;
     let poses = Poses::of(task.clip, &body, &task.frames, TAIL_RATE);
-    let dims = task.params.dims().unwrap_or(TAIL_DIMS);
+    let dims = task.params.dims().unwrap_or_default();
     let mut window = 0..0;
     let mut moments = Moments::new(poses.columns.nrows());
     let of_window = |wanted: std::ops::Range<usize>| {

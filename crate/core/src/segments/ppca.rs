@@ -10,7 +10,7 @@ use nalgebra::DMatrixView;
 
 use super::body::Body;
 use super::growing::{Moments, residual};
-use super::method::Entry;
+use super::method::{Entry, MethodOption};
 use super::pose::Poses;
 use super::task::{Found, Task};
 use super::{Curve, Residual, SegmentError};
@@ -19,6 +19,7 @@ pub(super) const METHOD: Entry = Entry {
     name: "ppca",
     title: "Probabilistic PCA",
     about: "Cuts where the next poses are most unlikely under the distribution of those before.",
+    options: &[MethodOption::Published],
     segment,
 };
 

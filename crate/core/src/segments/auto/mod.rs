@@ -26,6 +26,7 @@ pub(super) const METHOD: Entry = Entry {
     name: "auto",
     title: "Gaussian segments",
     about: "Cuts where several clouds of poses fit so much better than fewer that they are worth their price.",
+    options: &[],
     segment,
 };
 

@@ -27,7 +27,7 @@ use std::ops::Range;
 
 use super::body::Body;
 use super::grid::Grid;
-use super::method::Entry;
+use super::method::{Entry, MethodOption};
 use super::task::{Found, Task};
 use super::{Curve, Kind, Motif, Segment, SegmentError};
 use actions::{Action, Sequence};
@@ -40,6 +40,7 @@ pub(super) const METHOD: Entry = Entry {
     title: "Distance to a template pose",
     about: "Motifs between the turning points of the least-squares distance to a template pose: \
             what repeats its motifs is one action, and so is what lies between.",
+    options: &[MethodOption::Template, MethodOption::Published],
     segment,
 };
 

@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DMatrixView};
 
 use super::body::Body;
 use super::growing::Jumps;
-use super::method::Entry;
+use super::method::{Entry, MethodOption};
 use super::pose::Poses;
 use super::task::{Found, Task};
 use super::{Residual, SegmentError};
@@ -24,6 +24,8 @@ pub(super) const METHOD: Entry = Entry {
     name: "mvu",
     title: "Maximum variance unfolding",
     about: "Unfolds the poses of a growing window and cuts where what few dimensions leave over jumps.",
+    // The published 10 dimensions leave hardly anything over.
+    options: &[MethodOption::Dims(1), MethodOption::Residual, MethodOption::Published],
     segment,
 };
 
@@ -31,15 +33,13 @@ pub(super) const METHOD: Entry = Entry {
 const RATE: f64 = 10.0;
 /// k: neighbours of a pose whose distances are kept.
 const NEIGHBOURS: usize = 6;
-/// d: dimensions kept before the rest is called residual; the published 10 leave hardly anything.
-const DIMS: usize = 1;
 /// The rule as published: against the window before, and more than the mean.
 const PUBLISHED: Jumps = Jumps { lag: 1, factor: 1.0, ..Jumps::RESIDUAL };
 
 fn segment(task: &mut Task) -> Result<Found, SegmentError> {
     let body = Body::turning(task.clip, task.skeleton)?;
     let poses = Poses::of(task.clip, &body, &task.frames, RATE);
-    let (dims, kind) = (task.params.dims().unwrap_or(DIMS), task.params.residual());
+    let (dims, kind) = (task.params.dims().unwrap_or_default(), task.params.residual());
     let mut guesses = Vec::new();
     let of_window =
         |window: Range<usize>| residual(poses.columns.columns_range(window), dims, kind, &mut guesses);
