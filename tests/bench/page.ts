@@ -12,7 +12,7 @@ let clip: RawClip | undefined;
 
 /** Reads a file as the app does: chunk by chunk. */
 async function read(file: Blob): Promise<RawClip> {
-  const reader = new RawReader(false);
+  const reader = new RawReader(false, file.size);
   for (let at = 0; at < file.size; at += CHUNK) {
     reader.push(new Uint8Array(await file.slice(at, at + CHUNK).arrayBuffer()));
   }

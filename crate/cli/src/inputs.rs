@@ -75,8 +75,8 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
     let path = &input.path;
     let read_error = |error| Failure::Read { path: path.clone(), error };
     let parse_error = |error: bvh::Error| Failure::Parse { path: path.clone(), error: error.into() };
-    let mut file: Box<dyn Read> = if path == Path::new("-") {
-        Box::new(io::stdin())
+    let (mut file, expected_bytes): (Box<dyn Read>, u64) = if path == Path::new("-") {
+        (Box::new(io::stdin()), 0)
     } else {
         let file = File::open(path).map_err(read_error)?;
         let bytes = file.metadata().map_err(read_error)?.len();
@@ -86,9 +86,10 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
                 io::Error::other(format!("the file has {bytes} bytes, more than the limit of {limit}"));
             return Err(read_error(error));
         }
-        Box::new(file)
+        (Box::new(file), bytes)
     };
-    let mut reader = Reader::new(Options { lenient: args.lenient, ..Options::default() });
+    let options = Options { lenient: args.lenient, expected_bytes, ..Options::default() };
+    let mut reader = Reader::new(options);
     let mut hash = Sha256::new();
     let mut chunk = vec![0; 1 << 16];
     loop {

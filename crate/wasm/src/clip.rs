@@ -16,10 +16,11 @@ pub struct RawReader(Reader);
 
 #[wasm_bindgen]
 impl RawReader {
-    /// A reader at the beginning of a file; a lenient one holds values over what is no number.
+    /// A reader at the beginning of a file of so many bytes; a lenient one holds values over
+    /// what is no number.
     #[wasm_bindgen(constructor)]
-    pub fn new(lenient: bool) -> RawReader {
-        RawReader(Reader::new(Options { lenient, ..Options::default() }))
+    pub fn new(lenient: bool, bytes: f64) -> RawReader {
+        RawReader(Reader::new(Options { lenient, expected_bytes: bytes as u64, ..Options::default() }))
     }
 
     /// Takes the next chunk.

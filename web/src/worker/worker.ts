@@ -243,7 +243,7 @@ async function read(
   lenient: boolean,
   report: (share: number) => void,
 ): Promise<RawClip> {
-  const reader = new RawReader(lenient);
+  const reader = new RawReader(lenient, file.size);
   let done = 0;
   const chunks = file.stream().getReader();
   try {

@@ -33,6 +33,9 @@ pub struct Options {
     pub lenient: bool,
     /// How large the file may be.
     pub limits: Limits,
+    /// Bytes that the file probably has: room for the frames it states is made at once if
+    /// so many bytes can hold them, and bit by bit otherwise; default 0.
+    pub expected_bytes: u64,
 }
 
 /// A clip as it was read.
@@ -62,7 +65,7 @@ pub struct Parsed {
 /// # Errors
 /// If the file cannot be read as BVH or exceeds a limit.
 pub fn parse(bytes: &[u8], options: Options) -> Result<Parsed, Error> {
-    let mut reader = Reader::new(options);
+    let mut reader = Reader::new(Options { expected_bytes: bytes.len() as u64, ..options });
     reader.push(bytes)?;
     reader.finish()
 }
@@ -70,7 +73,8 @@ pub fn parse(bytes: &[u8], options: Options) -> Result<Parsed, Error> {
 /// Reads a file chunk by chunk.
 ///
 /// The result does not depend on how the file is cut. Memory grows with the
-/// values that were read, never with a number that the file states.
+/// values that were read, or with what was expected, never with a number that
+/// the file states.
 #[derive(Debug)]
 pub struct Reader {
     options: Options,

@@ -83,8 +83,21 @@ impl Rows {
         if at == text.len() {
             return Ok(());
         }
-        self.header.done = true;
+        if !self.header.done {
+            self.header.done = true;
+            self.make_room();
+        }
         self.row(line, text, at)
+    }
+
+    /// Makes room for the frames stated, as far as the file can hold them: growing step
+    /// by step would take twice the memory in the end.
+    fn make_room(&mut self) {
+        let stated = self.header.declared.unwrap_or(0).saturating_mul(self.row.len());
+        // A value takes a digit and a blank.
+        let most = usize::try_from(self.options.expected_bytes / 2).unwrap_or(usize::MAX);
+        // Where there is no such room, there may yet be for what comes.
+        let _ = self.values.try_reserve_exact(stated.min(most));
     }
 
     /// Takes a line that ends with the file: the beginning of a number is left out.
@@ -106,6 +119,7 @@ impl Rows {
                 text: "The last row breaks off and was left out.".into(),
             });
         }
+        self.values.shrink_to_fit();
         self.report_repairs();
         if let Some(first) = self.decimals.commas {
             self.notices.push(Notice {

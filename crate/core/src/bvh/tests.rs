@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
+use super::number::Decimals;
+use super::rows::Rows;
 use super::*;
 use crate::notice::Code;
 
@@ -125,6 +127,21 @@ fn decimal_commas_are_read_if_the_file_is_consistent() {
 }
 
 #[test]
+fn room_is_made_at_once_but_not_for_absurd_counts() {
+    let joints = read(HEAD).clip.joints().to_vec();
+    let room = |stated: &str, expected_bytes| {
+        let options = Options { expected_bytes, ..Options::default() };
+        let mut rows = Rows::new(options, &joints, Decimals::default());
+        rows.line(1, format!("Frames: {stated}").as_bytes()).unwrap();
+        rows.line(2, b"1 2 3").unwrap();
+        rows.values.capacity()
+    };
+    assert_eq!(room("1000", 10_000), 3000);
+    assert_eq!(room("1e300", 10_000), 5000);
+    assert!(room("1e300", 0) < 100 && room("1e300", u64::MAX) < 100);
+}
+
+#[test]
 fn absurd_frame_times_become_a_thirtieth() {
     for time in ["0", "-1", "30", "0.000001", "none", ""] {
         let parsed = read(&motion(&format!("Frames: 1\nFrame Time: {time}\n1 2 3")));
@@ -222,7 +239,7 @@ fn refusals_say_what_is_wrong() {
 fn limits_hold() {
     let limits = Limits { bytes: 200, line_bytes: 60, joints: 2, depth: 2 };
     let problem = |text: &str| {
-        let error = parse(text.as_bytes(), Options { lenient: false, limits }).expect_err(text);
+        let error = parse(text.as_bytes(), Options { limits, ..Options::default() }).expect_err(text);
         assert!(error.problem.is_limit());
         error.problem
     };
@@ -231,7 +248,7 @@ fn limits_hold() {
     let nested = "HIERARCHY ROOT a { JOINT b {\nJOINT c {\n";
     assert_eq!(problem(nested), Problem::TooManyJoints(2));
     let limits = Limits { joints: 9, ..limits };
-    let error = parse(nested.as_bytes(), Options { lenient: false, limits }).unwrap_err();
+    let error = parse(nested.as_bytes(), Options { limits, ..Options::default() }).unwrap_err();
     assert_eq!(error.problem, Problem::TooDeep(2));
 }
 

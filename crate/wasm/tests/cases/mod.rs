@@ -15,7 +15,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 const WALK: &[u8] = include_bytes!("../../../../samples/curved-walk.bvh");
 
 fn walk() -> RawClip {
-    let mut reader = RawReader::new(false);
+    let mut reader = RawReader::new(false, WALK.len() as f64);
     for chunk in WALK.chunks(10_000) {
         reader.push(chunk).unwrap();
     }
@@ -115,7 +115,7 @@ fn every_method_is_listed_and_works() {
 
 #[wasm_bindgen_test]
 fn refusals_say_where() {
-    let mut reader = RawReader::new(false);
+    let mut reader = RawReader::new(false, 0.0);
     let refused = reader.push(b"HIERARCHY\nROOT a\n{\n  OFFSET 0 x 0\n}\n").unwrap_err();
     let Failure { message, line, column, hint, .. } = refused;
     assert_eq!((line, column), (Some(4), Some(12)));
@@ -124,7 +124,7 @@ fn refusals_say_where() {
 
 /// A walk that becomes a run.
 fn limp() -> RawClip {
-    let mut reader = RawReader::new(false);
+    let mut reader = RawReader::new(false, 0.0);
     reader.push(include_bytes!("../../../../samples/limp-to-run.bvh")).unwrap();
     reader.finish().unwrap()
 }
