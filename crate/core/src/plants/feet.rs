@@ -54,20 +54,27 @@ impl Feet {
             return Err(DetectError::NoMotion);
         }
         let foot = |side| {
-            let track = |joint| motion::tracks(clip, &[joint]).remove(0);
-            Some(FootTracks {
-                ankle: track(skeleton.heel(side)?),
-                toe: track(skeleton.toe(side)?),
-                tip: skeleton.roles.get(LegRoles::of(side).tip).map(track),
-            })
+            let tip = skeleton.roles.get(LegRoles::of(side).tip);
+            Some((skeleton.heel(side)?, skeleton.toe(side)?, tip))
         };
         let (Some(left), Some(right), Some(leg)) = (foot(Side::Left), foot(Side::Right), skeleton.leg) else {
             return Err(DetectError::NoFeet);
         };
-        let hips = skeleton.roles.get(Role::Hips).unwrap_or(skeleton.root);
+        let mut joints = vec![skeleton.roles.get(Role::Hips).unwrap_or(skeleton.root)];
+        for (ankle, toe, tip) in [left, right] {
+            joints.extend([ankle, toe]);
+            joints.extend(tip);
+        }
+        // One pass for all: the feet share the joints above them.
+        let mut tracks = motion::tracks(clip, &joints).into_iter();
+        let mut next = || tracks.next().expect("each joint has a track");
         Ok(Feet {
-            tracks: [left, right],
-            hips: motion::tracks(clip, &[hips]).remove(0),
+            hips: next(),
+            tracks: [left, right].map(|(_, _, tip)| FootTracks {
+                ankle: next(),
+                toe: next(),
+                tip: tip.map(|_| next()),
+            }),
             up: skeleton.up,
             leg,
             metres_per_unit: skeleton.metres_per_unit,
