@@ -82,7 +82,9 @@ async function bindings() {
   const out = join(root, "web/src/wasm");
   mkdirSync(out, { recursive: true });
   const module = join(targetFolder(), WASM, "release/plantigrade_wasm.wasm");
-  const args = ["--target", "web", "--out-name", "plantigrade", "--out-dir", out, module];
+  // The names of its functions would be a tenth of the module.
+  const lean = ["--remove-name-section", "--remove-producers-section"];
+  const args = ["--target", "web", ...lean, "--out-name", "plantigrade", "--out-dir", out, module];
   await run(tool("wasm-bind"), args);
 }
 
