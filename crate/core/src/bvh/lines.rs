@@ -5,6 +5,8 @@
 pub(super) struct Lines {
     /// The beginning of a line whose end has not come yet.
     carry: Vec<u8>,
+    /// The last line that was put together from several chunks.
+    joined: Vec<u8>,
     /// The last line ended in CR: an LF that follows belongs to it.
     after_cr: bool,
     /// Number of the line last given out, from 1.
@@ -12,45 +14,53 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// Gives every line that ends within `text` to `each`, with its number.
+    /// The next line that ends within `text`, with its number; leaves in `text` what follows it.
     ///
-    /// Stops at the first error. `limit` is the longest line that is held
-    /// back for the next chunk, in bytes; a longer one gives `too_long`.
-    pub fn feed<E>(
-        &mut self,
-        mut text: &[u8],
-        limit: usize,
-        too_long: impl FnOnce(usize) -> E,
-        mut each: impl FnMut(usize, &[u8]) -> Result<(), E>,
-    ) -> Result<(), E> {
+    /// Where there is none, `text` is to be held for the next chunk.
+    pub fn next<'a, 't: 'a>(&'a mut self, text: &mut &'t [u8]) -> Option<(usize, &'a [u8])> {
         if self.after_cr && !text.is_empty() {
             self.after_cr = false;
-            text = text.strip_prefix(b"\n").unwrap_or(text);
+            *text = text.strip_prefix(b"\n").unwrap_or(text);
         }
-        while let Some(end) = text.iter().position(|&byte| byte == b'\n' || byte == b'\r') {
-            self.count += 1;
-            if self.carry.is_empty() {
-                each(self.count, &text[..end])?;
-            } else {
-                self.carry.extend_from_slice(&text[..end]);
-                each(self.count, &self.carry)?;
-                self.carry.clear();
+        let end = text.iter().position(|&byte| byte == b'\n' || byte == b'\r')?;
+        let line = &text[..end];
+        *text = match text[end..] {
+            [b'\r'] => {
+                self.after_cr = true;
+                &[]
             }
-            let was_cr = text[end] == b'\r';
-            text = &text[end + 1..];
-            if was_cr {
-                match text.first() {
-                    Some(b'\n') => text = &text[1..],
-                    Some(_) => {}
-                    None => self.after_cr = true,
-                }
-            }
+            [b'\r', b'\n', ref rest @ ..] | [_, ref rest @ ..] => rest,
+            [] => unreachable!("a line end was found"),
+        };
+        self.count += 1;
+        if self.carry.is_empty() {
+            return Some((self.count, line));
         }
+        self.carry.extend_from_slice(line);
+        std::mem::swap(&mut self.carry, &mut self.joined);
+        self.carry.clear();
+        Some((self.count, &self.joined))
+    }
+
+    /// Holds back the beginning of a line for the next chunk.
+    ///
+    /// Gives the line's number if it is longer than `limit` bytes.
+    pub fn hold(&mut self, text: &[u8], limit: usize) -> Result<(), usize> {
         if self.carry.len() + text.len() > limit {
-            return Err(too_long(self.count + 1));
+            return Err(self.count + 1);
         }
         self.carry.extend_from_slice(text);
         Ok(())
+    }
+
+    /// Whether the text that comes next begins a line.
+    pub fn at_start(&self) -> bool {
+        self.carry.is_empty() && !self.after_cr
+    }
+
+    /// Counts lines that were read without being given out.
+    pub fn skip(&mut self, lines: usize) {
+        self.count += lines;
     }
 
     /// The last line, if the text does not end with a line end.
@@ -71,19 +81,12 @@ mod tests {
     fn lines(text: &str, chunk: usize) -> Vec<String> {
         let mut lines = Lines::default();
         let mut found = Vec::new();
-        for chunk in text.as_bytes().chunks(chunk) {
-            lines
-                .feed(
-                    chunk,
-                    1000,
-                    |_| (),
-                    |number, line| {
-                        found.push(String::from_utf8(line.to_vec()).unwrap());
-                        assert_eq!(number, found.len());
-                        Ok(())
-                    },
-                )
-                .unwrap();
+        for mut chunk in text.as_bytes().chunks(chunk) {
+            while let Some((number, line)) = lines.next(&mut chunk) {
+                found.push(String::from_utf8(line.to_vec()).unwrap());
+                assert_eq!(number, found.len());
+            }
+            lines.hold(chunk, 1000).unwrap();
         }
         found.extend(lines.finish().map(|(_, line)| String::from_utf8(line).unwrap()));
         found
@@ -99,7 +102,9 @@ mod tests {
     #[test]
     fn long_lines_are_refused() {
         let mut lines = Lines::default();
-        assert_eq!(lines.feed(b"ok\nabcdef", 5, |line| line, |_, _| Ok(())), Err(2));
+        let mut text = &b"ok\nabcdef"[..];
+        assert!(lines.next(&mut text).is_some());
+        assert_eq!(lines.hold(text, 5), Err(2));
     }
 
     proptest! {

@@ -10,6 +10,7 @@ mod error;
 mod hierarchy;
 mod lines;
 mod number;
+mod plain;
 mod read;
 mod rows;
 #[cfg(test)]

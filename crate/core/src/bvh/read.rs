@@ -112,12 +112,8 @@ impl Reader {
             return Err(Error::whole(Problem::TooLarge(self.options.limits.bytes)));
         }
         let text = self.decoder.decode(chunk);
-        self.lines.feed(
-            text,
-            self.options.limits.line_bytes,
-            |line| Error::at(Problem::LineTooLong(self.options.limits.line_bytes), line, b"", 0),
-            |line, text| self.section.line(self.options, line, text),
-        )
+        let limit = self.options.limits.line_bytes;
+        self.section.text(self.options, &mut self.lines, text, limit)
     }
 
     /// Ends the file.
@@ -126,13 +122,7 @@ impl Reader {
     /// If the file as a whole cannot be read.
     pub fn finish(mut self) -> Result<Parsed, Error> {
         let rest = self.decoder.finish().to_vec();
-        let limit = usize::MAX;
-        self.lines.feed(
-            &rest,
-            limit,
-            |line| Error::at(Problem::LineTooLong(limit), line, b"", 0),
-            |line, text| self.section.line(self.options, line, text),
-        )?;
+        self.section.text(self.options, &mut self.lines, &rest, usize::MAX)?;
         if let Some((line, text)) = self.lines.finish() {
             self.section.last_line(self.options, line, &text)?;
         }
@@ -141,6 +131,26 @@ impl Reader {
 }
 
 impl Section {
+    /// Takes a chunk of text; a line without an end may come to `limit` bytes.
+    fn text(
+        &mut self,
+        options: Options,
+        lines: &mut Lines,
+        mut text: &[u8],
+        limit: usize,
+    ) -> Result<(), Error> {
+        loop {
+            if let Section::Motion { rows, .. } = self
+                && lines.at_start()
+            {
+                lines.skip(rows.plain(&mut text));
+            }
+            let Some((line, text)) = lines.next(&mut text) else { break };
+            self.line(options, line, text)?;
+        }
+        lines.hold(text, limit).map_err(|line| Error::at(Problem::LineTooLong(limit), line, b"", 0))
+    }
+
     fn line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
         match self {
             Section::Motion { rows, .. } => rows.line(line, text),
@@ -231,21 +241,23 @@ fn remarks(clip: &Clip) -> Vec<Notice> {
 /// Position channels replace the offset, unless those below the roots are all
 /// about zero where the offset is not.
 fn position_rule(clip: &Clip) -> PositionRule {
-    let moving = |joint: &Joint| joint.channels.iter().any(|channel| matches!(channel, Channel::Position(_)));
-    let (mut largest_value, mut largest_offset) = (0.0_f64, 0.0_f64);
+    let is_position = |channel: &Channel| matches!(channel, Channel::Position(_));
+    let (mut slots, mut largest_offset) = (Vec::new(), 0.0_f64);
     for (index, joint) in clip.joints().iter().enumerate() {
-        if joint.parent.is_none() || !moving(joint) {
+        if joint.parent.is_none() || !joint.channels.iter().any(is_position) {
             continue;
         }
         largest_offset = largest_offset.max(joint.offset.amax());
-        let slots = clip.channel_range(index).zip(&joint.channels);
-        for (slot, _) in slots.filter(|(_, channel)| matches!(channel, Channel::Position(_))) {
-            let column = clip.values().iter().skip(slot).step_by(clip.channel_count());
-            largest_value = column.fold(largest_value, |largest, value| largest.max(value.abs()));
-        }
+        let channels = clip.channel_range(index).zip(&joint.channels);
+        slots.extend(channels.filter(|(_, channel)| is_position(channel)).map(|(slot, _)| slot));
     }
     // An offset that is left out would collapse the bone; a millesimal of it is rounding.
-    if clip.frame_count() > 0 && largest_value < 1e-3 * largest_offset {
+    let is_small = |value: f64| value.abs() < 1e-3 * largest_offset;
+    let mut rows = (0..clip.frame_count()).map(|frame| clip.row(frame));
+    if !slots.is_empty()
+        && clip.frame_count() > 0
+        && rows.all(|row| slots.iter().all(|&slot| is_small(row[slot])))
+    {
         PositionRule::Add
     } else {
         PositionRule::Replace

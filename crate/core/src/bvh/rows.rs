@@ -2,7 +2,7 @@
 
 use super::error::place;
 use super::number::{self, Decimals};
-use super::{Error, Joint, Options, Problem};
+use super::{Error, Joint, Options, Problem, plain};
 use crate::notice::{Code, Notice, Place};
 
 /// The frame time taken where the file's own is missing or absurd, in seconds.
@@ -19,6 +19,8 @@ pub(super) struct Rows {
     channels: Vec<String>,
     header: Header,
     pub values: Vec<f64>,
+    /// Room for the row that is being read.
+    row: Vec<f64>,
     frames: usize,
     /// Where a frame began whose numbers have not all come yet.
     partial: Option<Partial>,
@@ -55,7 +57,7 @@ struct BadValue(usize);
 
 impl Rows {
     pub fn new(options: Options, joints: &[Joint], decimals: Decimals) -> Rows {
-        let channels = joints
+        let channels: Vec<String> = joints
             .iter()
             .flat_map(|joint| {
                 joint.channels.iter().map(|channel| format!("{} {}", joint.name, channel.name()))
@@ -63,6 +65,7 @@ impl Rows {
             .collect();
         Rows {
             options,
+            row: vec![0.0; channels.len()],
             channels,
             header: Header::default(),
             values: Vec::new(),
@@ -72,6 +75,23 @@ impl Rows {
             repairs: Vec::new(),
             notices: Vec::new(),
         }
+    }
+
+    /// Takes the plain rows that `text` begins with, leaves in it what follows them, and counts them.
+    pub fn plain(&mut self, text: &mut &[u8]) -> usize {
+        let has_commas = self.decimals.commas.is_some();
+        if !self.header.done || self.row.is_empty() || self.partial.is_some() || has_commas {
+            return 0;
+        }
+        let before = self.frames;
+        let mut points = self.decimals.points;
+        while let Some(len) = plain::row(text, &mut self.row, &mut points) {
+            *text = &text[len..];
+            self.decimals.points = points;
+            self.values.extend_from_slice(&self.row);
+            self.frames += 1;
+        }
+        self.frames - before
     }
 
     /// Takes one line.

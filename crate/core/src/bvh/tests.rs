@@ -302,7 +302,55 @@ fn any_clip() -> impl Strategy<Value = Clip> {
     })
 }
 
+/// Motion of three channels, plain for the most part.
+fn any_motion() -> impl Strategy<Value = String> {
+    let odd = [
+        "-0",
+        "+1.5",
+        "1e3",
+        "nan",
+        "0,5",
+        "5.",
+        ".5",
+        "-",
+        "0.0-7.5",
+        "1.2.3",
+        "9007199254740993",
+        "0 1",
+        "",
+    ];
+    let word = prop_oneof![
+        12 => (-1e3..1e3).prop_map(|x| format!("{x:.4}")),
+        2 => prop::num::f64::NORMAL.prop_map(|x| x.to_string()),
+        1 => prop::sample::select(odd.to_vec()).prop_map(Into::into),
+    ];
+    let end = prop::sample::select(&["\n", "\r\n", "\r", " \n", "\n\n", " "][..]);
+    let blank = prop::sample::select(&[" ", "\t", "  ", "\u{b}"][..]);
+    let row = (prop::array::uniform3(word), blank, end).prop_map(|(row, blank, end)| row.join(blank) + end);
+    (0_usize..9, prop::collection::vec(row, 0..9))
+        .prop_map(|(stated, rows)| motion(&format!("Frames: {stated}\nFrame Time: 0.01\n{}", rows.concat())))
+}
+
 proptest! {
+    #[test]
+    fn plain_rows_are_read_as_any_others(text in any_motion(), chunk in 2_usize..99, lenient in any::<bool>()) {
+        let read = |chunk| {
+            let mut reader = Reader::new(Options { lenient, ..Options::default() });
+            text.as_bytes().chunks(chunk).try_for_each(|chunk| reader.push(chunk))?;
+            reader.finish()
+        };
+        let bits = |parsed: &Result<Parsed, Error>| {
+            let values = parsed.iter().flat_map(|parsed| parsed.clip.values());
+            values.map(|value| value.to_bits()).collect::<Vec<_>>()
+        };
+        // No row is whole in chunks of one byte: none is taken for plain.
+        let expected = read(1);
+        for found in [read(chunk), read(usize::MAX)] {
+            prop_assert_eq!(bits(&found), bits(&expected));
+            prop_assert_eq!(&found, &expected);
+        }
+    }
+
     #[test]
     fn what_is_written_reads_back(clip in any_clip()) {
         let back = read(&write(&clip)).clip;
