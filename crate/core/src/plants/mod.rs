@@ -7,8 +7,9 @@
 //! and the frames on the ground are the ones that do: they are all alike.
 //!
 //! The way of the data: [`Feet`] (positions) → signals (height and speed) →
-//! samples → scale → degree → threshold → labels. [`Method::Paper`] is the
-//! published method; [`Method::Robust`] the one to use.
+//! samples → scale → degree → threshold → labels. The degrees of many samples are
+//! summed by expansion about cells of alike ones, and made exact where they decide.
+//! [`Method::Paper`] is the published method; [`Method::Robust`] the one to use.
 
 mod cells;
 mod clean;
