@@ -19,13 +19,18 @@ import {
   source,
 } from "./state";
 
+async function listMethods() {
+  if (!methods.value.length) methods.value = await engine.methods();
+}
+
 /** Labels the clip on show; an answer that comes too late for it is dropped. */
 export async function detectNow(asked: DetectOptions = options.value): Promise<void> {
   const about = clip.value;
   if (!about) return;
   try {
-    if (!methods.value.length) methods.value = await engine.methods();
-    const detected = await engine.detect(asked);
+    // Asked for together: the worker must not wait for a page that draws.
+    const listed = listMethods();
+    const [detected] = await Promise.all([engine.detect(asked), listed]);
     if (clip.value !== about) return;
     batch(() => {
       detection.value = detected.ok ? detected.detection : null;

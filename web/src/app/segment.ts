@@ -26,6 +26,10 @@ const patience = 300;
 
 let running: { since: number; controller: AbortController } | undefined;
 
+async function listMethods() {
+  if (!segmentMethods.value.length) segmentMethods.value = await engine.segmentMethods();
+}
+
 /** Cuts the clip on show into actions; an answer that comes too late for it is dropped. */
 export async function segmentNow(asked: SegmentOptions = segmentOptions.value): Promise<void> {
   if (!clip.value?.frames) return;
@@ -38,8 +42,10 @@ export async function segmentNow(asked: SegmentOptions = segmentOptions.value): 
       "Finding segments in",
       controller,
       async (stoppable) => {
-        if (!segmentMethods.value.length) segmentMethods.value = await engine.segmentMethods();
-        return engine.segment(asked, stoppable);
+        // Asked for together: the worker must not wait for a page that draws.
+        const listed = listMethods();
+        const [segmented] = await Promise.all([engine.segment(asked, stoppable), listed]);
+        return segmented;
       },
       keepBefore,
     );

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Joint } from "../worker/types";
 import { footOf, litBones } from "./feet";
-import { footprintOf, type Lying, reigns, soleOf } from "./footprints";
+import { footprintOf, type Lying, plantsNear, reigns, soleOf } from "./footprints";
 
 const joints: Joint[] = [
   { name: "Hips", kind: "root" },
@@ -76,5 +76,31 @@ describe("reigns", () => {
   it("ends a reign with the next of several", () => {
     const [, first, second, third] = reigns([at(0, 0, 2), at(0, 4, 6), at(0, 8, 9)]);
     expect([first, second, third]).toEqual([3, 3, 7]);
+  });
+});
+
+describe("plantsNear", () => {
+  const plants = Array.from({ length: 7200 }, (_, i) => ({ start: 60 * i }));
+
+  it("takes all of a short clip, for good", () => {
+    const near = plantsNear(plants.slice(0, 200), 900);
+    expect([near.from, near.to]).toEqual([0, 200]);
+    expect([near.since, near.until]).toEqual([-Infinity, Infinity]);
+    expect(plantsNear([], 0).to).toBe(0);
+  });
+  it("takes what is near of a long one, for a while", () => {
+    const near = plantsNear(plants, 216_000);
+    expect(near.to - near.from).toBe(600);
+    expect(near.since).toBeGreaterThan(60 * near.from);
+    expect(near.since).toBeLessThan(216_000);
+    expect(near.until).toBeGreaterThan(216_000);
+    expect(near.until).toBeLessThan(60 * near.to);
+  });
+  it("holds for the moment it was asked for, wherever that is", () => {
+    for (const frame of [0, 1, 17_999, 18_000, 300_000, 431_999]) {
+      const { since, until } = plantsNear(plants, frame);
+      expect(since).toBeLessThanOrEqual(frame);
+      expect(until).toBeGreaterThan(frame);
+    }
   });
 });

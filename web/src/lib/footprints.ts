@@ -1,6 +1,7 @@
 import type { Clip, Side } from "../worker/types";
 import { type Foot, footOf } from "./feet";
 import type { Plant } from "./plants";
+import { firstPast } from "./search";
 
 /** A sole on the floor: its middle, the unit direction of the toes, its length (metres). */
 export interface Footprint {
@@ -114,11 +115,40 @@ export function reigns(list: readonly Lying[]): Float32Array {
       const early = list[j];
       // Both at once are seen both: feet side by side.
       if (!early || early.end > late.start) continue;
-      if (Math.hypot(early.x - late.x, early.z - late.z) >= early.radius + late.radius) continue;
+      const x = early.x - late.x;
+      const z = early.z - late.z;
+      const apart = early.radius + late.radius;
+      if (x * x + z * z >= apart * apart) continue;
       const handover = (early.end + late.start) / 2;
       found[2 * i] = Math.max(found[2 * i] as number, handover);
       found[2 * j + 1] = Math.min(found[2 * j + 1] as number, handover);
     }
   });
   return found;
+}
+
+/** Before and after a moment so many plants leave prints, and never fewer than half of that. */
+const around = 300;
+
+/** The plants whose prints lie on the floor, from one place in their list to another. */
+export interface Near {
+  from: number;
+  to: number;
+  /** The frames for which these are enough. */
+  since: number;
+  until: number;
+}
+
+/** The plants near a moment: of an hour's walk nobody sees more, and all would be a crowd. */
+export function plantsNear(plants: readonly Pick<Plant, "start">[], frame: number): Near {
+  const at = (place: number) => (plants[place] as Plant).start;
+  const now = firstPast(plants.length, (place) => at(place) > frame);
+  const from = Math.max(0, now - around);
+  const to = Math.min(plants.length, now + around);
+  return {
+    from,
+    to,
+    since: from > 0 ? at(from + around / 2) : Number.NEGATIVE_INFINITY,
+    until: to < plants.length ? at(to - around / 2) : Number.POSITIVE_INFINITY,
+  };
 }

@@ -65,6 +65,23 @@ it("finds the plant under a frame, of one side or of any", () => {
   expect(plants.plantAt(list, 5, "right")).toBeUndefined();
 });
 
+it("finds the same plants as whoever looks at all of them", () => {
+  const both = { left: track("0110111100010"), right: track("1111011000100") };
+  const list = plants.plantsOf({ ...detection, parts: { toe: both } });
+  for (let frame = -1; frame < 14; frame++) {
+    for (const side of ["left", "right", undefined] as const) {
+      const under = list.filter((p) => p.start <= frame && frame < p.end);
+      const last = under.findLast((p) => !side || p.side === side);
+      expect(plants.plantAt(list, frame, side)).toBe(last);
+    }
+    for (const side of ["left", "right"] as const) {
+      const view = { start: frame, end: frame + 4.5 };
+      const seen = list.filter((p) => p.side === side && p.start < view.end && p.end > view.start);
+      expect(plants.plantsWithin(list, side, view)).toEqual(seen);
+    }
+  }
+});
+
 it("steps from edge to edge", () => {
   const edges = plants.plantEdges(plants.plantsOf(detection), 10);
   expect(edges).toEqual([0, 2, 4, 7, 9]);

@@ -1,4 +1,5 @@
 import type { Detection, Part, Side, Track } from "../worker/types";
+import { firstPast } from "./search";
 
 /** One stay of one foot on the ground, frames half-open. */
 export interface Plant {
@@ -64,11 +65,35 @@ export function intervalAt(intervals: Uint32Array, frame: number): number {
   return -1;
 }
 
+/** The plant that holds a frame; of both feet's the later one. */
 export function plantAt(plants: readonly Plant[], frame: number, side?: Side): Plant | undefined {
-  let found: Plant | undefined;
-  for (const plant of plants) {
-    if (plant.start > frame) break;
-    if (frame < plant.end && (!side || plant.side === side)) found = plant;
+  // One foot's plants never overlap: only the last that has begun can hold the frame.
+  let left = side !== "right";
+  let right = side !== "left";
+  let i = firstPast(plants.length, (place) => (plants[place] as Plant).start > frame);
+  while (i-- > 0 && (left || right)) {
+    const plant = plants[i] as Plant;
+    if (!(plant.side === "left" ? left : right)) continue;
+    if (frame < plant.end) return plant;
+    if (plant.side === "left") left = false;
+    else right = false;
+  }
+  return undefined;
+}
+
+/** The plants that a stretch of frames holds some of, of one foot. */
+export function plantsWithin(
+  plants: readonly Plant[],
+  side: Side,
+  { start, end }: { start: number; end: number },
+): Plant[] {
+  const first = plantAt(plants, start, side);
+  const found = first ? [first] : [];
+  let i = firstPast(plants.length, (place) => (plants[place] as Plant).start > start);
+  for (; i < plants.length; i++) {
+    const plant = plants[i] as Plant;
+    if (plant.start >= end) break;
+    if (plant.side === side) found.push(plant);
   }
   return found;
 }
@@ -91,9 +116,12 @@ export function nextEdge(edges: readonly number[], frame: number, direction: 1 |
 
 /** Share of frames planted, 0 … 1. */
 export function plantedShare(track: Track): number {
-  let planted = 0;
-  for (let i = 0; i < track.planted.length; i++) planted += track.planted[i] ?? 0;
-  return track.planted.length ? planted / track.planted.length : 0;
+  const { planted, intervals } = track;
+  let sum = 0;
+  for (let i = 0; i + 1 < intervals.length; i += 2) {
+    sum += (intervals[i + 1] as number) - (intervals[i] as number);
+  }
+  return planted.length ? sum / planted.length : 0;
 }
 
 /** How planted a moment is, 0 … 1: the labels averaged over ± `reach` frames, so that light swells and fades. */

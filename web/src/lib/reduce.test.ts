@@ -16,6 +16,25 @@ it("repeats a frame that is wider than a column", () => {
   expect([...columns]).toEqual([1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2]);
 });
 
+it("finds the same from afar as close by", () => {
+  const values = Float32Array.from({ length: 10_007 }, (_, i) => Math.sin(i * i));
+  for (const [start, end] of [
+    [0, 10_007],
+    [3.5, 9_000.25],
+    [-200, 10_100],
+  ] as const) {
+    const columns = minMaxColumns(values, start, end, 50);
+    const each = (end - start) / 50;
+    for (let column = 0; column < 50; column++) {
+      const from = Math.max(0, Math.floor(start + column * each));
+      const under = values.slice(from, Math.ceil(start + (column + 1) * each));
+      if (!under.length) continue;
+      expect(columns[2 * column]).toBe(Math.min(...under));
+      expect(columns[2 * column + 1]).toBe(Math.max(...under));
+    }
+  }
+});
+
 it("does not read outside the series", () => {
   const columns = minMaxColumns(Float32Array.of(3, 4), -2, 4, 3);
   expect([...columns].every(Number.isFinite)).toBe(true);

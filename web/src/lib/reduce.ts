@@ -1,7 +1,24 @@
+/** Values that one entry of a summary stands for. */
+const step = 32;
+
+const summaries = new WeakMap<Float32Array, Float32Array>();
+
+/** Least and greatest value of every `step` values of a series: min, max, min, max … */
+function summaryOf(values: Float32Array): Float32Array {
+  let summary = summaries.get(values);
+  if (!summary) {
+    const entries = Math.ceil(values.length / step);
+    summary = minMaxColumns(values, 0, entries * step, entries);
+    summaries.set(values, summary);
+  }
+  return summary;
+}
+
 /**
  * Least and greatest value of a series under each pixel column, so that a curve costs
- * as much to draw as the canvas is wide, however long the clip. `out` holds min, max,
- * min, max …; columns nobody falls in repeat the sample they lie on.
+ * as much to draw as the canvas is wide, however long the clip: from afar it is read
+ * from a summary, which is made once. `out` holds min, max, min, max …; columns nobody
+ * falls in repeat the sample they lie on.
  */
 export function minMaxColumns(
   values: Float32Array,
@@ -12,15 +29,22 @@ export function minMaxColumns(
 ): Float32Array {
   const perColumn = (end - start) / columns;
   const last = values.length - 1;
+  const summary = perColumn > 2 * step ? summaryOf(values) : undefined;
   for (let column = 0; column < columns; column++) {
     const from = clamp(Math.floor(start + column * perColumn), 0, last);
-    const to = clamp(Math.ceil(start + (column + 1) * perColumn) - 1, from, last);
+    const to = clamp(Math.ceil(start + (column + 1) * perColumn), from + 1, last + 1);
     let min = values[from] ?? 0;
     let max = min;
-    for (let i = from + 1; i <= to; i++) {
-      const value = values[i] ?? 0;
-      if (value < min) min = value;
-      if (value > max) max = value;
+    for (let i = from; i < to; ) {
+      let low = values[i] as number;
+      let high = low;
+      if (summary && i % step === 0 && i + step <= to) {
+        low = summary[(2 * i) / step] as number;
+        high = summary[(2 * i) / step + 1] as number;
+        i += step;
+      } else i++;
+      if (low < min) min = low;
+      if (high > max) max = high;
     }
     out[2 * column] = min;
     out[2 * column + 1] = max;
@@ -31,7 +55,9 @@ export function minMaxColumns(
 /** The value below which `share` of a series lies, from an even sample of it: one spike must not flatten a curve. */
 export function quantile(values: Float32Array, share: number): number {
   const stride = Math.max(1, Math.floor(values.length / 2000));
-  const sample = values.filter((_, i) => i % stride === 0).sort();
+  const sample = new Float32Array(Math.ceil(values.length / stride));
+  for (let i = 0; i < sample.length; i++) sample[i] = values[i * stride] as number;
+  sample.sort();
   return sample[Math.min(sample.length - 1, Math.floor(share * sample.length))] ?? 0;
 }
 

@@ -12,17 +12,20 @@ export function travelOf(
   const stride = clip.joints.length * 3;
   const reach = Math.round(0.4 * clip.rate);
   const path = new Float32Array(2 * frames);
+  const along = new Float32Array(frames);
   for (let axis = 0; axis < 2; axis++) {
-    const at = (frame: number) => clip.positions[frame * stride + joint * 3 + 2 * axis] ?? 0;
+    for (let frame = 0; frame < frames; frame++) {
+      along[frame] = clip.positions[frame * stride + joint * 3 + 2 * axis] ?? 0;
+    }
     let sum = 0;
     let from = 0;
     let to = 0;
     for (let frame = 0; frame < frames; frame++) {
       // Symmetric at the ends too, so that the first frame is its own mean.
       const half = Math.min(reach, frame, frames - 1 - frame);
-      for (; to <= frame + half; to++) sum += at(to);
-      for (; from < frame - half; from++) sum -= at(from);
-      for (; to > frame + half + 1; to--) sum -= at(to - 1);
+      for (; to <= frame + half; to++) sum += along[to] as number;
+      for (; from < frame - half; from++) sum -= along[from] as number;
+      for (; to > frame + half + 1; to--) sum -= along[to - 1] as number;
       path[2 * frame + axis] = sum / (2 * half + 1);
     }
   }

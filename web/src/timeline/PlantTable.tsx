@@ -2,7 +2,7 @@ import { seekPlant } from "../app/playback";
 import { openClip, plants } from "../app/state";
 
 /** More rows than this help nobody who listens; the Labels panel lists them all. */
-const most = 500;
+const most = 100;
 
 /** The lanes in words, for screen readers: reached by browsing, not in the way of Tab. */
 export function PlantTable() {

@@ -3,7 +3,7 @@ import { actions, openClip } from "../app/state";
 import { kindText, titleOf } from "../lib/segments";
 
 /** More rows than this help nobody who listens; the Segment panel lists them all. */
-const most = 500;
+const most = 100;
 
 /** The lane of segments in words, for screen readers: reached by browsing, not in the way of Tab. */
 export function SegmentTable() {

@@ -18,6 +18,7 @@ import {
   timeView,
 } from "../app/state";
 import { theme } from "../app/theme";
+import { principal } from "../lib/plants";
 import { sentence } from "../lib/report";
 import type { Failure } from "../worker/types";
 import { listen } from "./gestures";
@@ -82,6 +83,7 @@ export function Timeline() {
         rate: held.rate,
         width: wide,
         plants: plants.peek(),
+        tracks: principal(detection.peek()?.parts ?? {}),
         segmentation: segmentation.peek(),
         actions: actions.peek(),
         chosen: chosen.peek(),

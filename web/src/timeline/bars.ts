@@ -1,9 +1,13 @@
-import { doubtful, type Plant } from "../lib/plants";
+import { eachInSight } from "../lib/crowd";
+import { doubtful, type Plant, plantsWithin } from "../lib/plants";
 import { toX } from "../lib/timeView";
 import type { Track } from "../worker/types";
 import type { Ink } from "./ink";
 import type { Bars } from "./layout";
 import { font, type Scene } from "./scene";
+
+/** Pixels that the shortest number takes with what is left free around it. */
+const leastRoom = 20;
 
 const doubts = new WeakMap<Track, Uint32Array>();
 
@@ -33,6 +37,12 @@ export function bar(
   height: number,
 ) {
   const width = Math.max(1.5, to - from - 1);
+  if (width <= 3) {
+    // Too narrow for anything but its outline.
+    pen.fillStyle = ink[lane.side];
+    pen.fillRect(from, y, width, height);
+    return;
+  }
   pen.beginPath();
   pen.roundRect(from, y, width, height, Math.min(3, width / 2));
   if (lane.kind === "toe") {
@@ -61,48 +71,52 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
     pen.fillStyle = ink.lane;
     pen.fillRect(0, lane.y, inner, lane.height);
   }
-  const { intervals } = lane.track;
-  for (let i = firstAfter(intervals, view.start); i < intervals.length; i += 2) {
-    const start = intervals[i] as number;
-    if (start > view.end) break;
-    const from = toX(view, start, inner);
-    const to = toX(view, intervals[i + 1] as number, inner);
-    if (lane.kind === "contact")
+  eachInSight(lane.track.intervals, view, inner, (from, to, isCrowd) => {
+    const inset = lane.kind === "contact" ? 2 : 0;
+    if (isCrowd) crowd(pen, ink[lane.side], from, to, lane.y + inset, lane.height - 2 * inset);
+    else if (inset)
       bracket(pen, ink[lane.side], from, to - 1, lane.y + lane.height / 2, lane.height - 4);
     else bar(pen, ink, lane, from, to, lane.y, lane.height);
-  }
+  });
   if (lane.kind === "contact") numberPlants(pen, scene, lane, inner);
   else {
-    const runs = doubtsOf(lane.track);
     pen.fillStyle = ink.erode;
-    for (let i = firstAfter(runs, view.start); i < runs.length; i += 2) {
-      const start = runs[i] as number;
-      if (start > view.end) break;
-      const from = toX(view, start, inner);
-      pen.fillRect(
-        from,
-        lane.y + 2,
-        Math.max(1, toX(view, runs[i + 1] as number, inner) - from),
-        lane.height - 4,
-      );
-    }
+    eachInSight(doubtsOf(lane.track), view, inner, (from, to, isCrowd) => {
+      // From afar there is some doubt in every pixel.
+      if (!isCrowd) pen.fillRect(from, lane.y + 2, Math.max(1, to - from), lane.height - 4);
+    });
     if (lane.kind === "toe" && !scene.layout.lanes.some((other) => other.kind === "contact")) {
       numberPlants(pen, scene, lane, inner);
     }
   }
 }
 
+/** Plants from too far to be told apart: paler than one that is as long. */
+export function crowd(
+  pen: CanvasRenderingContext2D,
+  color: string,
+  from: number,
+  to: number,
+  y: number,
+  height: number,
+) {
+  pen.globalAlpha = 0.4;
+  pen.fillStyle = color;
+  pen.fillRect(from, y, to - from, height);
+  pen.globalAlpha = 1;
+}
+
 function numberPlants(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
   const { view, ink } = scene;
+  const seen = plantsWithin(scene.plants, lane.side, view);
+  // Without looking at each: no number needs less than that.
+  if (0.6 * seen.length * leastRoom > inner) return;
   pen.font = font(10, 600);
   pen.textAlign = "center";
   const middle = lane.y + lane.height / 2;
   const fits = (plant: Plant) =>
     toX(view, plant.end, inner) - toX(view, plant.start, inner) >=
     pen.measureText(String(plant.number)).width + 20;
-  const seen = scene.plants.filter(
-    (plant) => plant.side === lane.side && plant.start < view.end && plant.end > view.start,
-  );
   // A number here and there would look like a gap in the count: most of them, or none.
   if (seen.filter(fits).length < 0.6 * seen.length) return;
   for (const plant of seen) {
@@ -128,16 +142,4 @@ function doubtsOf(track: Track): Uint32Array {
     doubts.set(track, runs);
   }
   return runs;
-}
-
-/** Place of the first interval that ends after a frame. */
-export function firstAfter(intervals: Uint32Array, frame: number): number {
-  let low = 0;
-  let high = intervals.length / 2;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((intervals[2 * middle + 1] as number) <= frame) low = middle + 1;
-    else high = middle;
-  }
-  return 2 * low;
 }

@@ -53,17 +53,18 @@ export function paintCurves(
   pen.beginPath();
   pen.rect(0, lane.y, inner, lane.height);
   pen.clip();
+  const isNear = view.end - view.start < n;
   for (const side of ["right", "left"] as const) {
     pen.beginPath();
-    if (view.end - view.start < n)
-      traceFrames(pen, scene, lane[side][lane.kind], inner, low, scale);
+    if (isNear) traceFrames(pen, scene, lane[side][lane.kind], inner, low, scale);
     else {
       minMaxColumns(lane[side][lane.kind], view.start, view.end, n, columns);
       traceColumns(pen, n, low, scale, top);
     }
     pen.strokeStyle = ink[side];
     pen.lineWidth = 1.5;
-    pen.lineJoin = "round";
+    // From afar there is a corner in every pixel: round ones would be seen by nobody.
+    pen.lineJoin = isNear ? "round" : "bevel";
     pen.stroke();
   }
   pen.restore();

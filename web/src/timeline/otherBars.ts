@@ -1,6 +1,5 @@
+import { eachInSight } from "../lib/crowd";
 import { runs } from "../lib/plants";
-import { toX } from "../lib/timeView";
-import { firstAfter } from "./bars";
 import type { Ink } from "./ink";
 import type { OtherBars } from "./layout";
 import type { Scene } from "./scene";
@@ -33,14 +32,8 @@ export function paintOther(
   inner: number,
 ) {
   const { planted, unknown } = runsOf(lane.labels);
-  const each = (intervals: Uint32Array, draw: (x: number, width: number) => void) => {
-    for (let i = firstAfter(intervals, view.start); i < intervals.length; i += 2) {
-      const start = intervals[i] as number;
-      if (start > view.end) break;
-      const from = toX(view, start, inner);
-      draw(from, Math.max(2, toX(view, intervals[i + 1] as number, inner) - from - 1));
-    }
-  };
+  const each = (intervals: Uint32Array, draw: (x: number, width: number) => void) =>
+    eachInSight(intervals, view, inner, (from, to) => draw(from, Math.max(2, to - from - 1)));
   pen.fillStyle = ink.unknown;
   each(unknown, (x, width) => pen.fillRect(x, lane.y + 2, width, lane.height - 4));
   pen.fillStyle = ink.tint[lane.side];

@@ -1,5 +1,6 @@
+import { eachInSight } from "../lib/crowd";
 import { toX } from "../lib/timeView";
-import { bar, bracket, paintBars } from "./bars";
+import { bar, bracket, crowd, paintBars } from "./bars";
 import { curveText, paintCurves, scaleText } from "./curves";
 import type { Ink } from "./ink";
 import { type Bars, isBars, isCurves, type Lane } from "./layout";
@@ -83,7 +84,7 @@ function swatch(pen: CanvasRenderingContext2D, ink: Ink, lane: Bars, x: number, 
 }
 
 function paintMinimap(pen: CanvasRenderingContext2D, scene: Scene, inner: number) {
-  const { ink, layout, plants, frames, view } = scene;
+  const { ink, layout, tracks, frames, view } = scene;
   const { y, height } = layout.minimap;
   pen.fillStyle = ink.lane;
   pen.beginPath();
@@ -91,11 +92,15 @@ function paintMinimap(pen: CanvasRenderingContext2D, scene: Scene, inner: number
   pen.fill();
   const whole = { start: 0, end: frames };
   const row = (height - 8) / 2;
-  for (const plant of plants) {
-    const x = toX(whole, plant.start, inner);
-    const width = Math.max(1, toX(whole, plant.end, inner) - x - 0.5);
-    pen.fillStyle = ink[plant.side];
-    pen.fillRect(x, y + 3 + (plant.side === "left" ? 0 : row + 2), width, row);
+  for (const side of tracks ? (["left", "right"] as const) : []) {
+    eachInSight(tracks?.[side].intervals as Uint32Array, whole, inner, (from, to, isCrowd) => {
+      const top = y + 3 + (side === "left" ? 0 : row + 2);
+      if (isCrowd) crowd(pen, ink[side], from, to, top, row);
+      else {
+        pen.fillStyle = ink[side];
+        pen.fillRect(from, top, Math.max(1, to - from - 0.5), row);
+      }
+    });
   }
   const from = toX(whole, view.start, inner);
   const to = toX(whole, view.end, inner);

@@ -1,7 +1,7 @@
 import type { Plant } from "../lib/plants";
 import type { Action } from "../lib/segments";
 import type { TimeView } from "../lib/timeView";
-import type { Segmentation, Segments } from "../worker/types";
+import type { Segmentation, Segments, Tracks } from "../worker/types";
 import type { Ink } from "./ink";
 import type { Layout } from "./layout";
 
@@ -14,6 +14,8 @@ export interface Scene {
   rate: number;
   width: number;
   plants: readonly Plant[];
+  /** The part of the feet that the plants are of. */
+  tracks: Tracks | undefined;
   segmentation: Segmentation | null;
   actions: readonly Action[];
   /** The action that is looped. */

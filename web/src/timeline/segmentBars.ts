@@ -1,7 +1,7 @@
+import { firstAfter } from "../lib/crowd";
 import { type Action, placeAt } from "../lib/segments";
 import { toX } from "../lib/timeView";
 import type { Segment } from "../worker/types";
-import { firstAfter } from "./bars";
 import type { Ink } from "./ink";
 import type { SegmentLane } from "./layout";
 import type { Scene } from "./scene";

@@ -6,6 +6,7 @@ import {
   ShaderMaterial,
   Vector2,
 } from "three";
+import { firstPast } from "../lib/search";
 import { flat, quads } from "./quads";
 
 const vertexShader = /* glsl */ `
@@ -143,10 +144,11 @@ export class Numerals {
 
   /** The number of the moment: between two plants, between their numbers. */
   private numberAt(seconds: number): number {
-    const next = this.numerals.findIndex(({ from }) => from > seconds);
-    const before = this.numerals.at(next < 0 ? -1 : next - 1);
-    const after = next < 0 ? undefined : this.numerals[next];
-    if (!before || next === 0) return after?.number ?? 0;
+    const { numerals } = this;
+    const next = firstPast(numerals.length, (i) => (numerals[i] as Numeral).from > seconds);
+    const before = numerals[next - 1];
+    const after = numerals[next];
+    if (!before) return after?.number ?? 0;
     if (!after) return before.number;
     const share = (seconds - before.from) / (after.from - before.from);
     return before.number + share * (after.number - before.number);

@@ -1,6 +1,6 @@
-import { DirectionalLight, HemisphereLight, Scene, WebGLRenderer } from "three";
+import { DirectionalLight, HemisphereLight, Scene, Vector2, WebGLRenderer } from "three";
 import type { CameraView } from "../app/state";
-import { footWithSole } from "../lib/footprints";
+import { footWithSole, type Near, plantsNear } from "../lib/footprints";
 import { type Plant, plantedness } from "../lib/plants";
 import { extentOf, facingOf, reachOf, sizeOf, travelOf } from "../lib/travel";
 import type { Clip, Detection } from "../worker/types";
@@ -28,6 +28,14 @@ interface Cast {
   rings: Rings;
 }
 
+/** The labels of that clip, and the prints of the plants near the moment. */
+interface Labels {
+  detection: Detection;
+  plants: readonly Plant[];
+  near: Near;
+  prints: Prints;
+}
+
 /** The three.js scene. Draws only when something asked for it. */
 export class Stage {
   follow = true;
@@ -38,7 +46,7 @@ export class Stage {
   private readonly shares = new Float32Array(5);
   private readonly observer: ResizeObserver;
   private cast: Cast | null = null;
-  private labels: { detection: Detection; prints: Prints } | null = null;
+  private labels: Labels | null = null;
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
   private moment = 0;
@@ -73,9 +81,17 @@ export class Stage {
   private resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.renderer.setSize(width, height);
     this.camera.resize(width, height);
+    const { renderer } = this;
+    const ratio = Math.min(devicePixelRatio, 2);
+    renderer.getSize(measured);
+    // A new buffer takes tens of milliseconds: only for a new size.
+    if (renderer.getPixelRatio() === ratio && measured.equals(wanted.set(width, height))) {
+      this.invalidate();
+      return;
+    }
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(width, height);
     // At once: a cleared canvas must not flash.
     this.draw();
   }
@@ -119,18 +135,34 @@ export class Stage {
 
   /** Shows the labels of the clip on stage. */
   label(detection: Detection | null, plants: readonly Plant[]) {
-    const { cast, scene, labels: before } = this;
-    this.labels = null;
-    if (cast && detection) {
-      const prints = new Prints(cast.clip, plants, cast.size, readPalette(this.host));
-      prints.enter(scene);
-      this.labels = { detection, prints };
-    }
-    if (before) {
-      before.prints.leave(scene);
-      this.retired.push(before.prints);
-    }
+    const { cast, labels: before } = this;
+    this.labels = cast && detection ? this.lay(cast.clip, cast.size, detection, plants) : null;
+    this.lift(before);
     this.invalidate();
+  }
+
+  private lay(clip: Clip, size: number, detection: Detection, plants: readonly Plant[]): Labels {
+    const near = plantsNear(plants, this.moment);
+    const lying = plants.slice(near.from, near.to);
+    const prints = new Prints(clip, lying, size, readPalette(this.host));
+    prints.enter(this.scene);
+    return { detection, plants, near, prints };
+  }
+
+  private lift(labels: Labels | null) {
+    if (!labels) return;
+    labels.prints.leave(this.scene);
+    this.retired.push(labels.prints);
+  }
+
+  /** Where the moment has come too far, other plants are near. */
+  private renewPrints({ clip, size }: Cast) {
+    const before = this.labels;
+    if (!before) return;
+    const { detection, plants, near } = before;
+    if (this.moment >= near.since && this.moment < near.until) return;
+    this.labels = this.lay(clip, size, detection, plants);
+    this.lift(before);
   }
 
   seek(moment: number) {
@@ -206,8 +238,10 @@ export class Stage {
   }
 
   private draw() {
-    const { cast, labels, shares } = this;
+    const { cast, shares } = this;
     if (cast) {
+      this.renewPrints(cast);
+      const { labels } = this;
       const { clip, bones } = cast;
       this.whereabouts(cast);
       const x = place[0];
@@ -271,4 +305,6 @@ export class Stage {
 }
 
 const place: [number, number] = [0, 0];
+const measured = new Vector2();
+const wanted = new Vector2();
 const mix = (a: number, b: number, share: number) => a + (b - a) * share;

@@ -50,25 +50,9 @@ export interface Track {
   speed: Float32Array;
 }
 
-/** How the clustering of one part came about. */
-export interface Evidence {
-  /** Norms of the samples, ascending (both feet). */
-  sortedNorms: Float32Array;
-  /** Variance of the first j sorted norms. */
-  runningVariance: Float32Array;
-  /** Index of the knee: sigma = sortedNorms[knee]. */
-  knee: number;
-  sigma: number;
-  /** √degree per sample: left frames, then right. */
-  roots: Float32Array;
-  threshold: number;
-}
-
 export interface Tracks {
   left: Track;
   right: Track;
-  /** Absent where there was nothing to cluster, as in a clip that stands still. */
-  evidence?: Evidence;
 }
 
 export interface Detection {

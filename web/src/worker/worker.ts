@@ -18,7 +18,6 @@ import type {
   CutScore,
   Detection,
   DetectOptions,
-  Evidence,
   Failure,
   Labelling,
   MethodFacts,
@@ -313,19 +312,7 @@ function tracks(raw: RawDetection, part: Part): Tracks {
     height: raw.height(part, side),
     speed: raw.speed(part, side),
   });
-  const both = { left: track("left"), right: track("right") };
-  return raw.hasEvidence(part) ? { ...both, evidence: evidence(raw, part) } : both;
-}
-
-function evidence(raw: RawDetection, part: Part): Evidence {
-  return {
-    sortedNorms: raw.sortedNorms(part),
-    runningVariance: raw.runningVariance(part),
-    knee: raw.knee(part),
-    sigma: raw.sigma(part),
-    roots: raw.roots(part),
-    threshold: raw.threshold(part),
-  };
+  return { left: track("left"), right: track("right") };
 }
 
 /** The memory of all series of a record, to be handed over rather than copied. */

@@ -1,0 +1,56 @@
+import { expect, test } from "./app";
+import { repeated, sample } from "./clips";
+
+/** 245 frames so many times over: far more plants than there are pixels for. */
+const long = repeated(sample("curved-walk"), 122);
+
+test("a clip of thirty thousand frames is labelled, played and searched", async ({ app, page }) => {
+  test.slow();
+  await app.with(long);
+  expect(await app.lastFrame()).toBe(122 * 245 - 1);
+  const left = await app.result("Left");
+  expect(left.plants).toBeGreaterThan(200);
+  expect(left.share).toBeGreaterThan(20);
+
+  // All of it is in sight, and a drag goes through it.
+  const middle = await app.pressRuler(0.5);
+  expect(middle).toBeGreaterThan(12_000);
+  expect(middle).toBeLessThan(18_000);
+  const { x, y } = await app.ruler(0.5);
+  await page.mouse.move(x, y + 60);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  let before = middle;
+  for (const share of [0.6, 0.75, 0.9]) {
+    await page.mouse.move((await app.ruler(share)).x, y, { steps: 4 });
+    await expect.poll(() => app.frame()).toBeGreaterThan(before);
+    before = await app.frame();
+  }
+  await page.mouse.up();
+  expect(before).toBeGreaterThan(24_000);
+
+  // What is said of a moment far in is said beside the picture too.
+  await page.keyboard.press("Shift+ArrowRight");
+  const words = (await app.playhead.getAttribute("aria-valuetext")) ?? "";
+  for (const [foot, side] of [
+    ["Left", "left"],
+    ["Right", "right"],
+  ] as const) {
+    const state = words.includes(`${side} planted`) ? "planted" : "in the air";
+    expect(words).toContain(`${side} ${state}`);
+    await expect(app.view.getByText(`${foot} ${state}`)).toBeVisible();
+  }
+
+  // Who listens gets a beginning, and the list has them all.
+  await expect(
+    app.timeline.getByRole("table", { name: /first 100 listed/ }).first(),
+  ).toBeAttached();
+  await app.tab("Labels");
+  const rows = app.panel.getByRole("listitem");
+  await expect(rows.first()).toHaveAttribute("aria-setsize", /^[4-9]\d\d$/);
+  expect(await rows.count()).toBeLessThan(60);
+
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Space");
+  await expect.poll(() => app.frame()).toBeGreaterThan(30);
+});
