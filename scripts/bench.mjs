@@ -105,18 +105,29 @@ async function hour(call, measured) {
   }
 }
 
-/** From dropping ten megabytes on the page to labels on the timeline, in milliseconds. */
+/** From the moment that the page is given ten megabytes to labels on the timeline, in milliseconds. */
 async function drop(engine) {
   const { preview } = await import("vite");
   const site = await preview({ root: join(root, "web"), logLevel: "warn" });
   const page = await engine.newPage();
   try {
-    await page.goto(site.resolvedUrls.local[0]);
-    await page.waitForSelector("[data-state=empty]");
-    const start = performance.now();
+    await page.goto(site.resolvedUrls.local[0], { waitUntil: "networkidle" });
+    // Timed in the page: handing the file over takes the browser's driver longer than the app.
+    const labelled = page.evaluate(
+      () =>
+        new Promise((resolve) => {
+          let start;
+          const begin = () => {
+            start = performance.now();
+          };
+          addEventListener("change", begin, { capture: true, once: true });
+          new MutationObserver(() => {
+            if (start && document.querySelector(".pills")) resolve(performance.now() - start);
+          }).observe(document.body, { childList: true, subtree: true });
+        }),
+    );
     await page.setInputFiles("input[type=file]", join(clips, "26000/long.bvh"));
-    await page.waitForSelector("[data-state=ready]", { timeout: 60_000 });
-    return performance.now() - start;
+    return await labelled;
   } finally {
     await page.close();
     await site.close();
