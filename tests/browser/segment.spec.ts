@@ -87,10 +87,13 @@ test("the options that matter to a method are offered", async ({ app, page }) =>
   const template = app.panel.getByRole("combobox", { name: "Template" });
   await template.selectOption({ label: "This frame" });
   await expect(template).toHaveValue(String(frame));
-  const { method } = read((await app.saveSegments("Segments")).text) as {
-    method: { template?: string };
-  };
-  expect(method.template).toBe(String(frame));
+  // What is saved is what is shown: until the clip is cut anew, that is what was before.
+  await expect(async () => {
+    const { method } = read((await app.saveSegments("Segments")).text) as {
+      method: { template?: string };
+    };
+    expect(method.template).toBe(String(frame));
+  }).toPass();
   await page.keyboard.press("Home");
 });
 
