@@ -4,6 +4,7 @@
 pub mod bvh;
 pub mod labels;
 pub mod motion;
+mod named;
 pub mod notice;
 pub mod plants;
 pub mod score;

@@ -1,4 +1,5 @@
 import type { Segment } from "../worker/types";
+import { firstPast } from "./search";
 
 /** One action of the clip as it is shown. */
 export interface Action extends Segment {
@@ -68,14 +69,8 @@ export function actionAt(actions: readonly Action[], frame: number): Action | un
 
 /** Place of the segment that holds a frame, or of the first or the last one. */
 export function placeAt(segments: readonly Span[], frame: number): number {
-  let low = 0;
-  let high = segments.length - 1;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (frame >= (segments[middle] as Span).end) low = middle + 1;
-    else high = middle;
-  }
-  return low;
+  const place = firstPast(segments.length, (i) => (segments[i] as Span).end > frame);
+  return Math.max(0, Math.min(place, segments.length - 1));
 }
 
 /** The first frame of each action but the first. */

@@ -172,19 +172,13 @@ mod tests {
 
     use super::*;
 
-    fn samples(points: Vec<f64>, dimension: usize) -> Samples {
-        let norms =
-            points.chunks_exact(dimension).map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt());
-        Samples { norms: norms.collect(), dimension, points }
-    }
-
     proptest! {
         #[test]
         fn turned_points_are_as_far_apart(
             values in prop::collection::vec(0.0..1.0_f64, 10 * 8),
             dimension in prop_oneof![Just(2_usize), Just(5), Just(10)],
         ) {
-            let samples = samples(values, dimension);
+            let samples = Samples::new(dimension, values);
             let points = Axes::of(&samples, 0.5).points(&samples, 0.5);
             for (i, a) in points.iter().enumerate() {
                 for (j, b) in points.iter().enumerate() {
@@ -203,7 +197,7 @@ mod tests {
 
         #[test]
         fn every_point_has_one_cell(values in prop::collection::vec(-1.0..1.0_f64, 2..120), most in 1_usize..40) {
-            let samples = samples(values[..values.len() / 2 * 2].to_vec(), 2);
+            let samples = Samples::new(2, values[..values.len() / 2 * 2].to_vec());
             let cells = Cells::of(Axes::of(&samples, 1.0).points(&samples, 1.0), most);
             prop_assert!(cells.cells.len() <= most);
             let mut indices: Vec<u32> = cells.points.iter().map(|point| point.index).collect();
@@ -218,7 +212,7 @@ mod tests {
 
     #[test]
     fn equal_points_stay_together() {
-        let samples = samples([0.25, 0.75].repeat(50), 2);
+        let samples = Samples::new(2, [0.25, 0.75].repeat(50));
         let cells = Cells::of(Axes::of(&samples, 1.0).points(&samples, 1.0), 10);
         assert_eq!(cells.cells.len(), 1);
     }

@@ -230,12 +230,6 @@ mod tests {
 
     use super::*;
 
-    fn samples(points: Vec<f64>, dimension: usize) -> Samples {
-        let norms =
-            points.chunks_exact(dimension).map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt());
-        Samples { norms: norms.collect(), dimension, points }
-    }
-
     /// The definition, in double precision throughout.
     fn plain(samples: &Samples, sigma: f64, kernel: Kernel, weights: &[f64]) -> Vec<f64> {
         let affinity = affinity(samples, sigma, kernel);
@@ -279,7 +273,7 @@ mod tests {
             sigma in 0.05..0.5_f64,
             anchored in any::<bool>(),
         ) {
-            let samples = samples(points[..points.len() / 2 * 2].to_vec(), 2);
+            let samples = Samples::new(2, points[..points.len() / 2 * 2].to_vec());
             let weights: Vec<f64> =
                 samples.norms.iter().map(|norm| if anchored { (-norm * norm).exp() } else { 1.0 }).collect();
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
@@ -312,7 +306,7 @@ mod tests {
             // Many samples from few, each a little off its original.
             let seed = &seed[..seed.len() / 6 * 6];
             let points = (0..copies).flat_map(|copy| seed.iter().map(move |x| x + copy as f64 * 1e-3)).collect();
-            let samples = samples(points, 6);
+            let samples = Samples::new(6, points);
             let weights: Vec<f64> =
                 samples.norms.iter().map(|norm| if anchored { (-norm * norm).exp() } else { 1.0 }).collect();
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
@@ -332,11 +326,11 @@ mod tests {
 
     #[test]
     fn a_sample_is_not_its_own_neighbour() {
-        let alone = samples(vec![0.0, 0.0, 9e9, 0.0], 2);
+        let alone = Samples::new(2, vec![0.0, 0.0, 9e9, 0.0]);
         assert!(
             Graph::new(&alone, 1.0, Kernel::Gaussian).times(&[1.0; 2]).iter().all(|degree| *degree < 1e-17)
         );
-        let twins = samples(vec![0.5, 0.0, 0.5, 0.0], 2);
+        let twins = Samples::new(2, vec![0.5, 0.0, 0.5, 0.0]);
         assert_eq!(Graph::new(&twins, 1.0, Kernel::Cauchy).times(&[2.0, 3.0]), [3.0, 2.0]);
     }
 }

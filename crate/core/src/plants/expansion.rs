@@ -228,10 +228,6 @@ mod tests {
         (0..samples.len()).map(|other| weights[other] * likeness(other)).sum()
     }
 
-    fn samples(points: Vec<f64>, dimension: usize) -> Samples {
-        Samples { norms: vec![0.0; points.len() / dimension], dimension, points }
-    }
-
     fn close(kernel: Kernel, samples: &Samples, weights: &[f64], sigma: f64, most: usize) -> Vec<f64> {
         let cells = Cells::of(Axes::of(samples, sigma).points(samples, sigma), most);
         sums(kernel, &cells, weights, &cells)
@@ -246,7 +242,7 @@ mod tests {
             weights in prop::collection::vec(0.0..1.0_f64, 20),
             sigma in 0.1..1.0_f64,
         ) {
-            let samples = samples(values, 6);
+            let samples = Samples::new(6, values);
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
                 let found = close(kernel, &samples, &weights, sigma, 20);
                 for (of, found) in found.iter().enumerate() {
@@ -264,7 +260,7 @@ mod tests {
             sigma in 0.9..1.1_f64,
         ) {
             let points = (0..12 * 8 * 6).map(|index| seeds[index % 48] + offs[index] * 0.5).collect();
-            let samples = samples(points, 6);
+            let samples = Samples::new(6, points);
             let weights = vec![1.0; samples.len()];
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
                 let found = close(kernel, &samples, &weights, sigma, 48);
@@ -281,7 +277,7 @@ mod tests {
         ) {
             // The last four of ten coordinates hardly vary.
             let shrink = |(index, value): (usize, f64)| if index % 10 < 6 { value } else { value * 0.05 };
-            let samples = samples(values.into_iter().enumerate().map(shrink).collect(), 10);
+            let samples = Samples::new(10, values.into_iter().enumerate().map(shrink).collect());
             let weights = vec![1.0; 24];
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
                 let found = close(kernel, &samples, &weights, 1.0, 24);

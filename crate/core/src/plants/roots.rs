@@ -46,64 +46,56 @@ struct Close<'a> {
     worst: f64,
 }
 
-impl<'a> Roots<'a> {
-    /// Those of `samples` among themselves; all 0 where the scale is none.
-    pub fn of(
-        samples: &'a Samples,
-        sigma: f64,
-        kernel: Kernel,
-        weights: &'a [f64],
-        pairs: Pairs,
-    ) -> Roots<'a> {
-        if sigma <= AT_REST {
-            return vec![0.0; samples.len()].into();
-        }
-        let graph = Graph::new(samples, sigma, kernel);
-        if pairs == Pairs::All || samples.len() <= FEW {
-            return root(graph.times(weights)).into();
-        }
-        let cells = cells(&Axes::of(samples, sigma), samples, sigma);
-        let mut sums = expansion::sums(kernel, &cells, weights, &cells);
-        for (sum, weight) in sums.iter_mut().zip(weights) {
-            *sum = (*sum - weight).max(0.0);
-        }
-        Roots::close(sums, graph, weights, samples, true)
+/// Samples, weighted, among which others have degrees.
+#[derive(Clone, Copy)]
+pub(super) struct Among<'a> {
+    pub samples: &'a Samples,
+    pub weights: &'a [f64],
+    pub sigma: f64,
+    pub kernel: Kernel,
+    pub pairs: Pairs,
+}
+
+impl<'a> Among<'a> {
+    /// The roots of the samples' own degrees; all 0 where the scale is none.
+    pub fn own(self) -> Roots<'a> {
+        self.roots(self.samples, true)
     }
 
-    /// What `others` would have among `samples`; all 0 where the scale is none.
-    pub fn towards(
-        samples: &Samples,
-        others: &'a Samples,
-        sigma: f64,
-        kernel: Kernel,
-        weights: &'a [f64],
-        pairs: Pairs,
-    ) -> Roots<'a> {
+    /// The roots of what others would have for degrees; all 0 where the scale is none.
+    pub fn of(self, others: &'a Samples) -> Roots<'a> {
+        self.roots(others, false)
+    }
+
+    fn roots(self, of: &'a Samples, meets_itself: bool) -> Roots<'a> {
+        let Among { samples, weights, sigma, kernel, pairs } = self;
         if sigma <= AT_REST {
-            return vec![0.0; others.len()].into();
+            return vec![0.0; of.len()].into();
         }
         let graph = Graph::new(samples, sigma, kernel);
         if pairs == Pairs::All || samples.len() <= FEW {
-            return root(graph.towards(others, weights)).into();
+            let sums = if meets_itself { graph.times(weights) } else { graph.towards(of, weights) };
+            return root(sums).into();
         }
         let axes = Axes::of(samples, sigma);
         let sources = cells(&axes, samples, sigma);
-        let sums = expansion::sums(kernel, &sources, weights, &cells(&axes, others, sigma));
-        Roots::close(sums, graph, weights, others, false)
-    }
-
-    fn close(
-        sums: Vec<f64>,
-        graph: Graph,
-        weights: &'a [f64],
-        of: &'a Samples,
-        meets_itself: bool,
-    ) -> Roots<'a> {
+        let mut sums = if meets_itself {
+            expansion::sums(kernel, &sources, weights, &sources)
+        } else {
+            expansion::sums(kernel, &sources, weights, &cells(&axes, of, sigma))
+        };
+        if meets_itself {
+            for (sum, weight) in sums.iter_mut().zip(weights) {
+                *sum = (*sum - weight).max(0.0);
+            }
+        }
         let is_exact = vec![false; sums.len()];
         let close = Close { graph, weights, of, meets_itself, is_exact, worst: 0.0 };
         Roots { values: root(sums), close: Some(close) }
     }
+}
 
+impl Roots<'_> {
     /// Makes values exact from the threshold outwards, until the next is several times further from
     /// it than any was wrong; tells whether there were any to make.
     pub fn settle(&mut self, threshold: f64) -> bool {
@@ -148,9 +140,7 @@ impl Close<'_> {
     /// The exact roots of some samples.
     fn exact(&self, samples: &[usize]) -> Vec<f64> {
         let points = samples.iter().flat_map(|&sample| self.of.point(sample)).copied().collect();
-        let norms = samples.iter().map(|&sample| self.of.norms[sample]).collect();
-        let some = Samples { dimension: self.of.dimension, points, norms };
-        let mut sums = self.graph.towards(&some, self.weights);
+        let mut sums = self.graph.towards(&Samples::new(self.of.dimension, points), self.weights);
         if self.meets_itself {
             for (sum, &sample) in sums.iter_mut().zip(samples) {
                 *sum = (*sum - self.weights[sample]).max(0.0);
@@ -187,8 +177,7 @@ mod tests {
                 })
             })
             .collect();
-        let norms = points.chunks_exact(6).map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt());
-        Samples { norms: norms.collect(), dimension: 6, points }
+        Samples::new(6, points)
     }
 
     #[test]
@@ -196,8 +185,9 @@ mod tests {
         let (samples, others) = (gait(4000), gait(4100));
         let weights: Vec<f64> = samples.norms.iter().map(|norm| (-norm * norm).exp()).collect();
         for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-            let own = |pairs| Roots::of(&samples, 0.15, kernel, &weights, pairs);
-            let towards = |pairs| Roots::towards(&samples, &others, 0.15, kernel, &weights, pairs);
+            let among = |pairs| Among { samples: &samples, weights: &weights, sigma: 0.15, kernel, pairs };
+            let own = |pairs| among(pairs).own();
+            let towards = |pairs| among(pairs).of(&others);
             for (all, mut few) in
                 [(own(Pairs::All), own(Pairs::Few)), (towards(Pairs::All), towards(Pairs::Few))]
             {
@@ -228,10 +218,12 @@ mod tests {
     fn nothing_is_asked_of_no_scale_or_threshold() {
         let samples = gait(4000);
         let weights = vec![1.0; 4000];
-        let mut none = Roots::of(&samples, 0.0, Kernel::Cauchy, &weights, Pairs::Few);
+        let kernel = Kernel::Cauchy;
+        let among = Among { samples: &samples, weights: &weights, sigma: 0.2, kernel, pairs: Pairs::Few };
+        let mut none = Among { sigma: 0.0, ..among }.own();
         assert!(none.values.iter().all(|value| *value == 0.0));
         assert!(!none.settle(1.0));
-        let mut some = Roots::of(&samples, 0.2, Kernel::Cauchy, &weights, Pairs::Few);
+        let mut some = among.own();
         assert!(!some.settle(f64::NAN) && !some.settle(f64::NEG_INFINITY) && !some.settle(0.0));
     }
 }

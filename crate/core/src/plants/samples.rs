@@ -39,6 +39,13 @@ impl Ranges {
 }
 
 impl Samples {
+    /// Samples of given coordinates, one after the other.
+    pub fn new(dimension: usize, points: Vec<f64>) -> Samples {
+        let norms =
+            points.chunks_exact(dimension).map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt());
+        Samples { norms: norms.collect(), dimension, points }
+    }
+
     /// Every `stride`-th frame with `window` frames to either side, within its piece and foot.
     ///
     /// Coordinates are divided by `ranges` and limited to 1; frames beyond a
@@ -66,9 +73,7 @@ impl Samples {
                 }
             }
         }
-        let norms =
-            points.chunks_exact(dimension).map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt());
-        Samples { norms: norms.collect(), dimension, points }
+        Samples::new(dimension, points)
     }
 
     /// Adds the samples of another clip behind these.

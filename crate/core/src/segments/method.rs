@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use super::task::{Found, Task};
 use super::{SegmentError, auto, lsd, mvu, pca, ppca};
+use crate::named::named;
 
 /// How a clip is cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -97,10 +98,6 @@ impl FromStr for Method {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Method, String> {
-        let known = Method::ALL.into_iter().find(|method| method.name() == name);
-        known.ok_or_else(|| {
-            let names = Method::ALL.map(Method::name).join(", ");
-            format!("there is no method {name:?}; there are {names}")
-        })
+        named("method", &Method::ALL, Method::name, name)
     }
 }

@@ -25,6 +25,7 @@ use std::str::FromStr;
 
 use super::{Feet, PartLabels, ValidParams};
 use crate::labels::Part;
+use crate::named::named;
 use crate::notice::Notice;
 
 /// How plants are found.
@@ -183,10 +184,6 @@ impl FromStr for Method {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Method, String> {
-        let known = Method::ALL.into_iter().find(|method| method.name() == name);
-        known.ok_or_else(|| {
-            let names = Method::ALL.map(Method::name).join(", ");
-            format!("there is no method {name:?}; there are {names}")
-        })
+        named("method", &Method::ALL, Method::name, name)
     }
 }

@@ -19,7 +19,7 @@ use crate::notice::{Code, Notice};
 use crate::plants::cluster::{self, Between, Evidence};
 use crate::plants::degree::Kernel;
 use crate::plants::refine::{self, Refined};
-use crate::plants::roots::Roots;
+use crate::plants::roots::Among;
 use crate::plants::samples::{Ranges, Samples};
 use crate::plants::scale::Scale;
 use crate::plants::signal::{self, Signal, Signals};
@@ -151,7 +151,8 @@ impl Work<'_> {
         // dense as its samples are, is not taken for one on the ground.
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
         let anchors: Vec<f64> = samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect();
-        let roots = Roots::of(&samples, sigma, kernel, &anchors, self.params.pairs());
+        let pairs = self.params.pairs();
+        let roots = Among { samples: &samples, weights: &anchors, sigma, kernel, pairs }.own();
         let frames = self.pieces.iter().cloned().flatten().collect();
         let (evidence, planted) = cluster::divide(frames, &samples, scale, sigma, roots, Between::Medians);
         Clustering { samples, ranges, anchors, evidence, planted }
@@ -185,7 +186,8 @@ impl Work<'_> {
     fn compare(&self, signals: &Signals, clustering: &Clustering) -> (Evidence, Vec<bool>) {
         let Clustering { samples, ranges, anchors, evidence, .. } = clustering;
         let own = self.samples(signals, *ranges);
-        let mut roots = Roots::towards(samples, &own, evidence.sigma, KERNEL, anchors, self.params.pairs());
+        let (sigma, pairs) = (evidence.sigma, self.params.pairs());
+        let mut roots = Among { samples, weights: anchors, sigma, kernel: KERNEL, pairs }.of(&own);
         roots.settle(evidence.threshold);
         let values = roots.values;
         let planted = values.iter().map(|&root| root > evidence.threshold).collect();

@@ -4,7 +4,7 @@ use super::{Found, Task};
 use crate::labels::Part;
 use crate::plants::cluster::{self, Between, Evidence};
 use crate::plants::degree::Kernel;
-use crate::plants::roots::{Pairs, Roots};
+use crate::plants::roots::{Among, Pairs};
 use crate::plants::samples::{Ranges, Samples};
 use crate::plants::scale::Scale;
 use crate::plants::signal::{self, Signal, Signals};
@@ -64,7 +64,8 @@ impl<'a> Toes<'a> {
     pub fn parted_by_degree(self, scale: Scale, sigma: f64, pairs: Pairs) -> Found {
         let frames = (0..self.feet.frame_count()).collect();
         let weights = vec![1.0; self.samples.len()];
-        let roots = Roots::of(&self.samples, sigma, Kernel::Gaussian, &weights, pairs);
+        let kernel = Kernel::Gaussian;
+        let roots = Among { samples: &self.samples, weights: &weights, sigma, kernel, pairs }.own();
         let parted = cluster::divide(frames, &self.samples, scale, sigma, roots, Between::Gap);
         self.parted(parted)
     }
