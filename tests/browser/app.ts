@@ -207,11 +207,16 @@ export class App {
     return found;
   }
 
+  /** Shows what the list of the panel can be saved as. */
+  private async unfoldSave() {
+    const save = this.panel.getByRole("button", { name: "Save", exact: true });
+    if ((await save.getAttribute("aria-expanded")) !== "true") await save.click();
+  }
+
   /** Saves by a button of the Segment tab. */
   async saveSegments(button: "Segments" | "Table" | "BABEL" | "Clips"): Promise<Saved> {
     await this.tab("Segment");
-    const save = this.panel.getByRole("button", { name: "Save", exact: true });
-    if ((await save.getAttribute("aria-expanded")) !== "true") await save.click();
+    await this.unfoldSave();
     return this.download(() =>
       this.panel.getByRole("button", { name: new RegExp(`^${button}`) }).click(),
     );
@@ -229,6 +234,7 @@ export class App {
   /** Saves by a button of the Labels tab. */
   async save(button: "Labels" | "Every frame" | "Intervals" | "Gait events"): Promise<Saved> {
     await this.tab("Labels");
+    await this.unfoldSave();
     return this.download(() =>
       this.panel.getByRole("button", { name: new RegExp(`^${button}`) }).click(),
     );

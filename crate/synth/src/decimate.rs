@@ -22,7 +22,7 @@ pub fn decimated(generated: &Generated, factor: usize) -> Generated {
             let Some(labels) = truth.labels(side, part) else { continue };
             let labels: Vec<bool> = kept().map(|frame| labels[frame]).collect();
             let foot = if side == Side::Left { &mut fewer.left } else { &mut fewer.right };
-            foot.set(part, &labels, clip.rate(), SpanSource::Truth);
+            foot.set(part, &labels, clip.rate(), |_| SpanSource::Truth);
         }
     }
     Generated { clip, truth: fewer }

@@ -37,7 +37,7 @@ pub fn document(
         let mut foot = Foot::default();
         for (n, part) in [Part::Contact, Part::Toe, Part::Heel].into_iter().enumerate() {
             let labels: Vec<bool> = labels[side as usize].iter().map(|parts| parts[n]).collect();
-            foot.set(part, &labels, rate, SpanSource::Truth);
+            foot.set(part, &labels, rate, |_| SpanSource::Truth);
         }
         foot
     };

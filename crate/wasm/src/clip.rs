@@ -119,7 +119,8 @@ impl RawClip {
     pub fn detect(&self, options: Ts<DetectOptions>) -> Result<RawDetection, Failure> {
         let params = Params::try_from(&from_js(&options)?)?.check()?;
         let feet = Feet::of(&self.clip, &self.skeleton)?;
-        Ok(RawDetection::new(plants::detect(&feet, params), self.skeleton.metres_per_unit))
+        let found = plants::detect(&feet, params);
+        Ok(RawDetection::new(found, self.skeleton.metres_per_unit, self.clip.frame_time()))
     }
 
     /// The labels of a detection as a document: `json`, `csv`, `intervals` or `events`.

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::records::{Failure, side, to_js};
+use crate::records::{EditFacts, Failure, side, to_js};
 use crate::{RawClip, RawDetection};
 
 /// Labels of the clip by someone else.
@@ -37,6 +37,14 @@ impl RawLabelling {
         let found = self.0.parts.iter().find(|(other, _)| other.name() == part);
         let (_, feet) = found.ok_or_else(|| Failure::from(format!("there are no labels of {part:?}")))?;
         Ok(feet[side(of)? as usize].iter().map(|label| label.map_or(-1, i8::from)).collect())
+    }
+
+    /// The labels as edits that make them one's own, wherever they are known.
+    ///
+    /// # Errors
+    /// None that labels can cause.
+    pub fn edits(&self) -> Result<Vec<Ts<EditFacts>>, Failure> {
+        self.0.edits().into_iter().map(|edit| to_js(&EditFacts::from(edit))).collect()
     }
 
     /// How well a detection in the clip agrees, for each part that both have.

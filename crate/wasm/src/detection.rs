@@ -1,29 +1,32 @@
 //! The labels of a clip.
 
 use plantigrade::bvh::Clip;
-use plantigrade::labels::{self, Document, Labelled, Source};
+use plantigrade::labels::{self, Document, Edit, Labelled, Source};
 use plantigrade::notice::Notice;
 use plantigrade::plants::{Detection, Evidence, FootLabels, PartLabels};
 use plantigrade::skeleton::Skeleton;
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::records::{Failure, NoticeText, side, to_js};
+use crate::records::{EditFacts, Failure, NoticeText, from_js, side, to_js};
 
 /// The labels of a clip; series are given by part and side.
 #[wasm_bindgen]
 pub struct RawDetection {
-    detection: Detection,
+    found: Detection,
+    /// What was found under the edits of a person, where there are any.
+    edited: Option<Detection>,
     metres_per_unit: f64,
+    frame_time: f64,
 }
 
 impl RawDetection {
-    pub(crate) fn new(detection: Detection, metres_per_unit: f64) -> RawDetection {
-        RawDetection { detection, metres_per_unit }
+    pub(crate) fn new(found: Detection, metres_per_unit: f64, frame_time: f64) -> RawDetection {
+        RawDetection { found, edited: None, metres_per_unit, frame_time }
     }
 
     pub(crate) fn core(&self) -> &Detection {
-        &self.detection
+        self.edited.as_ref().unwrap_or(&self.found)
     }
 
     pub(crate) fn save(
@@ -37,11 +40,9 @@ impl RawDetection {
     ) -> Result<String, Failure> {
         let several = clip.roots().count() > 1;
         let root = several.then(|| clip.joints()[skeleton.root].name.as_str());
-        let labelled = [Labelled { root, detection: &self.detection }];
+        let labelled = [Labelled { root, detection: self.core() }];
         Ok(match format {
-            "json" => {
-                Document::of(Source { name, sha256 }, clip, skeleton, &self.detection, notices).to_json()
-            }
+            "json" => Document::of(Source { name, sha256 }, clip, skeleton, self.core(), notices).to_json(),
             "csv" => labels::frames_csv(&labelled, clip.frame_time()),
             "intervals" => labels::intervals_csv(&labelled, clip.frame_time()),
             "events" => labels::events_csv(&labelled, clip.frame_time()),
@@ -50,7 +51,7 @@ impl RawDetection {
     }
 
     fn part(&self, part: &str) -> Result<&PartLabels, Failure> {
-        let labels = self.detection.parts.iter().find(|labels| labels.part.name() == part);
+        let labels = self.core().parts.iter().find(|labels| labels.part.name() == part);
         labels.ok_or_else(|| Failure::from(format!("this method does not label {part:?}")))
     }
 
@@ -70,15 +71,26 @@ impl RawDetection {
 
 #[wasm_bindgen]
 impl RawDetection {
+    /// Lays a person's edits over what was found, in place of those before; later ones count more.
+    ///
+    /// # Errors
+    /// If one of them is none.
+    pub fn edit(&mut self, edits: Vec<Ts<EditFacts>>) -> Result<(), Failure> {
+        let edits =
+            edits.iter().map(|edit| Ok(from_js(edit)?.into())).collect::<Result<Vec<Edit>, Failure>>()?;
+        self.edited = (!edits.is_empty()).then(|| labels::edited(&self.found, &edits, self.frame_time));
+        Ok(())
+    }
+
     /// The parts that were labelled, the one that says best when a foot is down first.
     pub fn parts(&self) -> Vec<String> {
-        self.detection.parts.iter().map(|labels| labels.part.name().into()).collect()
+        self.core().parts.iter().map(|labels| labels.part.name().into()).collect()
     }
 
     /// Height of the ground in the clip's positions, in metres.
     #[wasm_bindgen(getter)]
     pub fn floor(&self) -> f64 {
-        self.detection.floor * self.metres_per_unit
+        self.core().floor * self.metres_per_unit
     }
 
     /// What was assumed or is doubtful.
@@ -86,7 +98,7 @@ impl RawDetection {
     /// # Errors
     /// None that a clip can cause.
     pub fn notices(&self) -> Result<Vec<Ts<NoticeText>>, Failure> {
-        self.detection.notices.iter().map(|notice| to_js(&NoticeText::from(notice))).collect()
+        self.core().notices.iter().map(|notice| to_js(&NoticeText::from(notice))).collect()
     }
 
     /// 1 where the foot is planted, per frame.
@@ -116,6 +128,13 @@ impl RawDetection {
     pub fn intervals(&self, part: &str, side: &str) -> Result<Vec<u32>, Failure> {
         let ranges = labels::intervals(&self.foot(part, side)?.planted);
         Ok(ranges.into_iter().flat_map(|range| [range.start as u32, range.end as u32]).collect())
+    }
+
+    /// For each of those plants 1 where it is as a person wants it, else 0.
+    pub fn edited(&self, part: &str, of: &str) -> Result<Vec<u8>, Failure> {
+        let (shown, labels, side) = (self.core(), self.part(part)?, side(of)?);
+        let ranges = labels::intervals(&labels.foot(side).planted);
+        Ok(ranges.iter().map(|range| u8::from(shown.is_edited(side, labels.part, range))).collect())
     }
 
     /// Whether there was anything to cluster; without, there is no evidence.

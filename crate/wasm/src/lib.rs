@@ -13,8 +13,8 @@ pub use clip::{RawClip, RawReader};
 pub use compare::{DisagreementFacts, EventFacts, RawLabelling, ScoreFacts, ScoreRow};
 pub use detection::RawDetection;
 pub use records::{
-    ClipFacts, DetectOptions, Failure, JointFacts, MethodFacts, NoticeText, Overrides, SegmentFacts,
-    SegmentMethodFacts, SegmentOptions,
+    ClipFacts, DetectOptions, EditFacts, Failure, JointFacts, MethodFacts, NoticeText, Overrides,
+    SegmentFacts, SegmentMethodFacts, SegmentOptions,
 };
 pub use segmentation::{CutScore, RawSegmentation, RawSegments, has_segments, segment_methods};
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use plantigrade::bvh::{Error, JointKind};
-use plantigrade::labels::{LabelsError, Side};
+use plantigrade::labels::{Edit, LabelsError, Part, Side};
 use plantigrade::notice::Notice;
 use plantigrade::plants::{DetectError, Family, Method, ParamError, Params};
 use plantigrade::segments::{self, MethodOption, Segment, SegmentError};
@@ -132,6 +132,35 @@ impl From<&Notice> for NoticeText {
             line: notice.place.map(|place| place.line),
             column: notice.place.map(|place| place.column),
         }
+    }
+}
+
+/// A stretch of frames of which a person says whether a part of a foot is planted.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct EditFacts {
+    /// The foot.
+    #[tsify(type = r#""left" | "right""#)]
+    pub side: Side,
+    /// What of it.
+    #[tsify(type = r#""contact" | "toe" | "heel""#)]
+    pub part: Part,
+    /// The first frame.
+    pub start: usize,
+    /// The first frame after.
+    pub end: usize,
+    /// Planted, or not.
+    pub planted: bool,
+}
+
+impl From<Edit> for EditFacts {
+    fn from(Edit { side, part, start, end, planted }: Edit) -> EditFacts {
+        EditFacts { side, part, start, end, planted }
+    }
+}
+
+impl From<EditFacts> for Edit {
+    fn from(EditFacts { side, part, start, end, planted }: EditFacts) -> Edit {
+        Edit { side, part, start, end, planted }
     }
 }
 

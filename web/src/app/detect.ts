@@ -2,6 +2,7 @@ import { batch } from "@preact/signals";
 import { latest } from "../lib/latest";
 import type { DetectOptions, Overrides } from "../worker/types";
 import { rescore } from "./compare";
+import { follow } from "./edit";
 import { engine } from "./engine";
 import { messageOf } from "./failing";
 import { segmentNow, stopSegmenting } from "./segment";
@@ -35,6 +36,7 @@ export async function detectNow(asked: DetectOptions = options.value): Promise<v
     batch(() => {
       detection.value = detected.ok ? detected.detection : null;
       detectFailure.value = detected.ok ? null : detected.failure;
+      follow();
       // Plants have moved: a loop on one of them would repeat something else.
       if (loop.value === "plant") {
         loop.value = "clip";

@@ -1,6 +1,18 @@
 import type { Action } from "../lib/segments";
 import { stepDisagreement } from "./compare";
 import {
+  addAgain,
+  endHere,
+  mergeNext,
+  redo,
+  remove,
+  select,
+  selectHere,
+  splitHere,
+  startHere,
+  undo,
+} from "./edit";
+import {
   changeSpeed,
   cycleLoop,
   fitTimeline,
@@ -44,6 +56,19 @@ export const keyTable: readonly (readonly [
     ],
   ],
   [
+    "Edit",
+    [
+      ["E", "Select the plant here; again for the next one here"],
+      ["I O", "It starts, ends here"],
+      ["K", "Split it here"],
+      ["M", "Merge it with the next one"],
+      ["A", "Add a plant here, of the foot selected last"],
+      ["Delete", "Delete it"],
+      ["Ctrl Z", "Undo; with Shift redo"],
+      ["Esc", "Select nothing"],
+    ],
+  ],
+  [
     "Look",
     [
       ["1 2 3 4", "Perspective, front, side, top"],
@@ -76,14 +101,8 @@ function belongsToControl(event: KeyboardEvent): boolean {
 
 export function onKey(event: KeyboardEvent, openPicker: () => void) {
   if (event.defaultPrevented) return;
-  if ((event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey) {
-    if (event.key === "o") {
-      event.preventDefault();
-      openPicker();
-    } else if (event.key === "s" && openClip.value) {
-      event.preventDefault();
-      void save("json");
-    }
+  if ((event.ctrlKey || event.metaKey) && !event.altKey) {
+    if (command(event, openPicker)) event.preventDefault();
     return;
   }
   // Brackets need AltGr on many keyboards, which some systems tell as Ctrl and Alt.
@@ -98,7 +117,45 @@ export function onKey(event: KeyboardEvent, openPicker: () => void) {
   if (act(event)) event.preventDefault();
 }
 
+/** What is done with Ctrl or ⌘ held. */
+function command(event: KeyboardEvent, openPicker: () => void): boolean {
+  const key = event.key.toLowerCase();
+  // A field being typed in takes its own words back.
+  const isTyping =
+    event.target instanceof Element && event.target.matches("input[type=text], textarea");
+  if (key === "o" && !event.shiftKey) openPicker();
+  else if (key === "s" && !event.shiftKey && openClip.value) void save("json");
+  else if (key === "z" && openClip.value && !isTyping && !dialog.value)
+    event.shiftKey ? redo() : undo();
+  else if (key === "y" && !event.shiftKey && openClip.value && !isTyping && !dialog.value) redo();
+  else return false;
+  return true;
+}
+
 function act(event: KeyboardEvent): boolean {
+  return play(event) || edit(event);
+}
+
+const edits: Record<string, () => unknown> = {
+  e: selectHere,
+  i: startHere,
+  o: endHere,
+  k: splitHere,
+  m: mergeNext,
+  delete: remove,
+  backspace: remove,
+  escape: () => select(undefined),
+};
+
+function edit({ key }: KeyboardEvent): boolean {
+  const known = edits[key.toLowerCase()];
+  if (known) known();
+  else if (key === "a" || key === "A") addAgain();
+  else return false;
+  return true;
+}
+
+function play(event: KeyboardEvent): boolean {
   const view = views[event.key];
   if (view) look(view);
   else if (event.key === " ") togglePlay();

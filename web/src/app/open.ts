@@ -6,9 +6,11 @@ import { clampView } from "../lib/timeView";
 import type { Clip } from "../worker/types";
 import { compareWith, dropComparison, dropOtherSegments } from "./compare";
 import { detectNow } from "./detect";
+import { startEdits } from "./edit";
 import { engine } from "./engine";
 import { fail, messageOf, refuse } from "./failing";
 import { fetchBlob } from "./fetch";
+import { recall } from "./keep";
 import { pause, play, prefersStill } from "./playback";
 import { heroSample, samples } from "./samples";
 import { segmentNow } from "./segment";
@@ -104,9 +106,11 @@ export async function openSource(
     state.task.value = { name: source.name, stage: "detect" };
     await Promise.race([detectNow(), aborted(signal)]);
     if (mine !== turn) return true;
+    // Asked for first: what a person did is on show before the segments are.
+    const recalled = recall();
     const segmented = segmentNow();
     state.task.value = null;
-    await segmented;
+    await Promise.all([recalled, segmented]);
     return true;
   } catch (error) {
     if (mine === turn) fail(source.name, { message: messageOf(error) }, source);
@@ -126,6 +130,7 @@ function present(clip: Clip, source: Source, asHero: boolean) {
     state.segmentation.value = null;
     state.segmentFailure.value = null;
     state.segmentNames.value = [];
+    void startEdits([]);
     // A frame of another clip is no template.
     if (Number.isInteger(Number(state.segmentOptions.value.template))) {
       const { template: _, ...rest } = state.segmentOptions.value;

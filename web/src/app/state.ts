@@ -1,4 +1,5 @@
 import { computed, signal } from "@preact/signals";
+import type { Span, Stay } from "../lib/edits";
 import { plantEdges, plantsOf } from "../lib/plants";
 import { type Action, actionsOf, cutsOf, type Named } from "../lib/segments";
 import type { TimeView } from "../lib/timeView";
@@ -7,6 +8,7 @@ import type {
   CutScore,
   Detection,
   DetectOptions,
+  Edit,
   Failure,
   Labelling,
   MethodFacts,
@@ -68,6 +70,18 @@ export const detection = signal<Detection | null>(null);
 
 /** Why there are no labels, when the detector could not find any. */
 export const detectFailure = signal<Failure | null>(null);
+
+/** What a person corrected in the labels, in order. */
+export const edits = signal<readonly Edit[]>([]);
+
+/** The bar of the timeline that is edited. */
+export const selected = signal<Stay | null>(null);
+
+/** Where it would be if the drag of its edge ended now. */
+export const reach = signal<Span | null>(null);
+
+/** Why edits last only as long as the page. */
+export const keepFailure = signal("");
 
 /** Someone else's labels of the clip, shown beside ours. */
 export const other = signal<Labelling | null>(null);

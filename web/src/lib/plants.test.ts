@@ -10,6 +10,7 @@ function track(labels: string, confidence = 1): Track {
     planted,
     confidence: new Float32Array(planted.length).fill(confidence),
     intervals: Uint32Array.from(intervals),
+    edited: new Uint8Array(intervals.length / 2),
     height: new Float32Array(planted.length),
     speed: new Float32Array(planted.length),
   };

@@ -10,6 +10,8 @@ export interface Plant {
   end: number;
   /** Mean probability that its frames are labelled rightly, 0.5 … 1. */
   confidence: number;
+  /** A person wants it so. */
+  edited: boolean;
 }
 
 /** A frame less certain than this is doubtful. */
@@ -33,10 +35,17 @@ export function plantsOf(detection: Detection): Plant[] {
   const plants: Plant[] = [];
   if (!tracks) return plants;
   for (const side of ["left", "right"] as const) {
-    const { intervals, confidence } = tracks[side];
+    const { intervals, confidence, edited } = tracks[side];
     for (let i = 0; i + 1 < intervals.length; i += 2) {
       const [start = 0, end = 0] = intervals.subarray(i, i + 2);
-      plants.push({ number: 0, side, start, end, confidence: mean(confidence, start, end) });
+      plants.push({
+        number: 0,
+        side,
+        start,
+        end,
+        confidence: mean(confidence, start, end),
+        edited: edited[i / 2] === 1,
+      });
     }
   }
   plants.sort((a, b) => a.start - b.start || a.end - b.end);

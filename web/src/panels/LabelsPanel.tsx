@@ -1,9 +1,12 @@
-import { useComputed } from "@preact/signals";
+import { useComputed, useSignal } from "@preact/signals";
 import { compareWithTruth } from "../app/compare";
+import { select, selection } from "../app/edit";
+import { Icon } from "../app/icons";
 import { seekPlant } from "../app/playback";
 import { type SaveFormat, save } from "../app/save";
-import { frame, openClip, other, plants, source } from "../app/state";
-import { certainPlant, type Plant } from "../lib/plants";
+import { detection, frame, openClip, other, plants, source } from "../app/state";
+import { certainPlant, type Plant, principalPart } from "../lib/plants";
+import { EditBox } from "./EditBox";
 import { VirtualList } from "./VirtualList";
 
 const formats: readonly (readonly [SaveFormat, string, string])[] = [
@@ -14,22 +17,11 @@ const formats: readonly (readonly [SaveFormat, string, string])[] = [
 ];
 
 export function LabelsPanel() {
-  const rate = openClip.value?.rate ?? 1;
-  if (!plants.value.length) {
-    return <p class="note">No plants, so nothing to list or to save.</p>;
-  }
+  if (!detection.value) return <p class="note">No labels, so nothing to list or to save.</p>;
   return (
     <div class="labels">
-      <div class="field">
-        <h2>Save</h2>
-        <div class="save">
-          {formats.map(([format, name, kind]) => (
-            <button key={format} type="button" class="button" onClick={() => save(format)}>
-              {name} <span class="quiet">{kind}</span>
-            </button>
-          ))}
-        </div>
-      </div>
+      <EditBox />
+      <Listed />
       <div class="field">
         <h2>Compare</h2>
         {source.value?.truth && !other.value && (
@@ -39,19 +31,55 @@ export function LabelsPanel() {
         )}
         <p class="note">Drop labels as JSON or CSV to see them beside these.</p>
       </div>
-      <div class="plants-head">
-        <h2>Plants</h2>
-        <p class="columns" aria-hidden="true">
-          <span>Start</span>
-          <span>End</span>
-          <span>Length</span>
-          <span>Sure</span>
-        </p>
+    </div>
+  );
+}
+
+function Listed() {
+  const rate = openClip.value?.rate ?? 1;
+  const isSaving = useSignal(false);
+  return (
+    <div class="field">
+      <div class="plants-head segments-head">
+        <h2>
+          Plants <span class="number">{plants.value.length}</span>
+        </h2>
+        <button
+          type="button"
+          class="button"
+          aria-expanded={isSaving.value}
+          aria-controls="save-labels"
+          onClick={() => {
+            isSaving.value = !isSaving.value;
+          }}
+        >
+          Save
+          <Icon name={isSaving.value ? "less" : "more"} />
+        </button>
       </div>
-      <VirtualList
-        items={plants.value}
-        row={(plant) => <Row key={plant.number} plant={plant} rate={rate} />}
-      />
+      {isSaving.value && (
+        <div class="save" id="save-labels">
+          {formats.map(([format, name, kind]) => (
+            <button key={format} type="button" class="button" onClick={() => save(format)}>
+              {name} <span class="quiet">{kind}</span>
+            </button>
+          ))}
+        </div>
+      )}
+      <p class="columns plant-columns" aria-hidden="true">
+        <span>Start</span>
+        <span>End</span>
+        <span>Length</span>
+        <span>Sure</span>
+      </p>
+      {plants.value.length ? (
+        <VirtualList
+          items={plants.value}
+          row={(plant) => <Row key={plant.number} plant={plant} rate={rate} />}
+        />
+      ) : (
+        <p class="note">No foot is planted in this clip.</p>
+      )}
     </div>
   );
 }
@@ -59,14 +87,22 @@ export function LabelsPanel() {
 function Row({ plant, rate }: { plant: Plant; rate: number }) {
   const now = useComputed(() => frame.value >= plant.start && frame.value < plant.end);
   const seconds = (frames: number) => (frames / rate).toFixed(2);
-  const doubtful = plant.confidence < certainPlant;
+  const doubtful = !plant.edited && plant.confidence < certainPlant;
+  const isSelected = selection.value?.number === plant.number;
+  const choose = () => {
+    const part = principalPart(detection.value?.parts ?? {});
+    const { side, start, end } = plant;
+    if (part) select({ side, part, start, end });
+    seekPlant(plant);
+  };
   return (
     <button
       type="button"
       class={`plant ${plant.side}`}
       aria-current={now.value ? "true" : undefined}
+      aria-pressed={isSelected}
       title={doubtful ? "Uncertain: worth a look" : undefined}
-      onClick={() => seekPlant(plant)}
+      onClick={choose}
     >
       <span class="number">{plant.number}</span>
       <span class="side">
@@ -77,7 +113,8 @@ function Row({ plant, rate }: { plant: Plant; rate: number }) {
       <span>{seconds(plant.end)}</span>
       <span>{seconds(plant.end - plant.start)}</span>
       <span class="sure" data-doubtful={doubtful}>
-        {Math.floor(100 * plant.confidence)} %{doubtful && <span class="hidden">, uncertain</span>}
+        {plant.edited ? "edited" : `${Math.floor(100 * plant.confidence)} %`}
+        {doubtful && <span class="hidden">, uncertain</span>}
       </span>
     </button>
   );

@@ -1,5 +1,6 @@
 import { useComputed } from "@preact/signals";
 import { dropComparison, stepDisagreement } from "../app/compare";
+import { takeTheirs } from "../app/edit";
 import { pause, seek } from "../app/playback";
 import { frame, openClip, other, score, scorePart, scores } from "../app/state";
 import type { Disagreement, Score } from "../worker/types";
@@ -20,6 +21,9 @@ export function ScorePanel() {
             Remove
           </button>
         </p>
+        <button type="button" class="button" onClick={takeTheirs}>
+          Make these labels mine
+        </button>
       </div>
       {shown ? (
         <>

@@ -30,7 +30,10 @@ export function PlantTable() {
                 Go to plant {plant.number}
               </button>
             </td>
-            <td>{plant.side}</td>
+            <td>
+              {plant.side}
+              {plant.edited && ", edited"}
+            </td>
             <td>{(plant.start / rate).toFixed(2)} s</td>
             <td>{((plant.end - plant.start) / rate).toFixed(2)} s</td>
           </tr>

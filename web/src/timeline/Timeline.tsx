@@ -11,7 +11,9 @@ import {
   other,
   otherSegments,
   plants,
+  reach,
   segmentation,
+  selected,
   sheetOpen,
   tab,
   task,
@@ -44,6 +46,8 @@ export function Timeline() {
     };
     return layOut(shown, box.value.width, box.value.height);
   });
+
+  const shape = useComputed(() => selected.value && { ...selected.value, ...reach.value });
 
   useEffect(() => {
     const host = room.current;
@@ -89,6 +93,7 @@ export function Timeline() {
         chosen: chosen.peek(),
         otherSegments: otherSegments.peek(),
         loop: looped.peek(),
+        selected: shape.peek(),
       });
     };
     const ask = () => {
@@ -102,6 +107,7 @@ export function Timeline() {
       }),
       effect(() => {
         void [layout.value, clip.value, timeView.value, plants.value, actions.value, looped.value];
+        void shape.value;
         ask();
       }),
       listen(surface, () => layout.peek()),
@@ -115,7 +121,7 @@ export function Timeline() {
       cancelAnimationFrame(due);
       for (const stop of stops) stop();
     };
-  }, [layout, width]);
+  }, [layout, width, shape]);
 
   const held = openClip.value;
   const still = !held || held.frames === 0;

@@ -1,4 +1,4 @@
-import { eachInSight } from "../lib/crowd";
+import { eachInSight, firstAfter } from "../lib/crowd";
 import { doubtful, type Plant, plantsWithin } from "../lib/plants";
 import { toX } from "../lib/timeView";
 import type { Track } from "../worker/types";
@@ -78,6 +78,7 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
       bracket(pen, ink[lane.side], from, to - 1, lane.y + lane.height / 2, lane.height - 4);
     else bar(pen, ink, lane, from, to, lane.y, lane.height);
   });
+  markEdited(pen, scene, lane, inner);
   if (lane.kind === "contact") numberPlants(pen, scene, lane, inner);
   else {
     pen.fillStyle = ink.erode;
@@ -89,6 +90,40 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
       numberPlants(pen, scene, lane, inner);
     }
   }
+  outlineSelected(pen, scene, lane, inner);
+}
+
+/** Bars as a person wants them have a line along their foot. */
+function markEdited(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
+  const { view, ink } = scene;
+  const { intervals, edited } = lane.track;
+  pen.fillStyle = ink.text;
+  for (let i = firstAfter(intervals, view.start); i < intervals.length; i += 2) {
+    const start = intervals[i] as number;
+    if (start > view.end) break;
+    if (!edited[i / 2]) continue;
+    const from = toX(view, start, inner);
+    const to = toX(view, intervals[i + 1] as number, inner);
+    pen.fillRect(from, lane.y + lane.height - 1.5, Math.max(2, to - from - 1), 2);
+  }
+}
+
+/** The bar that is edited: a frame around it, with a handle at each end. */
+function outlineSelected(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
+  const { view, ink, selected } = scene;
+  if (selected?.side !== lane.side || selected.part !== lane.kind) return;
+  const from = toX(view, selected.start, inner);
+  const to = Math.max(from + 3, toX(view, selected.end, inner) - 1);
+  const [top, height] = [lane.y - 1.5, lane.height + 3];
+  pen.strokeStyle = ink.text;
+  pen.lineWidth = 1.5;
+  pen.beginPath();
+  pen.roundRect(from - 1.5, top, to - from + 3, height, 4);
+  pen.stroke();
+  pen.fillStyle = ink.text;
+  pen.beginPath();
+  for (const x of [from - 4, to]) pen.roundRect(x, top, 4, height, 2);
+  pen.fill();
 }
 
 /** Plants from too far to be told apart: paler than one that is as long. */

@@ -1,17 +1,26 @@
 import { batch } from "@preact/signals";
+import { askForEdges, resize, select, selection } from "../app/edit";
 import { loopSegment, pause, seek, seekPlant } from "../app/playback";
 import { askForName } from "../app/segment";
-import { actions, clip, plants, timeView } from "../app/state";
+import { actions, clip, plants, reach, selected, timeView } from "../app/state";
+import { firstAfter } from "../lib/crowd";
+import type { Stay } from "../lib/edits";
 import { intervalAt } from "../lib/plants";
 import { actionAt, titleOf } from "../lib/segments";
 import { moveEdge, pan, toFrame, toX, zoomAt } from "../lib/timeView";
 import { isBars, type Layout } from "./layout";
 import { margin } from "./scene";
 
-/** A second click on a segment within this time asks for its name, in milliseconds. */
+/** A second click on a segment or a bar within this time asks for its name or its edges, in milliseconds. */
 const doubleClick = 400;
 
-type Drag = "scrub" | "pan" | "map" | "map-start" | "map-end" | "pinch";
+/** How near to an edge of a bar a press has to be to hold it, in pixels. */
+const grip = { mouse: 5, touch: 16 };
+
+/** Bars narrower than this have no edges to hold unless they are selected, in pixels. */
+const leastWidth = 28;
+
+type Drag = "scrub" | "pan" | "map" | "map-start" | "map-end" | "pinch" | "start" | "end";
 
 /** Wheel, mouse and fingers on the canvas; returns how to let go. */
 export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () => void {
@@ -20,7 +29,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   let drag: Drag | null = null;
   let from = { x: 0, y: 0 };
   let moved = false;
-  let before = { number: 0, at: 0 };
+  let before = { what: "", at: 0 };
 
   const place = (event: MouseEvent) => {
     const box = canvas.getBoundingClientRect();
@@ -62,7 +71,8 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
       if (Math.abs(x - end) < near) return "map-end";
       return "map";
     }
-    return event.shiftKey || event.button === 1 ? "pan" : "scrub";
+    if (event.shiftKey || event.button === 1) return "pan";
+    return edgeAt(event)?.edge ?? "scrub";
   };
 
   const down = (event: PointerEvent) => {
@@ -78,6 +88,11 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
     moved = false;
     drag = partOf(event);
     const { x, y, inner } = place(event);
+    if (drag === "start" || drag === "end") {
+      const held = edgeAt(event)?.stay;
+      if (held) select(held);
+      return;
+    }
     if (drag === "map") {
       const at = toFrame({ start: 0, end: frames() }, x, inner);
       const { start, end } = timeView.value;
@@ -109,7 +124,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
     if (!finger) {
       const part = partOf(event);
       canvas.style.cursor =
-        part === "map-start" || part === "map-end"
+        part === "map-start" || part === "map-end" || part === "start" || part === "end"
           ? "ew-resize"
           : part === "map"
             ? "grab"
@@ -126,6 +141,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
     const perPixel = (view.end - view.start) / inner;
     const whole = { start: 0, end: frames() };
     if (drag === "pinch") pinch(event, x, inner);
+    else if ((drag === "start" || drag === "end") && moved) stretch(drag, x, inner);
     else if (drag === "scrub" && moved) scrub(x, inner);
     else if (drag === "pan") timeView.value = pan(view, -dx * perPixel, frames());
     else if (drag === "map") timeView.value = pan(view, (dx * frames()) / inner, frames());
@@ -135,6 +151,23 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
       timeView.value = moveEdge(view, "end", toFrame(whole, x, inner), frames());
     finger.x = event.clientX;
     finger.y = event.clientY;
+  };
+
+  /** The edge that is dragged goes to the pointer, and the view shows the frame there. */
+  const stretch = (edge: "start" | "end", x: number, inner: number) => {
+    const held = selection.value;
+    if (!held) return;
+    const { stay, lane } = held;
+    const to = Math.round(toFrame(timeView.value, x, inner));
+    const { start, end } = stay;
+    batch(() => {
+      reach.value =
+        edge === "start"
+          ? { start: Math.min(Math.max(to, 0), end - 1), end }
+          : { start, end: Math.min(Math.max(to, start + 1), lane.frames) };
+      pause();
+      seek(edge === "start" ? reach.value.start : reach.value.end - 1);
+    });
   };
 
   const pinch = (event: PointerEvent, x: number, inner: number) => {
@@ -150,6 +183,30 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
     const zoomed = zoomAt(view, middle, was / is, frames());
     const shift = ((event.clientX - finger.x) / 2 / inner) * (zoomed.end - zoomed.start);
     timeView.value = pan(zoomed, -shift, frames());
+  };
+
+  /** The edge of a bar that a press would hold; a finger holds those of the selected bar alone. */
+  const edgeAt = (event: PointerEvent): { stay: Stay; edge: "start" | "end" } | undefined => {
+    const { x, y, inner } = place(event);
+    const lane = laneAt(y);
+    if (!lane || !isBars(lane) || y < layoutNow().ruler.height) return undefined;
+    const isTouch = event.pointerType === "touch";
+    const within = isTouch ? grip.touch : grip.mouse;
+    const view = timeView.value;
+    const perPixel = (view.end - view.start) / inner;
+    const { intervals } = lane.track;
+    const at = firstAfter(intervals, toFrame(view, x, inner) - within * perPixel);
+    const [start, end] = [intervals[at], intervals[at + 1]];
+    if (start === undefined || end === undefined) return undefined;
+    const stay = { side: lane.side, part: lane.kind, start, end };
+    const chosen = selected.value;
+    const isChosen =
+      chosen?.start === start && chosen.side === stay.side && chosen.part === stay.part;
+    if (!isChosen && (isTouch || (end - start) / perPixel < leastWidth)) return undefined;
+    const gaps = [Math.abs(x - toX(view, start, inner)), Math.abs(x - toX(view, end, inner))];
+    const [toStart = 0, toEnd = 0] = gaps;
+    if (Math.min(toStart, toEnd) > within) return undefined;
+    return { stay, edge: toStart < toEnd ? "start" : "end" };
   };
 
   const barAt = (x: number, y: number, inner: number) => {
@@ -168,28 +225,56 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
 
   const up = (event: PointerEvent) => {
     if (!fingers.delete(event.pointerId)) return;
-    if (drag === "scrub" && !moved && event.type === "pointerup") click(event);
+    if (drag === "start" || drag === "end") letGo(event);
+    else if (drag === "scrub" && !moved && event.type === "pointerup") click(event);
     if (!fingers.size) drag = null;
+  };
+
+  /** The edge stays where it was dragged to; until then the bar is drawn as it would be. */
+  const letGo = (event: PointerEvent) => {
+    const to = reach.value;
+    if (!to || event.type !== "pointerup") {
+      reach.value = null;
+      if (!moved) click(event);
+      return;
+    }
+    void Promise.resolve(resize(to)).then(() => {
+      reach.value = null;
+    });
+  };
+
+  /** Whether the same was clicked a moment ago. */
+  const isAgain = (event: PointerEvent, what: string) => {
+    const again = before.what === what && event.timeStamp - before.at < doubleClick;
+    before = again ? { what: "", at: 0 } : { what, at: event.timeStamp };
+    return again;
   };
 
   const click = (event: PointerEvent) => {
     const { x, y, inner } = place(event);
-    if (y < layoutNow().ruler.height) return;
+    if (y < layoutNow().ruler.height) {
+      before = { what: "", at: 0 };
+      return;
+    }
     const segment = segmentAt(x, y, inner);
     if (segment) {
-      const now = { number: segment.number, at: event.timeStamp };
-      const again = before.number === now.number && now.at - before.at < doubleClick;
-      before = again ? { number: 0, at: 0 } : now;
-      if (again) askForName(segment);
+      if (isAgain(event, `segment ${segment.number}`)) askForName(segment);
       else loopSegment(segment);
       return;
     }
     const bar = barAt(x, y, inner);
     if (!bar) {
+      select(undefined);
       scrub(x, inner);
       return;
     }
-    const { side } = bar.lane;
+    const { side, kind: part } = bar.lane;
+    const stay = { side, part, start: bar.start, end: bar.end };
+    if (isAgain(event, `${side} ${part} ${bar.start}`)) {
+      askForEdges(stay);
+      return;
+    }
+    select(stay);
     const plant = plants.value.find(
       (p) => p.side === side && p.start < bar.end && p.end > bar.start,
     );

@@ -1,3 +1,4 @@
+import type { Stay } from "../lib/edits";
 import type { Plant } from "../lib/plants";
 import type { Action } from "../lib/segments";
 import type { TimeView } from "../lib/timeView";
@@ -22,6 +23,8 @@ export interface Scene {
   chosen: Action | undefined;
   otherSegments: Segments | null;
   loop: TimeView | null;
+  /** The bar that is edited, as it is or as a drag would leave it. */
+  selected: Stay | null;
 }
 
 /** Room at the right edge, so that the last number and the playhead's handle are whole. */

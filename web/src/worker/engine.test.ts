@@ -33,6 +33,12 @@ function worker(said: string[]) {
       if (isBusy) return new Promise(() => {});
       return { ok: true, segmentation: {} as Segmentation };
     },
+    async edit(edits) {
+      said.push(`edit ${edits.length}`);
+      return {};
+    },
+    theirs: async () => [],
+    hash: async () => undefined,
     methods: async () => [],
     segmentMethods: async () => [],
     async compare(text) {
@@ -76,11 +82,12 @@ test("a new worker is told what the old one held, once and before anything else"
   const { said, made } = engine();
   await made.open(file, "walk");
   await made.override({ rate: 30 });
+  await made.edit([{ side: "left", part: "toe", start: 0, end: 3, planted: true }]);
   await made.detect(options);
   await made.compare("truth", "truth.json");
   made.cancel();
   await Promise.all([made.save("csv"), made.save("json")]);
-  const told = ["start", "open walk", "override 30", "detect walk", "compare truth"];
+  const told = ["start", "open walk", "override 30", "edit 1", "detect walk", "compare truth"];
   expect(said).toEqual([...told, ...told, "save walk", "save walk"]);
 });
 

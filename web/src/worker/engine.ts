@@ -1,10 +1,10 @@
 /** The page's hold on the worker: starts it, ends it, and starts another when it fails. */
 
 import * as Comlink from "comlink";
-import type { DetectOptions, Overrides, SegmentOptions } from "./types";
+import type { DetectOptions, Edit, Overrides, SegmentOptions } from "./types";
 import type { Api, Compared, CutPart, Detected, Opened, Segmented } from "./worker";
 
-export type { Compared, CutPart, Detected, Opened, Segmented } from "./worker";
+export type { Compared, CutPart, Detected, EditedParts, Opened, Segmented } from "./worker";
 
 /** What the worker offers, with ways to stop it. */
 export interface Engine extends Omit<Calls, "open" | "segment" | "cut"> {
@@ -52,6 +52,7 @@ interface Held {
   name: string;
   lenient: boolean;
   overrides?: Overrides;
+  edits?: Edit[];
   options?: DetectOptions;
   segmentOptions?: SegmentOptions;
   /** Labels and segments of someone else that it is compared with. */
@@ -114,6 +115,7 @@ export function createEngine(
     if (!held) return;
     await calls.open(held.file, held.name, held.lenient);
     if (held.overrides) await calls.override(held.overrides);
+    if (held.edits) await calls.edit(held.edits);
     if (held.options) await calls.detect(held.options);
     if (held.other) await calls.compare(held.other.text, held.other.name);
     if (held.otherSegments) await calls.compare(held.otherSegments.text, held.otherSegments.name);
@@ -217,6 +219,13 @@ export function createEngine(
       }
       return compared;
     },
+    edit(edits) {
+      // First of all remembered: a worker that fails over it must not take it along.
+      if (held) held.edits = edits;
+      return callOnClip((calls) => calls.edit(edits));
+    },
+    theirs: () => callOnClip((calls) => calls.theirs()),
+    hash: () => callOnClip((calls) => calls.hash()),
     methods: () => call(({ calls }) => calls.methods()),
     segmentMethods: () => call(({ calls }) => calls.segmentMethods()),
     score: () => callOnClip((calls) => calls.score()),

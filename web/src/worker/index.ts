@@ -4,6 +4,7 @@ export {
   type CutPart,
   createEngine,
   type Detected,
+  type EditedParts,
   type Engine,
   type Opened,
   type OpenOptions,

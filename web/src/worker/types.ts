@@ -9,6 +9,7 @@ export type {
   CutScore,
   DetectOptions,
   DisagreementFacts as Disagreement,
+  EditFacts as Edit,
   Failure,
   JointFacts as Joint,
   MethodFacts,
@@ -44,11 +45,16 @@ export interface Track {
   confidence: Float32Array;
   /** start, end, start, end … in frames, half-open. */
   intervals: Uint32Array;
+  /** For each interval 1 where it is as a person wants it, else 0. */
+  edited: Uint8Array;
   /** Height above the ground in metres, per frame, of the signal that was clustered. */
   height: Float32Array;
   /** Speed in m/s, per frame, of the signal that was clustered. */
   speed: Float32Array;
 }
+
+/** What of a track an edit changes. */
+export type Labels = Pick<Track, "planted" | "confidence" | "intervals" | "edited">;
 
 export interface Tracks {
   left: Track;

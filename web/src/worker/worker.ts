@@ -18,8 +18,10 @@ import type {
   CutScore,
   Detection,
   DetectOptions,
+  Edit,
   Failure,
   Labelling,
+  Labels,
   MethodFacts,
   Overrides,
   Part,
@@ -49,6 +51,9 @@ export type Compared =
   | { ok: true; segments: Segments }
   | { ok: false; failure: Failure };
 
+/** The labels that edits leave, of every part that was detected. */
+export type EditedParts = Partial<Record<Part, Record<Side, Labels>>>;
+
 /** A part of the clip that becomes a file: frames half-open. */
 export interface CutPart {
   name: string;
@@ -61,6 +66,9 @@ interface Held {
   file: Blob;
   name: string;
   clip: RawClip;
+  /** What a person corrected in the labels: it lies over every detection. */
+  edits: Edit[];
+  hash?: Promise<string | undefined>;
   detection?: RawDetection;
   segmentation?: RawSegmentation;
   other?: RawLabelling;
@@ -81,7 +89,7 @@ const api = {
     const opened = await refusals(async () => {
       const clip = await read(file, lenient, seldom(onProgress));
       release();
-      held = { file, name, clip };
+      held = { file, name, clip, edits: [] };
       return clip;
     });
     return opened.ok ? facts() : opened;
@@ -97,10 +105,37 @@ const api = {
     const detected = await refusals(() => current().clip.detect(options));
     if (!detected.ok) return detected;
     const here = current();
+    detected.value.edit(here.edits);
     here.detection?.free();
     here.detection = detected.value;
     const detection = copy(detected.value, options);
     return Comlink.transfer({ ok: true, detection }, buffers(detection.parts));
+  },
+
+  /** Lays edits over this and every later detection, in place of those before. */
+  async edit(edits: Edit[]): Promise<EditedParts> {
+    const here = current();
+    here.edits = edits;
+    const { detection } = here;
+    if (!detection) return {};
+    detection.edit(edits);
+    const names = detection.parts() as Part[];
+    const sides = (part: Part) => ({
+      left: labels(detection, part, "left"),
+      right: labels(detection, part, "right"),
+    });
+    const parts = Object.fromEntries(names.map((part) => [part, sides(part)]));
+    return Comlink.transfer(parts, buffers(parts));
+  },
+
+  /** The labels of someone else as edits that make them one's own. */
+  async theirs(): Promise<Edit[]> {
+    return current().other?.edits() ?? [];
+  },
+
+  /** The SHA-256 of the file in hexadecimal; unknown where the browser does not offer it. */
+  async hash(): Promise<string | undefined> {
+    return hashOf(current());
   },
 
   /** Cuts the clip into actions; `onProgress` gets the share done, 0 … 1. */
@@ -159,9 +194,10 @@ const api = {
 
   /** The segments of the last segmentation, under the names that are given, in order. */
   async saveSegments(format: SegmentFormat, names: string[]): Promise<string> {
-    const { file, name, clip, segmentation } = current();
+    const here = current();
+    const { name, clip, segmentation } = here;
     if (!segmentation) throw new Error("There are no segments to save.");
-    const hash = format === "json" ? await sha256(file) : undefined;
+    const hash = format === "json" ? await hashOf(here) : undefined;
     return clip.saveSegments(segmentation, names, format, name, hash);
   },
 
@@ -188,9 +224,11 @@ const api = {
 
   /** The labels of the last detection. */
   async save(format: SaveFormat): Promise<string> {
-    const { file, name, clip, detection } = current();
+    const here = current();
+    const { name, clip, detection } = here;
     if (!detection) throw new Error("There are no labels to save.");
-    return clip.save(detection, format, name, format === "json" ? await sha256(file) : undefined);
+    const hash = format === "json" ? await hashOf(here) : undefined;
+    return clip.save(detection, format, name, hash);
   },
 };
 
@@ -306,13 +344,20 @@ function labelling(raw: RawLabelling, name: string): Labelling {
 
 function tracks(raw: RawDetection, part: Part): Tracks {
   const track = (side: Side): Track => ({
-    planted: raw.planted(part, side),
-    confidence: raw.confidence(part, side),
-    intervals: raw.intervals(part, side),
+    ...labels(raw, part, side),
     height: raw.height(part, side),
     speed: raw.speed(part, side),
   });
   return { left: track("left"), right: track("right") };
+}
+
+function labels(raw: RawDetection, part: Part, side: Side): Labels {
+  return {
+    planted: raw.planted(part, side),
+    confidence: raw.confidence(part, side),
+    intervals: raw.intervals(part, side),
+    edited: raw.edited(part, side),
+  };
 }
 
 /** The memory of all series of a record, to be handed over rather than copied. */
@@ -323,7 +368,11 @@ function buffers(record: object): Transferable[] {
   });
 }
 
-/** The file's SHA-256 in hexadecimal; unknown where the browser does not offer it. */
+function hashOf(here: Held): Promise<string | undefined> {
+  here.hash ??= sha256(here.file);
+  return here.hash;
+}
+
 async function sha256(file: Blob): Promise<string | undefined> {
   if (!globalThis.crypto?.subtle) return undefined;
   const digest = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());

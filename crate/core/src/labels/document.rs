@@ -1,5 +1,7 @@
 //! The labels document: foot plants as the JSON that is saved, shared and read back.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use super::{Part, Side, intervals};
@@ -147,7 +149,10 @@ impl Document {
         let foot = |side: Side| {
             let mut foot = Foot::default();
             for labels in &detection.parts {
-                foot.set(labels.part, &labels.foot(side).planted, clip.rate(), SpanSource::Auto);
+                let part = labels.part;
+                foot.set(part, &labels.foot(side).planted, clip.rate(), |run| {
+                    if detection.is_edited(side, part, run) { SpanSource::Edited } else { SpanSource::Auto }
+                });
             }
             foot
         };
@@ -222,8 +227,15 @@ impl Foot {
         }
     }
 
-    /// Sets one part from per-frame labels at `rate` frames per second.
-    pub fn set(&mut self, part: Part, labels: &[bool], rate: f64, source: SpanSource) {
+    /// Sets one part from per-frame labels at `rate` frames per second; `source` tells of each
+    /// run of planted frames who says so.
+    pub fn set(
+        &mut self,
+        part: Part,
+        labels: &[bool],
+        rate: f64,
+        source: impl Fn(&Range<usize>) -> SpanSource,
+    ) {
         let spans = intervals(labels)
             .into_iter()
             .map(|range| Span {
@@ -231,7 +243,7 @@ impl Foot {
                 end: range.end,
                 start_s: range.start as f64 / rate,
                 end_s: range.end as f64 / rate,
-                source,
+                source: source(&range),
             })
             .collect();
         match part {
@@ -250,7 +262,7 @@ mod tests {
     fn labels_survive_the_document() {
         let labels = [true, false, true, true];
         let mut left = Foot::default();
-        left.set(Part::Toe, &labels, 30.0, SpanSource::Auto);
+        left.set(Part::Toe, &labels, 30.0, |_| SpanSource::Auto);
         let document = Document {
             format: FORMAT.into(),
             version: VERSION,

@@ -4,6 +4,7 @@
 mod babel;
 mod csv;
 mod document;
+mod edits;
 mod read;
 mod read_segments;
 mod segments;
@@ -13,6 +14,7 @@ pub use babel::babel_json;
 pub use document::{
     Document, FORMAT, Foot, FootJoints, Joints, MethodUsed, Source, Span, SpanSource, VERSION,
 };
+pub use edits::{Edit, edited};
 pub use read::{Labelling, LabelsError, read};
 pub use read_segments::{has_segments, read_cuts, read_segments};
 pub use segments::{MotifSpan, SEGMENTS_FORMAT, SegmentSpan, SegmentsDocument, SegmentsMethod, Stretch};

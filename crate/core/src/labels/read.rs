@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::{Document, FORMAT, Part, Side, VERSION, csv};
+use super::{Document, Edit, FORMAT, Part, Side, VERSION, csv};
 
 /// Labels of one clip by someone else, per frame; `None` where they are not known.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -132,11 +132,36 @@ impl Labelling {
     pub fn part(&self, part: Part) -> Option<&[Vec<Option<bool>>; 2]> {
         self.parts.iter().find(|(other, _)| *other == part).map(|(_, feet)| feet)
     }
+
+    /// The labels as edits that make them one's own, wherever they are known.
+    pub fn edits(&self) -> Vec<Edit> {
+        let mut edits = Vec::new();
+        for (part, feet) in &self.parts {
+            for (side, labels) in Side::BOTH.into_iter().zip(feet) {
+                let mut start = 0;
+                for run in labels.chunk_by(|a, b| a == b) {
+                    let end = start + run.len();
+                    edits.extend(run[0].map(|planted| Edit { side, part: *part, start, end, planted }));
+                    start = end;
+                }
+            }
+        }
+        edits
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn labels_become_ones_own_where_they_are_known() {
+        let labelling = read(r#"{"left": [0, 1, 1, -1], "right": [-1, -1, -1, 1]}"#, 4).unwrap();
+        let edit = |side, start, end, planted| Edit { side, part: Part::Contact, start, end, planted };
+        let expected =
+            [edit(Side::Left, 0, 1, false), edit(Side::Left, 1, 3, true), edit(Side::Right, 3, 4, true)];
+        assert_eq!(labelling.edits(), expected);
+    }
 
     #[test]
     fn truth_files_are_contact() {

@@ -41,7 +41,7 @@ pub use params::{ParamError, Params, ValidParams};
 
 use methods::{Found, Task};
 
-use crate::labels::{Part, Side};
+use crate::labels::{Edit, Part, Side};
 use crate::notice::Notice;
 
 /// The labels of a clip with how they came about.
@@ -55,6 +55,8 @@ pub struct Detection {
     pub floor: f64,
     /// What was assumed or is doubtful.
     pub notices: Vec<Notice>,
+    /// What a person corrected in the labels; empty in what is detected.
+    pub edits: Vec<Edit>,
 }
 
 /// The labels of one part of both feet.
@@ -120,7 +122,8 @@ pub fn detect_along(feet: &Feet, still: &Feet, params: ValidParams) -> Detection
 fn run(task: Task) -> Detection {
     let Found { parts, mut notices } = task.params.method().detect(&task);
     notices.extend(plausible::notices(task.feet, &parts));
-    Detection { params: task.params, floor: floor::height(task.feet, &parts[0]), parts, notices }
+    let floor = floor::height(task.feet, &parts[0]);
+    Detection { params: task.params, floor, parts, notices, edits: Vec::new() }
 }
 
 #[cfg(test)]

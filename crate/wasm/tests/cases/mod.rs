@@ -2,11 +2,11 @@
 
 use js_sys::Function;
 use plantigrade::bvh;
-use plantigrade::labels::Document;
+use plantigrade::labels::{Document, Part, Side};
 use plantigrade::plants::{self, Feet};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{
-    ClipFacts, DetectOptions, Failure, Overrides, RawClip, RawLabelling, RawReader, RawSegments,
+    ClipFacts, DetectOptions, EditFacts, Failure, Overrides, RawClip, RawLabelling, RawReader, RawSegments,
     SegmentFacts, SegmentOptions, has_segments,
 };
 use tsify::{Ts, Tsify};
@@ -58,6 +58,41 @@ fn labels_are_those_of_the_core() {
         assert_eq!(found.sorted_norms(part).unwrap().len(), found.running_variance(part).unwrap().len());
     }
     assert!(found.planted("shoulder", "left").is_err());
+}
+
+#[wasm_bindgen_test]
+fn edits_lie_over_what_was_found_until_they_are_taken_back() {
+    let clip = walk();
+    let mut found = clip.detect(options("robust")).unwrap();
+    let before = found.intervals("contact", "left").unwrap();
+    let edit = EditFacts {
+        side: Side::Left,
+        part: Part::Contact,
+        start: before[0] as usize,
+        end: before[1] as usize,
+        planted: false,
+    };
+    found.edit(vec![edit.into_ts().unwrap()]).unwrap();
+    assert_eq!(found.intervals("contact", "left").unwrap(), before[2..]);
+    let moved = EditFacts {
+        side: Side::Left,
+        part: Part::Contact,
+        start: before[2] as usize,
+        end: before[3] as usize + 2,
+        planted: true,
+    };
+    found.edit(vec![moved.into_ts().unwrap()]).unwrap();
+    assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
+    let mut marks = vec![0; before.len() / 2];
+    marks[1] = 1;
+    assert_eq!(found.edited("contact", "left").unwrap(), marks);
+    let text = clip.save(&found, "json", "walk.bvh".into(), None).unwrap();
+    assert_eq!(text.matches("\"edited\"").count(), 1);
+    let read = RawLabelling::new(&text, 245).unwrap();
+    found.edit(read.edits().unwrap()).unwrap();
+    assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
+    found.edit(Vec::new()).unwrap();
+    assert_eq!(found.intervals("contact", "left").unwrap(), before);
 }
 
 #[wasm_bindgen_test]

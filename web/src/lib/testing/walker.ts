@@ -180,6 +180,7 @@ export function walkerTrack(
     planted: new Uint8Array(n),
     confidence: new Float32Array(n),
     intervals: new Uint32Array(0),
+    edited: new Uint8Array(0),
     height: new Float32Array(n),
     speed: new Float32Array(n),
   };
@@ -203,5 +204,6 @@ export function walkerTrack(
   }
   if (intervals.length % 2) intervals.push(n);
   track.intervals = Uint32Array.from(intervals);
+  track.edited = new Uint8Array(intervals.length / 2);
   return track;
 }

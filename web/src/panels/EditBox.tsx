@@ -1,0 +1,200 @@
+import { useSignal } from "@preact/signals";
+import {
+  addHere,
+  canRedo,
+  canUndo,
+  endHere,
+  mergeNext,
+  redo,
+  remove,
+  resize,
+  restore,
+  restoreAll,
+  selection,
+  splitHere,
+  startHere,
+  undo,
+} from "../app/edit";
+import { Icon } from "../app/icons";
+import { detection, edits, keepFailure } from "../app/state";
+import type { Span } from "../lib/edits";
+import type { Part, Side } from "../worker/types";
+
+/** All that can be done to labels by hand, without a drag. */
+export function EditBox() {
+  return (
+    <div class="field edit">
+      <div class="field-head">
+        <h2>Edit</h2>
+        <button
+          type="button"
+          class="button plain icon-only"
+          aria-label="Undo"
+          title="Undo (Ctrl Z)"
+          disabled={!canUndo.value}
+          onClick={undo}
+        >
+          <Icon name="undo" />
+        </button>
+        <button
+          type="button"
+          class="button plain icon-only"
+          aria-label="Redo"
+          title="Redo (Ctrl Shift Z)"
+          disabled={!canRedo.value}
+          onClick={redo}
+        >
+          <Icon name="redo" />
+        </button>
+      </div>
+      {selection.value ? (
+        <Selected />
+      ) : (
+        <p class="note">Choose a bar of the timeline, or a plant below, to change it.</p>
+      )}
+      <Add />
+      {keepFailure.value && (
+        <p class="note" role="status">
+          {keepFailure.value}
+        </p>
+      )}
+    </div>
+  );
+}
+
+function Selected() {
+  const held = selection.value;
+  if (!held) return null;
+  const { stay, number, isEdited } = held;
+  return (
+    <>
+      <p class={`edit-title ${stay.side}`}>
+        <span class="dot" aria-hidden="true" />
+        {stay.side === "left" ? "Left" : "Right"} {stay.part}
+        {number !== undefined && `, plant ${number}`}
+        {isEdited && <span class="quiet"> · edited</span>}
+      </p>
+      <div class="rows edges">
+        <Edge
+          name="Start"
+          value={stay.start}
+          to={(start) => ({ start })}
+          here={startHere}
+          keys="I"
+        />
+        <Edge name="End" value={stay.end} to={(end) => ({ end })} here={endHere} keys="O" />
+      </div>
+      <div class="edit-actions">
+        <button type="button" class="button" title="K" onClick={splitHere}>
+          Split here
+        </button>
+        <button type="button" class="button" title="M" onClick={mergeNext}>
+          Merge with next
+        </button>
+        <button type="button" class="button" title="Delete" onClick={remove}>
+          Delete
+        </button>
+        <button type="button" class="button" disabled={!isEdited} onClick={restore}>
+          As detected
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** One edge in frames: the end is the first frame after. */
+function Edge({
+  name,
+  value,
+  to,
+  here,
+  keys,
+}: {
+  name: string;
+  value: number;
+  to: (frame: number) => Partial<Span>;
+  here: () => void;
+  keys: string;
+}) {
+  return (
+    <div class="edge">
+      <label>
+        <span>{name} frame</span>
+        <input
+          class="input"
+          type="number"
+          min={0}
+          step={1}
+          value={value}
+          onChange={(event) => {
+            const field = event.currentTarget;
+            const asked = field.valueAsNumber;
+            // What cannot be is not left standing there.
+            if (!Number.isInteger(asked) || !resize(to(asked))) field.value = String(value);
+          }}
+        />
+      </label>
+      <button
+        type="button"
+        class="button"
+        aria-label={`${name} here`}
+        title={`At the playhead (${keys})`}
+        onClick={here}
+      >
+        Here
+      </button>
+    </div>
+  );
+}
+
+function Add() {
+  const side = useSignal<Side>("left");
+  const part = useSignal<Part>("contact");
+  const parts = (["contact", "heel", "toe"] as const).filter(
+    (known) => detection.value?.parts[known],
+  );
+  const chosen = parts.includes(part.value) ? part.value : parts[0];
+  if (!chosen) return null;
+  return (
+    <div class="add">
+      <select
+        class="select"
+        aria-label="Foot"
+        value={side.value}
+        onChange={(event) => {
+          side.value = event.currentTarget.value as Side;
+        }}
+      >
+        <option value="left">Left</option>
+        <option value="right">Right</option>
+      </select>
+      <select
+        class="select"
+        aria-label="Part"
+        value={chosen}
+        onChange={(event) => {
+          part.value = event.currentTarget.value as Part;
+        }}
+      >
+        {parts.map((name) => (
+          <option key={name} value={name}>
+            {name[0]?.toUpperCase() + name.slice(1)}
+          </option>
+        ))}
+      </select>
+      <button
+        type="button"
+        class="button"
+        title="A plant at the playhead (A)"
+        onClick={() => addHere(side.value, chosen)}
+      >
+        Add here
+      </button>
+      {edits.value.length > 0 && (
+        <button type="button" class="link" onClick={restoreAll}>
+          All as detected
+        </button>
+      )}
+    </div>
+  );
+}
