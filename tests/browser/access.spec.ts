@@ -43,10 +43,16 @@ const states: Record<string, (app: App) => Promise<void>> = {
     await app.drop(bad("not-a-number"));
     await expect(app.alert).toBeVisible();
   },
-  "several files refused": async (app) => {
+  "a table of many clips": async (app) => {
     await app.empty();
-    await app.drop(bad("ragged-row"), bad("not-a-number"), good("plain"));
-    await app.opened("plain.bvh");
+    await app.drop(bad("ragged-row"), good("no-motion"), good("plain"));
+    await expect(app.page.getByText(/^All labelled/)).toBeVisible();
+  },
+  "a plant being edited": async (app) => {
+    await app.sample("curved-walk");
+    await app.tab("Labels");
+    await app.page.keyboard.press("e");
+    await app.page.keyboard.press("k");
   },
   "a skeleton without motion": (app) => app.with(good("no-motion")),
 };

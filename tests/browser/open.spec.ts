@@ -39,46 +39,6 @@ test("a pasted file opens", async ({ app }) => {
   await app.opened("plain.bvh");
 });
 
-test("of several files the first good one opens and the others wait in a list", async ({ app }) => {
-  await app.empty();
-  await app.drop(good("plain"), sample("bowling"));
-  await app.opened("plain.bvh");
-  await app.tab("Clip");
-  await app.panel.getByRole("button", { name: /^bowling\.bvh/ }).click();
-  await app.opened("bowling.bvh");
-});
-
-test("a bad file among several does not stop the good one, and is named", async ({ app, page }) => {
-  await app.empty();
-  await app.drop(bad("ragged-row"), good("plain"));
-  await expect(page).toHaveTitle("plain.bvh – Plantigrade");
-  await expect(app.playhead).toBeVisible();
-  await expect(page.getByText(/ragged-row\.bvh.*(not|refused|error)/i)).toBeVisible();
-});
-
-test("several bad files are listed until dismissed, and marked in the list", async ({ app }) => {
-  await app.empty();
-  await app.drop(bad("ragged-row"), bad("not-a-number"), good("plain"));
-  await app.opened("plain.bvh");
-  await expect(app.alert.getByRole("heading").first()).toHaveText("2 files could not be opened");
-  for (const words of ["ragged-row.bvh", "Line 70", "not-a-number.bvh", 'found "ninety"']) {
-    await expect(app.alert).toContainText(words, { ignoreCase: true });
-  }
-  await app.page.keyboard.press("End");
-  await expect(app.alert).toBeVisible();
-  await app.alert.getByRole("button", { name: "Dismiss" }).click();
-  await expect(app.alert).toBeHidden();
-  await app.tab("Clip");
-  await expect(app.panel.getByRole("button", { name: /not read$/ })).toHaveCount(2);
-});
-
-test("when no file of a drop is good, all are named", async ({ app }) => {
-  await app.empty();
-  await app.drop(bad("ragged-row"), bad("empty"));
-  await expect(app.alert).toContainText("ragged-row.bvh");
-  await expect(app.alert).toContainText("empty.bvh");
-});
-
 test("a file with a value that is no number can be opened leniently", async ({ app }) => {
   await app.empty();
   await app.drop(bad("ragged-row"));

@@ -9,6 +9,7 @@ import "./styles/overlays.css";
 import "./styles/viewer.css";
 import "./styles/timeline.css";
 import "./styles/panel.css";
+import "./styles/batch.css";
 import "./styles/edit.css";
 import "./styles/score.css";
 import "./styles/segment.css";

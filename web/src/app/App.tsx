@@ -1,7 +1,9 @@
 import { useEffect, useRef } from "preact/hooks";
+import { Batch } from "../batch/Batch";
 import { Panel } from "../panels/Panel";
 import { Timeline } from "../timeline/Timeline";
 import { Viewer } from "../viewer/Viewer";
+import { tableShown } from "./batch";
 import { Dialogs } from "./Dialogs";
 import { listenForDrops } from "./drop";
 import { Empty } from "./Empty";
@@ -40,7 +42,7 @@ export function App() {
           ref={picker}
           hidden
           type="file"
-          accept=".bvh,.json,.csv,text/plain"
+          accept=".bvh,.json,.csv,.npz,.zip,text/plain"
           multiple
           onChange={(event) => {
             const input = event.currentTarget;
@@ -61,6 +63,7 @@ export function App() {
           }
         />
       )}
+      {tableShown.value && <Batch />}
       <Dialogs />
       <p class="hidden" role="status">
         {announcement}

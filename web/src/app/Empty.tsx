@@ -1,4 +1,5 @@
-import { openSample, sizeLimit } from "./open";
+import { sizeLimit } from "./limits";
+import { openSample } from "./open";
 import { type Sample, samples } from "./samples";
 
 /** The first impression: the page itself is the drop target, a sample walks behind it. */

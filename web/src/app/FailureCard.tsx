@@ -1,67 +1,16 @@
 import { useSignal } from "@preact/signals";
-import type { ComponentChildren } from "preact";
 import { excerptWithCaret, failureReport, mendable, place, sentence } from "../lib/report";
 import { Icon } from "./icons";
 import { openSource } from "./open";
-import { failure, openClip, type Refusal, refused, refusedShown } from "./state";
+import { failure, openClip, type Refusal } from "./state";
 
-/** What went wrong with the last file or files, over the clip that stays open. */
+/** What went wrong with the last file, over the clip that stays open. */
 export function FailureCard() {
-  if (failure.value) {
-    const held = failure.value;
-    const dismiss = () => {
-      failure.value = null;
-    };
-    return (
-      <Card title={titleOf(held)} about={[held]} dismiss={dismiss}>
-        <Reason of={held} />
-        {openClip.value && <p class="quiet">{openClip.value.name} is still open.</p>}
-      </Card>
-    );
-  }
-  const several = refused.value;
-  const [first] = several;
-  if (!first || !refusedShown.value) return null;
-  const dismiss = () => {
-    refusedShown.value = false;
-  };
-  if (several.length === 1) {
-    return (
-      <Card title={titleOf(first)} about={several} dismiss={dismiss}>
-        <Reason of={first} />
-      </Card>
-    );
-  }
-  return (
-    <Card title={`${several.length} files could not be opened`} about={several} dismiss={dismiss}>
-      <ul class="refused">
-        {several.map((refusal) => (
-          <li key={refusal.name}>
-            <h3>{refusal.name}</h3>
-            <Reason of={refusal} />
-          </li>
-        ))}
-      </ul>
-    </Card>
-  );
-}
-
-const titleOf = ({ name }: Refusal) => `${name} could not be opened`;
-
-function Card({
-  title,
-  about,
-  dismiss,
-  children,
-}: {
-  title: string;
-  about: readonly Refusal[];
-  dismiss: () => void;
-  children: ComponentChildren;
-}) {
+  const held = failure.value;
   /** What was copied: another failure can be copied anew. */
   const copied = useSignal<string | null>(null);
-  const report = about.map(({ name, failure }) => failureReport(name, failure)).join("\n\n");
+  if (!held) return null;
+  const report = failureReport(held.name, held.failure);
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(report);
@@ -73,12 +22,20 @@ function Card({
   return (
     <div class="failure" role="alert">
       <div class="failure-head">
-        <h2>{title}</h2>
-        <button type="button" class="button plain icon-only" aria-label="Dismiss" onClick={dismiss}>
+        <h2>{held.name} could not be opened</h2>
+        <button
+          type="button"
+          class="button plain icon-only"
+          aria-label="Dismiss"
+          onClick={() => {
+            failure.value = null;
+          }}
+        >
           <Icon name="close" />
         </button>
       </div>
-      {children}
+      <Reason of={held} />
+      {openClip.value && <p class="quiet">{openClip.value.name} is still open.</p>}
       <p class="failure-foot">
         <button type="button" class="button" onClick={copy}>
           {copied.value === report ? "Copied" : "Copy report"}

@@ -1,4 +1,5 @@
 import { count, hertz, span } from "../lib/time";
+import { rows, tableShown } from "./batch";
 import { Icon, Mark } from "./icons";
 import { dialog, notices, openClip } from "./state";
 import { nextTheme, themeChoice } from "./theme";
@@ -12,6 +13,18 @@ export function Head({ pick }: { pick: () => void }) {
       </h1>
       <About />
       <span class="spring" />
+      {rows.value.length > 0 && (
+        <button
+          type="button"
+          class="button"
+          aria-pressed={tableShown.value}
+          onClick={() => {
+            tableShown.value = !tableShown.value || !openClip.value;
+          }}
+        >
+          {rows.value.length} clips
+        </button>
+      )}
       <button
         type="button"
         class="button icon-only"

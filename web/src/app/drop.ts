@@ -1,3 +1,4 @@
+import { filesOf } from "./gather";
 import { openFiles } from "./open";
 import { dragging } from "./state";
 
@@ -42,7 +43,7 @@ export function listenForDrops(signal: AbortSignal) {
       event.preventDefault();
       inside.clear();
       settle();
-      void openFiles([...(event.dataTransfer?.files ?? [])]);
+      if (event.dataTransfer) void filesOf(event.dataTransfer).then(openFiles);
     },
     { signal },
   );

@@ -8,7 +8,7 @@ import { engine } from "./engine";
 import { edits, hero, keepFailure, type Source, segmentNames, source } from "./state";
 
 /** What is kept of one clip. */
-interface Kept {
+export interface Kept {
   version: 1;
   /** The file's name, for whoever looks into the browser's storage. */
   name: string;
@@ -35,6 +35,12 @@ export async function recall(): Promise<void> {
   if (source.value !== about) return;
   known = { key: keyOf(hash), about };
   keep();
+}
+
+/** What was kept of the file with a hash. */
+export async function keptOf(hash: string): Promise<Pick<Kept, "edits" | "names">> {
+  const { edits, names } = read(keyOf(hash)) ?? { edits: [], names: [] };
+  return { edits, names };
 }
 
 function read(key: string): Kept | undefined {

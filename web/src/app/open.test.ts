@@ -1,9 +1,12 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Row } from "./batch";
+import { sizeLimit } from "./limits";
 import * as state from "./state";
 
 vi.mock("../worker", () => import("../lib/testing/engine"));
 
-const { cancelOpening, openFiles, openSample, openSource, sizeLimit } = await import("./open");
+const { cancelOpening, openFiles, openSample, openSource } = await import("./open");
+const { openRow, rows, tableShown } = await import("./batch");
 const { setOptions } = await import("./detect");
 
 const file = (name: string) => new File(["HIERARCHY"], name);
@@ -30,25 +33,20 @@ describe("opening", () => {
     expect(state.openClip.value?.name).toBe("walk.bvh");
   });
 
-  it("takes the first of several files that can be read and lists the others", async () => {
+  it("lays several clips on a table", async () => {
+    await openFiles([file("walk.bvh")]);
     await openFiles([file("bad.bvh"), file("walk.bvh"), file("second.bvh")]);
-    expect(state.openClip.value?.name).toBe("walk.bvh");
-    expect(state.failure.value).toBeNull();
-    expect(state.dropped.value.map((source) => source.name)).toEqual([
+    expect(tableShown.value).toBe(true);
+    expect(rows.value.map(({ source }) => source.name)).toEqual([
       "bad.bvh",
       "walk.bvh",
       "second.bvh",
     ]);
-  });
-
-  it("tells of every file it refused on the way", async () => {
-    await openFiles([file("bad.bvh"), file("walk.bvh")]);
-    expect(state.phase.value).toBe("ready");
-    expect(state.refused.value.map(({ name }) => name)).toEqual(["bad.bvh"]);
-    expect(state.refusedShown.value).toBe(true);
-    await openFiles([file("bad.bvh"), file("bad too.bvh")]);
-    expect(state.refused.value.map(({ name }) => name)).toEqual(["bad.bvh", "bad too.bvh"]);
+    expect(rows.value.map(({ status }) => status)).toEqual(["failed", "done", "done"]);
     expect(state.openClip.value?.name).toBe("walk.bvh");
+    await openRow(rows.value[2] as Row);
+    expect(tableShown.value).toBe(false);
+    expect(state.openClip.value?.name).toBe("second.bvh");
   });
 
   it("refuses what is too large before reading it", async () => {
@@ -61,7 +59,7 @@ describe("opening", () => {
   it("can be cancelled", async () => {
     await openFiles([file("walk.bvh")]);
     const opening = openFiles([file("slow.bvh")]);
-    expect(state.phase.value).toBe("loading");
+    await vi.waitFor(() => expect(state.phase.value).toBe("loading"));
     cancelOpening();
     await opening;
     expect(state.phase.value).toBe("ready");

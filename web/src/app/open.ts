@@ -1,24 +1,22 @@
 import { batch } from "@preact/signals";
 import { nameOfUrl, parseHash } from "../lib/hash";
-import { isLabels } from "../lib/labels";
-import { bytes } from "../lib/time";
 import { clampView } from "../lib/timeView";
 import type { Clip } from "../worker/types";
+import { survey, tableShown } from "./batch";
 import { compareWith, dropComparison, dropOtherSegments } from "./compare";
 import { detectNow } from "./detect";
 import { startEdits } from "./edit";
 import { engine } from "./engine";
-import { fail, messageOf, refuse } from "./failing";
+import { fail, messageOf } from "./failing";
 import { fetchBlob } from "./fetch";
+import { gather } from "./gather";
 import { recall } from "./keep";
+import { sizeLimit, tooLarge } from "./limits";
 import { pause, play, prefersStill } from "./playback";
 import { heroSample, samples } from "./samples";
 import { segmentNow } from "./segment";
-import type { Refusal, Source } from "./state";
+import type { Source } from "./state";
 import * as state from "./state";
-
-/** Larger files are refused before a byte is read: a worker's memory ends at a few times that. */
-export const sizeLimit = 2 ** 30;
 
 /** Tells a stale opening from the one a person waits for. */
 let turn = 0;
@@ -43,33 +41,26 @@ export function cancelOpening() {
   state.task.value = null;
 }
 
-/** Opens files of a drop, the clip before the labels that belong beside it. */
-export async function openFiles(files: readonly File[]): Promise<void> {
-  const sources = files.map((file): Source => ({ name: file.name, data: file }));
-  const clips = sources.filter((source) => !isLabels(source.name));
-  const labels = sources.filter((source) => isLabels(source.name));
-  if (clips.length && !(await openFirst(clips))) return;
-  for (const source of labels) await compareWith(source.name, source.data);
-}
+let drops = 0;
 
-/** Opens the first clip that can be read; the others wait in a list. */
-async function openFirst(clips: readonly Source[]): Promise<boolean> {
-  refuse([]);
-  const refusals: Refusal[] = [];
-  for (const source of clips) {
-    const opened = await openSource(source);
-    if (opened) {
-      state.dropped.value = clips.length > 1 ? clips : [];
-      refuse(refusals);
-      address("");
-      return true;
-    }
-    // Cancelled, or another opening came between.
-    if (!state.failure.value) return false;
-    refusals.push(state.failure.value);
+/** Opens what was dropped: one clip with the labels that belong beside it, or many in a table. */
+export async function openFiles(files: readonly File[]): Promise<void> {
+  const mine = ++drops;
+  const gathered = await gather(files);
+  // Whoever has dropped something else meanwhile wants that.
+  if (mine !== drops || !gathered) return;
+  const { clips, labels, refusals } = gathered;
+  const [only, ...others] = clips;
+  if (others.length || (refusals.length && only) || refusals.length > 1) {
+    await survey(clips, refusals);
+    return;
   }
-  if (refusals.length > 1) refuse(refusals);
-  return false;
+  const [refused] = refusals;
+  if (refused) fail(refused.name, refused.failure);
+  if (only && !(await openSource(only))) return;
+  if (only) tableShown.value = false;
+  if (only) address("");
+  for (const source of labels) await compareWith(source.name, source.data);
 }
 
 export async function openSource(
@@ -77,16 +68,12 @@ export async function openSource(
   { lenient = false }: { lenient?: boolean } = {},
 ): Promise<boolean> {
   if (source.data.size > sizeLimit) {
-    const failure = {
-      message: `The file has ${bytes(source.data.size)}; the limit is 1 GiB.`,
-      hint: "Split the clip, or leave out joints nobody needs, and export it again.",
-    };
-    fail(source.name, failure, source);
+    fail(source.name, tooLarge(source.data.size), source);
     return false;
   }
   const { mine, signal } = begin(source.name, "read");
   // The worker would come to it only after all that it still does for the clip before.
-  for (const { stop } of state.work.value) stop();
+  for (const { name, stop } of state.work.value) if (name === undefined) stop();
   try {
     const opened = await Promise.race([
       engine.open(source.data, source.name, {
@@ -138,8 +125,6 @@ function present(clip: Clip, source: Source, asHero: boolean) {
     }
     dropComparison();
     dropOtherSegments();
-    // What was refused before and opens now is no longer refused.
-    state.refused.value = state.refused.value.filter((refusal) => refusal.source !== source);
     if (state.looped.value) state.loop.value = "clip";
     state.loopRegion.value = null;
     state.playhead.value = 0;
@@ -162,7 +147,6 @@ async function openRemote(
       state.task.value = share === undefined ? { name, stage } : { name, stage, share };
     });
     if (mine !== turn) return false;
-    state.dropped.value = [];
     return await openSource({ name, data, ...more });
   } catch (error) {
     if (mine === turn) {

@@ -39,7 +39,7 @@ export async function segmentNow(asked: SegmentOptions = segmentOptions.value): 
   running = here;
   try {
     const segmented = await withProgress(
-      "Finding segments in",
+      { what: "Finding segments in" },
       controller,
       async (stoppable) => {
         // Asked for together: the worker must not wait for a page that draws.

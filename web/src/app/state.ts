@@ -48,6 +48,8 @@ export interface Task {
 export interface Work {
   /** What is done, to be followed by a name. */
   what: string;
+  /** Of what, where it is not the clip on show: then it goes on when another is opened. */
+  name?: string;
   share?: number;
   stop: () => void;
 }
@@ -121,20 +123,11 @@ export const methods = signal<readonly MethodFacts[]>([]);
 /** Why the last file could not be opened; the clip before it stays. */
 export const failure = signal<Refusal | null>(null);
 
-/** The files of the last drop that could not be opened, when there were several. */
-export const refused = signal<readonly Refusal[]>([]);
-
-/** Whether those are on show; put away, they stay marked in the list of files. */
-export const refusedShown = signal(false);
-
 /** What is being opened right now. */
 export const task = signal<Task | null>(null);
 
 /** What is being done for the clip on show and may take long, in the order of its beginning. */
 export const work = signal<readonly Work[]>([]);
-
-/** All files of the last drop, when there were several. */
-export const dropped = signal<readonly Source[]>([]);
 
 /** What the detector is asked for; kept from clip to clip. */
 export const options = signal<DetectOptions>({ method: "robust", r: 0.001, w: 1 });

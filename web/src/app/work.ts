@@ -3,7 +3,7 @@ import { type Work, work } from "./state";
 
 /** Lets the worker do what may take long: tells how far it is, and lets a person stop it. */
 export async function withProgress<T>(
-  what: string,
+  about: Pick<Work, "what" | "name">,
   controller: AbortController,
   run: (stoppable: Stoppable) => Promise<T>,
   onStop = () => {},
@@ -13,14 +13,14 @@ export async function withProgress<T>(
     remove();
     onStop();
   };
-  let here: Work = { what, stop };
+  let here: Work = { ...about, stop };
   const remove = () => {
     work.value = work.value.filter((other) => other !== here);
   };
   work.value = [...work.value, here];
   const onProgress = (share: number) => {
     const before = here;
-    here = { what, stop, share };
+    here = { ...about, stop, share };
     work.value = work.value.map((other) => (other === before ? here : other));
   };
   try {

@@ -1,6 +1,5 @@
 import { setOverrides } from "../app/detect";
-import { openSource } from "../app/open";
-import { clip, dropped, openClip, overrides, refused, source } from "../app/state";
+import { clip, openClip, overrides, source } from "../app/state";
 import { bytes, count, hertz, span } from "../lib/time";
 import type { Clip, Overrides, Up } from "../worker/types";
 
@@ -12,7 +11,6 @@ export function ClipPanel() {
   if (!held) return null;
   return (
     <>
-      {dropped.value.length > 1 && <Dropped />}
       <div class="field">
         <h2>Clip</h2>
         <Facts clip={held} />
@@ -26,32 +24,6 @@ export function ClipPanel() {
         <Roles clip={held} />
       </div>
     </>
-  );
-}
-
-function Dropped() {
-  return (
-    <div class="field">
-      <h2>Files dropped</h2>
-      <ul class="files">
-        {dropped.value.map((from) => {
-          const bad = refused.value.some((refusal) => refusal.source === from);
-          return (
-            <li key={from.name}>
-              <button
-                type="button"
-                class="file"
-                aria-current={from === source.value ? "true" : undefined}
-                onClick={() => openSource(from)}
-              >
-                <span>{from.name}</span>
-                <span class="quiet">{bad ? "not read" : bytes(from.data.size)}</span>
-              </button>
-            </li>
-          );
-        })}
-      </ul>
-    </div>
   );
 }
 

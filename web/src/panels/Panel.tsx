@@ -67,6 +67,7 @@ export function Panel({ open }: { open: preact.ComponentChildren }) {
       </div>
       <div
         class="panel-body"
+        data-scrolls
         role="tabpanel"
         id="panel-body"
         aria-labelledby={`tab-${tab.value}`}

@@ -1,6 +1,6 @@
-import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { useSight } from "../lib/useSight";
 
 const rowHeight = 36;
 
@@ -16,26 +16,9 @@ export function VirtualList<T>({
   shown?: number | undefined;
 }) {
   const box = useRef<HTMLDivElement>(null);
-  const view = useSignal({ top: 0, height: 600 });
+  const { from, to } = useSight(box, rowHeight, items.length);
   useEffect(() => {
-    const scroller = box.current?.closest(".panel-body");
-    if (!scroller || !box.current) return;
-    const list = box.current;
-    const look = () => {
-      const top = scroller.getBoundingClientRect().top - list.getBoundingClientRect().top;
-      view.value = { top, height: scroller.clientHeight };
-    };
-    look();
-    scroller.addEventListener("scroll", look, { passive: true });
-    const observer = new ResizeObserver(look);
-    observer.observe(scroller);
-    return () => {
-      scroller.removeEventListener("scroll", look);
-      observer.disconnect();
-    };
-  }, [view]);
-  useEffect(() => {
-    const scroller = box.current?.closest(".panel-body");
+    const scroller = box.current?.closest("[data-scrolls]");
     if (shown === undefined || !scroller || !box.current) return;
     const list = box.current.getBoundingClientRect().top - scroller.getBoundingClientRect().top;
     const at = list + shown * rowHeight;
@@ -43,9 +26,6 @@ export function VirtualList<T>({
       scroller.scrollTop += at - (scroller.clientHeight - rowHeight) / 2;
     }
   }, [shown]);
-  const { top, height } = view.value;
-  const from = Math.max(0, Math.floor(top / rowHeight) - 6);
-  const to = Math.min(items.length, Math.ceil((top + height) / rowHeight) + 6);
   return (
     <div ref={box}>
       <ol

@@ -1,6 +1,8 @@
 import { expect, test, vi } from "vitest";
-import { Cancelled, createEngine, type Thread } from "./engine";
+import { Cancelled, createEngine } from "./engine";
+import type { Thread } from "./thread";
 import type { Clip, Detection, Failure, Labelling, Segmentation, Segments } from "./types";
+import type { Api } from "./worker";
 
 const failure: Failure = { message: "no" };
 
@@ -9,7 +11,8 @@ function worker(said: string[]) {
   let held = "";
   let isBusy = false;
   const opened = () => ({ ok: true, clip: { name: held } as Clip }) as const;
-  const calls: Thread["calls"] = {
+  const calls: Thread<Api>["calls"] = {
+    start() {},
     async open(_, name) {
       said.push(`open ${name}`);
       if (name === "bad") return { ok: false, failure };

@@ -1,6 +1,7 @@
 /** The page's hold on the worker: starts it, ends it, and starts another when it fails. */
 
 import * as Comlink from "comlink";
+import { type CallsOf, coreThread, isTrap, type Thread } from "./thread";
 import type { DetectOptions, Edit, Overrides, SegmentOptions } from "./types";
 import type { Api, Compared, CutPart, Detected, Opened, Segmented } from "./worker";
 
@@ -32,9 +33,7 @@ export interface Stoppable {
   onProgress?: (share: number) => void;
 }
 
-type Calls = {
-  [Call in keyof Api]: (...args: Parameters<Api[Call]>) => ReturnType<Api[Call]>;
-};
+type Calls = Omit<CallsOf<Api>, "start">;
 
 /** What calls in flight fail with when the worker is ended. */
 export class Cancelled extends Error {
@@ -65,13 +64,7 @@ interface Text {
   name: string;
 }
 
-/** A worker that runs. */
-export interface Thread {
-  calls: Calls;
-  stop: () => void;
-}
-
-interface Running extends Thread {
+interface Running extends Thread<Api> {
   /** Rejects when the worker is ended. */
   ended: Promise<never>;
   end: (reason: Error) => void;
@@ -83,7 +76,7 @@ interface Running extends Thread {
 
 /** An engine on workers that `start` gives; `onBroken` is told of one that fails by itself. */
 export function createEngine(
-  start: (onBroken: (reason: Error) => void) => Thread = startWorker,
+  start: (onBroken: (reason: Error) => void) => Thread<Api> = startWorker,
 ): Engine {
   let running: Running | undefined;
   /** What a new worker has to be told to be where the old one was. */
@@ -238,19 +231,9 @@ export function createEngine(
   };
 }
 
-function startWorker(onBroken: (reason: Error) => void): Thread {
+function startWorker(onBroken: (reason: Error) => void): Thread<Api> {
   const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-  worker.addEventListener("error", (event) =>
-    onBroken(new Error(event.message || "The worker failed.")),
-  );
-  // Comlink splits unions over promises; the calls are as the worker has them.
-  const calls = Comlink.wrap<Api>(worker) as unknown as Calls;
-  return { calls, stop: () => worker.terminate() };
-}
-
-/** Errors lose their class on the way from the worker, but not their name. */
-function isTrap(error: unknown): boolean {
-  return error instanceof Error && error.name === "RuntimeError";
+  return coreThread<Api>(worker, onBroken);
 }
 
 /** A fault of the program, told as a failure; a cancelled call stays cancelled. */

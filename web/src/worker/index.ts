@@ -11,4 +11,6 @@ export {
   type Segmented,
   type Stoppable,
 } from "./engine";
+export { archivist, surveyors } from "./pools";
+export type { Document, Orders, Survey } from "./surveyor";
 export type * from "./types";

@@ -1,18 +1,18 @@
 /** The clip and its detector, in a thread of their own. */
 
 import * as Comlink from "comlink";
-import { Zip, ZipDeflate } from "fflate";
-import init, {
+import {
   hasSegments,
   methods,
   type RawClip,
   type RawDetection,
   RawLabelling,
-  RawReader,
   type RawSegmentation,
   RawSegments,
   segmentMethods,
 } from "../wasm/plantigrade";
+import { Packing } from "./packing";
+import { read, ready, refusals, seldom, sha256, start } from "./reading";
 import type {
   Clip,
   CutScore,
@@ -40,11 +40,6 @@ import type {
 export type Opened = { ok: true; clip: Clip } | { ok: false; failure: Failure };
 export type Detected = { ok: true; detection: Detection } | { ok: false; failure: Failure };
 export type Segmented = { ok: true; segmentation: Segmentation } | { ok: false; failure: Failure };
-
-/** Least time between two reports of progress, in milliseconds. */
-const PROGRESS_INTERVAL = 50;
-
-const ready = init();
 
 export type Compared =
   | { ok: true; other: Labelling }
@@ -78,6 +73,8 @@ interface Held {
 let held: Held | undefined;
 
 const api = {
+  start,
+
   /** Reads a clip and holds it in place of the one before; `onProgress` gets the share read, 0 … 1. */
   async open(
     file: Blob,
@@ -205,21 +202,13 @@ const api = {
   async cut(parts: readonly CutPart[], onProgress?: (share: number) => void): Promise<Blob> {
     const { clip } = current();
     const report = seldom(onProgress);
-    const chunks: Uint8Array<ArrayBuffer>[] = [];
-    const zip = new Zip((error, chunk) => {
-      if (error) throw error;
-      chunks.push(chunk as Uint8Array<ArrayBuffer>);
-    });
-    const utf8 = new TextEncoder();
+    const packing = new Packing();
     // One after the other: all texts at once might be more than there is room for.
     for (const [i, { name, start, end }] of parts.entries()) {
-      const entry = new ZipDeflate(name, { level: 6 });
-      zip.add(entry);
-      entry.push(utf8.encode(clip.cut(start, end)), true);
+      packing.add(name, clip.cut(start, end));
       report((i + 1) / parts.length);
     }
-    zip.end();
-    return new Blob(chunks, { type: "application/zip" });
+    return packing.finish();
   },
 
   /** The labels of the last detection. */
@@ -252,49 +241,6 @@ function release() {
 
 /** A file's name without its ending. */
 const stem = (name: string) => name.replace(/\.\w+$/, "");
-
-/** What the core refuses with a reason comes back as one; anything else is a fault and is thrown. */
-async function refusals<T>(
-  work: () => T | Promise<T>,
-): Promise<{ ok: true; value: T } | { ok: false; failure: Failure }> {
-  try {
-    return { ok: true, value: await work() };
-  } catch (refusal) {
-    if (refusal instanceof Error) throw refusal;
-    return { ok: false, failure: refusal as Failure };
-  }
-}
-
-/** Passes reports on, but not so many that they would take longer than the work. */
-function seldom(onProgress?: (share: number) => void): (share: number) => void {
-  let reported = performance.now();
-  return (share) => {
-    if (!onProgress || performance.now() - reported < PROGRESS_INTERVAL) return;
-    reported = performance.now();
-    onProgress(share);
-  };
-}
-
-async function read(
-  file: Blob,
-  lenient: boolean,
-  report: (share: number) => void,
-): Promise<RawClip> {
-  const reader = new RawReader(lenient, file.size);
-  let done = 0;
-  const chunks = file.stream().getReader();
-  try {
-    for (let next = await chunks.read(); !next.done; next = await chunks.read()) {
-      reader.push(next.value);
-      done += next.value.length;
-      report(done / file.size);
-    }
-  } catch (refusal) {
-    reader.free();
-    throw refusal;
-  }
-  return reader.finish();
-}
 
 function facts(): Opened {
   const { clip, name } = current();
@@ -371,10 +317,4 @@ function buffers(record: object): Transferable[] {
 function hashOf(here: Held): Promise<string | undefined> {
   here.hash ??= sha256(here.file);
   return here.hash;
-}
-
-async function sha256(file: Blob): Promise<string | undefined> {
-  if (!globalThis.crypto?.subtle) return undefined;
-  const digest = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
-  return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }

@@ -186,3 +186,19 @@ export function createEngine(): Engine {
     },
   };
 }
+
+/** Workers for tests: a file named `bad` cannot be surveyed, and there is no archive. */
+export const surveyors = {
+  run: async (job: (calls: unknown) => Promise<unknown>) =>
+    job({
+      async survey(_file: Blob, name: string) {
+        if (name.includes("bad")) return { ok: false, failure: { message: "it is bad" } };
+        const survey = { frames: 720, rate: 60, notices: 0, missing: [], edited: false, took: 1 };
+        return { ok: true, survey, documents: [] };
+      },
+    }),
+};
+
+export const archivist = {
+  run: async () => ({ ok: false, failure: { message: "no archive" } }),
+};

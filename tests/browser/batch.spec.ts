@@ -1,0 +1,205 @@
+/** Many clips at once: a folder, an archive, a pile of files; the table that they fill. */
+
+import { mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { strToU8, unzipSync, Zip, ZipDeflate, zipSync } from "fflate";
+import { type App, expect, test } from "./app";
+import { bad, good, type Payload, sample } from "./clips";
+
+const table = (app: App) => app.page.getByRole("table", { name: /clips$/ });
+const row = (app: App, name: string) =>
+  table(app)
+    .getByRole("row")
+    .filter({ has: app.page.getByRole("button", { name, exact: true }) });
+const names = (app: App) => table(app).getByRole("rowheader").getByRole("button").allInnerTexts();
+
+async function allLabelled(app: App) {
+  await expect(app.page.getByText(/^All labelled/)).toBeVisible();
+}
+
+const zip = (name: string, files: Record<string, Payload | string>): Payload => ({
+  name,
+  mimeType: "application/zip",
+  buffer: Buffer.from(
+    zipSync(
+      Object.fromEntries(
+        Object.entries(files).map(([path, file]) => [
+          path,
+          typeof file === "string" ? strToU8(file) : new Uint8Array(file.buffer),
+        ]),
+      ),
+    ),
+  ),
+});
+
+test("several files fill a table; a bad one says why and stops nobody", async ({ app, page }) => {
+  await app.empty();
+  await app.drop(sample("bowling"), bad("ragged-row"), sample("curved-walk"), good("no-motion"));
+  await allLabelled(app);
+  await expect(page.getByRole("heading", { name: "4 clips" })).toBeVisible();
+  expect(await names(app)).toEqual([
+    "bowling.bvh",
+    "ragged-row.bvh",
+    "curved-walk.bvh",
+    "no-motion.bvh",
+  ]);
+  await expect(row(app, "curved-walk.bvh")).toContainText(/245\s*120 Hz\s*2.04 s/);
+  await expect(row(app, "ragged-row.bvh")).toContainText("row");
+  await expect(row(app, "no-motion.bvh")).toContainText("–");
+  await row(app, "curved-walk.bvh").getByRole("button").click();
+  await app.opened("curved-walk.bvh");
+  await expect(table(app)).toBeHidden();
+  expect((await app.result("Left")).plants + (await app.result("Right")).plants).toBe(5);
+  await page.getByRole("button", { name: "4 clips" }).click();
+  await expect(row(app, "curved-walk.bvh").getByRole("cell").nth(4)).toHaveText("5");
+  // A file that cannot be read tells everything when it is asked for.
+  await row(app, "ragged-row.bvh").getByRole("button").click();
+  await expect(app.alert).toContainText("At line 70");
+  await expect(app.alert).toContainText("curved-walk.bvh is still open");
+  await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+  await expect(app.playhead).toBeVisible();
+});
+
+test("the table is sorted and filtered", async ({ app, page }) => {
+  await app.empty();
+  await app.drop(sample("bowling"), sample("curved-walk"), bad("ragged-row"), sample("frog-jumps"));
+  await allLabelled(app);
+  const frames = page.getByRole("columnheader", { name: "Frames" });
+  await frames.getByRole("button").click();
+  await expect(frames).toHaveAttribute("aria-sort", "ascending");
+  const up = await names(app);
+  expect(up.at(-1)).toBe("ragged-row.bvh");
+  await frames.getByRole("button").click();
+  await expect(frames).toHaveAttribute("aria-sort", "descending");
+  expect(await names(app)).toEqual([...up.slice(0, 3).reverse(), "ragged-row.bvh"]);
+  await page.getByRole("searchbox", { name: "Filter by name" }).fill("walk");
+  expect(await names(app)).toEqual(["curved-walk.bvh"]);
+  await page.getByRole("searchbox", { name: "Filter by name" }).fill("failed");
+  expect(await names(app)).toEqual(["ragged-row.bvh"]);
+});
+
+test("an archive is unpacked, and all labels come back in one", async ({ app, page }) => {
+  await app.empty();
+  const archive = zip("walks.zip", {
+    "a/walk.bvh": sample("curved-walk"),
+    "b/walk.bvh": good("plain"),
+    "__MACOSX/._walk.bvh": "none of ours",
+    "readme.txt": "no clip",
+  });
+  await app.drop(archive);
+  await allLabelled(app);
+  expect(await names(app)).toEqual(["walk.bvh", "walk.bvh"]);
+  const saved = await app.download(() => page.getByRole("button", { name: /^Save all/ }).click());
+  expect(saved.name).toBe("labels.zip");
+  const files = unzipSync(saved.bytes);
+  const kinds = ["plants.json", "frames.csv", "intervals.csv", "events.csv"];
+  const segments = ["segments.json", "segments.csv"];
+  const expected = ["walk", "walk-2"].flatMap((name) =>
+    [...kinds, ...segments].map((kind) => `${name}.${kind}`),
+  );
+  // Twelve frames are no actions, but they have labels.
+  const found = Object.keys(files);
+  expect(found).toEqual(expect.arrayContaining(expected.filter((name) => !/-2\.seg/.test(name))));
+  const lines = Buffer.from(files["table.csv"] ?? [])
+    .toString()
+    .split("\n");
+  expect(lines[0]).toMatch(/^file,frames,rate_hz,duration_s,/);
+  expect(lines[1]).toMatch(/^walk\.bvh,245,120\.0\d*,/);
+  const rows = Buffer.from(files["walk.frames.csv"] ?? [])
+    .toString()
+    .trim()
+    .split("\n");
+  expect(rows).toHaveLength(246);
+});
+
+test("an archive with one clip opens it; one that is broken or empty says so", async ({ app }) => {
+  await app.empty();
+  await app.drop(zip("one.zip", { "curved-walk.bvh": sample("curved-walk") }));
+  await app.opened("curved-walk.bvh");
+  const whole = zip("broken.zip", { "curved-walk.bvh": sample("curved-walk") });
+  await app.drop({ ...whole, buffer: whole.buffer.subarray(0, 200) });
+  await expect(app.alert).toContainText("broken.zip could not be opened");
+  await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  await app.drop(zip("none.zip", { "readme.txt": "nothing" }));
+  await expect(app.alert).toContainText("no BVH file in the archive");
+  await expect(app.alert).toContainText("curved-walk.bvh is still open");
+});
+
+test("an archive that unpacks to far more than it is gets refused", async ({ app }) => {
+  const chunks: Uint8Array[] = [];
+  const bomb = new Zip((_, chunk) => chunks.push(chunk));
+  const entry = new ZipDeflate("bomb.bvh", { level: 1 });
+  bomb.add(entry);
+  const zeros = new Uint8Array(2 ** 20);
+  for (let i = 0; i < 300; i++) entry.push(zeros, i === 299);
+  bomb.end();
+  await app.sample("curved-walk");
+  await app.drop({ name: "bomb.zip", mimeType: "", buffer: Buffer.concat(chunks) });
+  await expect(app.alert).toContainText("unpacks to more than");
+  await expect(app.alert).toContainText("curved-walk.bvh is still open");
+});
+
+test("a folder is walked", async ({ app, page }) => {
+  const folder = mkdtempSync(join(tmpdir(), "clips-"));
+  mkdirSync(join(folder, "deep"));
+  writeFileSync(join(folder, "b10.bvh"), good("plain").buffer);
+  writeFileSync(join(folder, "b9.bvh"), good("plain").buffer);
+  writeFileSync(join(folder, "deep", "walk.BVH"), sample("curved-walk").buffer);
+  writeFileSync(join(folder, "notes.txt"), "no clip");
+  await app.empty();
+  const system = await page.context().newCDPSession(page);
+  const data = { items: [], files: [folder], dragOperationsMask: 1 };
+  for (const type of ["dragEnter", "dragOver", "drop"] as const) {
+    await system.send("Input.dispatchDragEvent", { type, x: 700, y: 400, data });
+  }
+  await allLabelled(app);
+  expect(await names(app)).toEqual(["b9.bvh", "b10.bvh", "walk.BVH"]);
+});
+
+test("a thousand files at once leave a page that works", async ({ app, page }) => {
+  await app.empty();
+  const { buffer } = good("plain");
+  const many = Array.from({ length: 1000 }, (_, i) => ({
+    name: `clip-${i + 1}.bvh`,
+    mimeType: "text/plain",
+    buffer: i === 500 ? Buffer.from("HIERARCHY") : buffer,
+  }));
+  await page.evaluate(() => {
+    const longest = { ms: 0 };
+    Object.assign(globalThis, { longest });
+    new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) longest.ms = Math.max(longest.ms, duration);
+    }).observe({ type: "longtask" });
+  });
+  await app.drop(...many);
+  await expect(page.getByRole("heading", { name: "1000 clips" })).toBeVisible();
+  // It can be stopped, and goes on where it was.
+  await page.getByRole("button", { name: "Stop" }).click();
+  await page.getByRole("button", { name: "Go on" }).click();
+  await expect(page.getByText(/^All labelled/)).toBeVisible({ timeout: 60_000 });
+  expect(await table(app).getByRole("row").count()).toBeLessThan(60);
+  await page.getByRole("searchbox", { name: "Filter by name" }).fill("failed");
+  expect(await names(app)).toEqual(["clip-501.bvh"]);
+  await page.getByRole("searchbox", { name: "Filter by name" }).fill("");
+  await page.getByRole("button", { name: "clip-3.bvh", exact: true }).click();
+  await app.opened("clip-3.bvh");
+});
+
+test("edits of a clip count in the table, and options label it again", async ({ app, page }) => {
+  await app.sample("curved-walk");
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await expect(app.panel.getByText("edited")).toHaveCount(0);
+  await app.drop(sample("curved-walk"), sample("bowling"));
+  await allLabelled(app);
+  await expect(row(app, "curved-walk.bvh")).toContainText("edited");
+  await expect(row(app, "curved-walk.bvh").getByRole("cell").nth(4)).toHaveText("4");
+  await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+  await app.tab("Detect");
+  await page.getByRole("combobox", { name: "Method" }).selectOption("paper");
+  await page.getByRole("button", { name: "2 clips" }).click();
+  await page.getByRole("button", { name: "Label again" }).click();
+  await expect(page.getByText("All labelled by Paper")).toBeVisible();
+});

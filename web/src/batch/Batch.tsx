@@ -1,0 +1,134 @@
+import { computed, signal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import {
+  asked,
+  finished,
+  goOn,
+  labelAgain,
+  rows,
+  saveAll,
+  stopSurvey,
+  tableShown,
+} from "../app/batch";
+import { Icon } from "../app/icons";
+import { methods, openClip, options } from "../app/state";
+import { columns, matching, sorted } from "../lib/table";
+import { Rows } from "./Rows";
+
+const words = signal("");
+const order = signal<{ key: string; direction: 1 | -1 }>({ key: "", direction: 1 });
+
+const listed = computed(() =>
+  sorted(matching(rows.value, words.value), order.value.key, order.value.direction),
+);
+
+/** All clips of a drop in one table that fills as they are labelled. */
+export function Batch() {
+  const box = useRef<HTMLElement>(null);
+  useEffect(() => box.current?.focus(), []);
+  return (
+    <section class="batch" aria-labelledby="batch-title" ref={box} tabIndex={-1}>
+      <Head />
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard */}
+      <div class="batch-scroll" data-scrolls tabIndex={0}>
+        <table aria-rowcount={listed.value.length + 1} aria-labelledby="batch-title">
+          <ColumnHeads />
+          <Rows rows={listed.value} />
+        </table>
+      </div>
+    </section>
+  );
+}
+
+function Head() {
+  const all = rows.value.length;
+  const done = finished.value;
+  const isRunning = rows.value.some(({ status }) => status === "running");
+  const isStopped = done < all && !isRunning;
+  const method = methods.value.find(({ name }) => name === asked.value?.detect.method);
+  const isStale = asked.value?.detect !== options.value;
+  return (
+    <div class="batch-head">
+      <h2 id="batch-title">{all} clips</h2>
+      <p class="quiet" aria-live="off">
+        {done < all ? `${done} labelled` : "All labelled"}
+        {method && ` by ${method.title}`}
+      </p>
+      {done < all && <progress aria-label="Clips labelled" value={done} max={all} />}
+      {isRunning && (
+        <button type="button" class="button" onClick={stopSurvey}>
+          Stop
+        </button>
+      )}
+      {isStopped && (
+        <button type="button" class="button" onClick={goOn}>
+          Go on
+        </button>
+      )}
+      {!isRunning && !isStopped && isStale && (
+        <button type="button" class="button" onClick={labelAgain}>
+          Label again
+        </button>
+      )}
+      <span class="spring" />
+      <input
+        class="input"
+        type="search"
+        aria-label="Filter by name"
+        placeholder="Filter"
+        value={words.value}
+        onInput={(event) => {
+          words.value = event.currentTarget.value;
+        }}
+      />
+      <button type="button" class="button" disabled={done === 0} onClick={saveAll}>
+        Save all <span class="quiet">zip</span>
+      </button>
+      {openClip.value && (
+        <button
+          type="button"
+          class="button icon-only"
+          aria-label={`Back to ${openClip.value.name}`}
+          title={`Back to ${openClip.value.name}`}
+          onClick={() => {
+            tableShown.value = false;
+          }}
+        >
+          <Icon name="close" />
+        </button>
+      )}
+    </div>
+  );
+}
+
+function ColumnHeads() {
+  const { key, direction } = order.value;
+  return (
+    <thead>
+      <tr aria-rowindex={1}>
+        {columns.map((column) => (
+          <th
+            key={column.key}
+            scope="col"
+            data-minor={column.minor}
+            aria-sort={key !== column.key ? "none" : direction > 0 ? "ascending" : "descending"}
+          >
+            <button
+              type="button"
+              title={column.about}
+              onClick={() => {
+                order.value = {
+                  key: column.key,
+                  direction: key === column.key && direction > 0 ? -1 : 1,
+                };
+              }}
+            >
+              {column.title}
+              {key === column.key && <Icon name={direction > 0 ? "less" : "more"} />}
+            </button>
+          </th>
+        ))}
+      </tr>
+    </thead>
+  );
+}

@@ -1,0 +1,21 @@
+import { strToU8, Zip, ZipDeflate } from "fflate";
+
+/** An archive that grows file by file; compressed at once, so that all texts never wait together. */
+export class Packing {
+  private readonly chunks: Uint8Array<ArrayBuffer>[] = [];
+  private readonly zip = new Zip((error, chunk) => {
+    if (error) throw error;
+    this.chunks.push(chunk as Uint8Array<ArrayBuffer>);
+  });
+
+  add(name: string, text: string) {
+    const entry = new ZipDeflate(name, { level: 6 });
+    this.zip.add(entry);
+    entry.push(strToU8(text), true);
+  }
+
+  finish(): Blob {
+    this.zip.end();
+    return new Blob(this.chunks, { type: "application/zip" });
+  }
+}
