@@ -32,6 +32,8 @@ pub enum Command {
     Detect(DetectArgs),
     /// Cut clips into actions
     Segment(SegmentArgs),
+    /// Measure how people walk and run: cadence, stance and swing, step length and width, symmetry
+    Gait(GaitArgs),
     /// Compare the labels of clips with their truth
     Score(ScoreArgs),
     /// Say what a file holds: joints, feet, axes, scale, and what had to be repaired
@@ -90,6 +92,26 @@ pub struct DetectArgs {
     /// Where to.
     #[command(flatten)]
     pub write: WriteArgs,
+}
+
+/// How to find the plants that gait is measured by, and how to write it.
+#[derive(ClapArgs)]
+pub struct GaitArgs {
+    /// The clips.
+    #[command(flatten)]
+    pub read: ReadArgs,
+    /// The method; robust labels contact, toe and heel
+    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name))]
+    pub method: plants::Method,
+    /// Its parameters.
+    #[command(flatten)]
+    pub plants: PlantArgs,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = GaitFormat::Text)]
+    pub format: GaitFormat,
+    /// Clips to work on at a time [default: one per processor]
+    #[arg(long, value_name = "N")]
+    pub jobs: Option<NonZeroUsize>,
 }
 
 /// How to cut into actions and where to write.
@@ -238,6 +260,10 @@ pub enum Format {
     Intervals,
     /// A row per foot strike and foot off
     Events,
+    /// Arrays for NumPy with named columns, and the confidence
+    Npz,
+    /// A Python script that sets markers and contact keys in Blender
+    Blender,
 }
 
 impl Format {
@@ -248,6 +274,8 @@ impl Format {
             Format::Csv => "csv",
             Format::Intervals => "intervals.csv",
             Format::Events => "events.csv",
+            Format::Npz => "npz",
+            Format::Blender => "blender.py",
         }
     }
 }
@@ -281,6 +309,17 @@ pub enum InfoFormat {
     Text,
     /// For programs: an object for one path, an array for several
     Json,
+}
+
+/// How `gait` writes.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum GaitFormat {
+    /// For reading
+    Text,
+    /// For programs: an object for one clip, an array for several
+    Json,
+    /// A row per clip, with units in the columns' names
+    Csv,
 }
 
 fn positive(text: &str) -> Result<f64, String> {

@@ -7,7 +7,7 @@ use plantigrade::labels::{self, Document, Labelled};
 use plantigrade::plants::{self, DetectError, Detection, Feet, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
-use crate::args::{DetectArgs, Format};
+use crate::args::{DetectArgs, Format, ReadArgs};
 use crate::failure::Failure;
 use crate::inputs::{self, Input, Loaded};
 use crate::results::Results;
@@ -34,26 +34,28 @@ fn standing(path: &Path, args: &DetectArgs) -> Result<Feet, String> {
     feet.map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// The result for one clip, in the format asked for.
-fn detect(
+/// One skeleton with its feet and what was detected.
+pub type Found = (Skeleton, Feet, Detection);
+
+/// What is detected in each skeleton of a clip that has feet: one at least.
+pub fn all(
     input: &Input,
     loaded: &Loaded,
     params: ValidParams,
     still: Option<&Feet>,
-    args: &DetectArgs,
-) -> Result<String, Failure> {
-    let Parsed { clip, notices } = &loaded.parsed;
-    let all = Skeleton::all(clip, &inputs::overrides(&args.read));
-    let mut found: Vec<(Skeleton, Detection)> = Vec::new();
+    read: &ReadArgs,
+) -> Result<Vec<Found>, Failure> {
+    let clip = &loaded.parsed.clip;
+    let mut found: Vec<Found> = Vec::new();
     let mut refused = DetectError::NoFeet;
-    for skeleton in all {
+    for skeleton in Skeleton::all(clip, &inputs::overrides(read)) {
         match Feet::of(clip, &skeleton) {
             Ok(feet) => {
                 let detection = match still {
                     Some(still) => plants::detect_along(&feet, still, params),
                     None => plants::detect(&feet, params),
                 };
-                found.push((skeleton, detection));
+                found.push((skeleton, feet, detection));
             }
             Err(error) => refused = error,
         }
@@ -61,24 +63,41 @@ fn detect(
     if found.is_empty() {
         return Err(Failure::Detect { path: input.path.clone(), error: refused });
     }
+    Ok(found)
+}
+
+/// The result for one clip, in the format asked for.
+fn detect(
+    input: &Input,
+    loaded: &Loaded,
+    params: ValidParams,
+    still: Option<&Feet>,
+    args: &DetectArgs,
+) -> Result<Vec<u8>, Failure> {
+    let Parsed { clip, notices } = &loaded.parsed;
+    let found = all(input, loaded, params, still, &args.read)?;
     let several = clip.roots().count() > 1;
     let labelled: Vec<Labelled> = found
         .iter()
-        .map(|(skeleton, detection)| Labelled {
+        .map(|(skeleton, _, detection)| Labelled {
             root: several.then(|| clip.joints()[skeleton.root].name.as_str()),
             detection,
         })
         .collect();
-    Ok(match args.format {
+    let source = loaded.source(input);
+    let text = match args.format {
+        Format::Npz => return Ok(labels::npz(&labelled, &source.name, clip.frame_time())),
+        Format::Blender => labels::blender_script(&labelled, &source.name, clip.frame_time()),
         Format::Csv => labels::frames_csv(&labelled, clip.frame_time()),
         Format::Intervals => labels::intervals_csv(&labelled, clip.frame_time()),
         Format::Events => labels::events_csv(&labelled, clip.frame_time()),
         Format::Json => {
-            let document = |(skeleton, detection): &(Skeleton, Detection)| {
-                Document::of(loaded.source(input), clip, skeleton, detection, notices)
+            let document = |(skeleton, _, detection): &Found| {
+                Document::of(source.clone(), clip, skeleton, detection, notices)
             };
             let documents: Vec<Document> = found.iter().map(document).collect();
             if several { Document::all_to_json(&documents) } else { documents[0].to_json() }
         }
-    })
+    };
+    Ok(text.into_bytes())
 }

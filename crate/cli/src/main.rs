@@ -3,6 +3,7 @@
 mod args;
 mod detect;
 mod failure;
+mod gait;
 mod info;
 mod inputs;
 mod output;
@@ -22,6 +23,7 @@ fn main() -> ExitCode {
     let done = match &args.command {
         Command::Detect(args) => detect::run(args),
         Command::Segment(args) => segment::run(args),
+        Command::Gait(args) => gait::run(args),
         Command::Score(args) => score::run(args),
         Command::Info(args) => info::run(args),
     };

@@ -44,8 +44,8 @@ impl OutputFolder {
     }
 
     /// Writes a result: to a temporary file first, so that nobody ever sees half of it.
-    pub fn write(&self, name: &Path, text: &str, recipe: &Recipe) -> io::Result<()> {
-        replace(&self.path(name), text)?;
+    pub fn write(&self, name: &Path, result: &[u8], recipe: &Recipe) -> io::Result<()> {
+        replace(&self.path(name), result)?;
         let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
         made.0.insert(name.into(), recipe.digest());
         Ok(())
@@ -54,7 +54,7 @@ impl OutputFolder {
     /// Writes down what the results were made of.
     pub fn close(self) -> io::Result<()> {
         let made = self.made.into_inner().unwrap_or_else(PoisonError::into_inner);
-        replace(&self.folder.join(RECORD), &serde_json::to_string_pretty(&made)?)
+        replace(&self.folder.join(RECORD), &serde_json::to_vec_pretty(&made)?)
     }
 }
 
@@ -73,11 +73,11 @@ impl Recipe<'_> {
     }
 }
 
-fn replace(path: &Path, text: &str) -> io::Result<()> {
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new("."));
     fs::create_dir_all(folder)?;
     let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(bytes)?;
     file.persist(path).map_err(|error| error.error)?;
     Ok(())
 }

@@ -24,9 +24,9 @@ pub struct Results<'a> {
 
 impl Results<'_> {
     /// Makes and writes all results and counts inputs that failed; an error is one of the command line.
-    pub fn make(
+    pub fn make<R: AsRef<[u8]>>(
         &self,
-        make: impl Fn(&Input, &Loaded) -> Result<String, Failure> + Sync,
+        make: impl Fn(&Input, &Loaded) -> Result<R, Failure> + Sync,
     ) -> Result<usize, String> {
         let inputs = inputs::collect(self.read)?;
         match &self.write.out {
@@ -34,19 +34,19 @@ impl Results<'_> {
                 Err(format!("there are {} inputs: name a folder for their results with --out", inputs.len()))
             }
             None => Ok(parallel::for_each(&inputs, self.write.jobs, |input| {
-                let text = make(input, &inputs::load(input, self.read)?)?;
-                let written = io::stdout().write_all(text.as_bytes());
+                let result = make(input, &inputs::load(input, self.read)?)?;
+                let written = io::stdout().write_all(result.as_ref());
                 written.map_err(|error| Failure::Write { path: "<stdout>".into(), error })
             })),
             Some(folder) => self.make_in(folder, &inputs, make),
         }
     }
 
-    fn make_in(
+    fn make_in<R: AsRef<[u8]>>(
         &self,
         folder: &Path,
         inputs: &[Input],
-        make: impl Fn(&Input, &Loaded) -> Result<String, Failure> + Sync,
+        make: impl Fn(&Input, &Loaded) -> Result<R, Failure> + Sync,
     ) -> Result<usize, String> {
         let mut owners: BTreeMap<PathBuf, &Input> = BTreeMap::new();
         for input in inputs {
@@ -71,8 +71,8 @@ impl Results<'_> {
             if !self.write.force && output.is_made(&name, &recipe) {
                 return Ok(());
             }
-            let text = make(input, &loaded)?;
-            let written = output.write(&name, &text, &recipe);
+            let result = make(input, &loaded)?;
+            let written = output.write(&name, result.as_ref(), &recipe);
             written.map_err(|error| Failure::Write { path: output.path(&name), error })
         });
         output.close().map_err(cannot_write)?;

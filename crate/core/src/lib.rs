@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod bvh;
+pub mod gait;
 pub mod labels;
 pub mod motion;
 mod named;

@@ -9,6 +9,7 @@ use crate::grid::Grid;
 use crate::maths::Vec3;
 use crate::motion::Motion;
 use crate::pelvis::{self, PelvisPose};
+use crate::plan::Plan;
 use crate::pose::{self, Pose, Restlessness};
 use crate::random::Random;
 use crate::setting::Setting;
@@ -76,15 +77,31 @@ const SWAY: f64 = 0.004;
 /// Seconds that are worked out beyond the clip's end.
 const MARGIN: f64 = 1.0;
 
+impl Recipe {
+    /// Frames without a T-pose before them: the first is at time 0.
+    fn moving(&self) -> usize {
+        self.frames - usize::from(self.leading_t_pose)
+    }
+
+    /// Seconds that the motion lasts.
+    pub fn seconds(&self) -> f64 {
+        self.moving() as f64 / self.rate as f64
+    }
+
+    /// The plan of the clip that [`generate`] makes of the same `seed`.
+    pub fn plan(&self, seed: u64) -> Plan {
+        self.motion.plan(&self.character.build, self.seconds(), &mut stream(&self.name, seed, "motion"))
+    }
+}
+
 /// The clip of `recipe`; another `seed` gives other steps and other noise.
 pub fn generate(recipe: &Recipe, seed: u64) -> Generated {
     let Recipe { name, character, frames, rate, .. } = recipe;
     let build = &character.build;
-    let moving = frames - usize::from(recipe.leading_t_pose);
-    let seconds = moving as f64 / *rate as f64;
+    let (moving, seconds) = (recipe.moving(), recipe.seconds());
     let stream = |purpose: &str| stream(name, seed, purpose);
 
-    let plan = recipe.motion.plan(build, seconds, &mut stream("motion"));
+    let plan = recipe.plan(seed);
     let grid = Grid::new(plan.start, seconds + MARGIN);
     let paths = Side::BOTH.map(|side| FootPath::new(side, &plan.feet[side as usize], build));
     let mut feet = paths.each_ref().map(|path| grid.times().map(|time| path.at(time)).collect::<Vec<_>>());

@@ -2,20 +2,24 @@
 //! and documents.
 
 mod babel;
+mod blender;
 mod csv;
 mod document;
 mod edits;
+mod npz;
 mod read;
 mod read_segments;
 mod segments;
 mod tables;
 
 pub use babel::babel_json;
+pub use blender::blender_script;
 pub use document::{
     Document, FORMAT, Foot, FootJoints, Joints, MethodUsed, Source, Span, SpanSource, VERSION,
 };
 pub use edits::{Edit, edited};
-pub use read::{Labelling, LabelsError, read};
+pub use npz::npz;
+pub use read::{Labelling, LabelsError, read, read_bytes};
 pub use read_segments::{has_segments, read_cuts, read_segments};
 pub use segments::{MotifSpan, SEGMENTS_FORMAT, SegmentSpan, SegmentsDocument, SegmentsMethod, Stretch};
 pub use tables::{Labelled, events_csv, frames_csv, intervals_csv, segments_csv};

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::{Document, Edit, FORMAT, Part, Side, VERSION, csv};
+use super::{Document, Edit, FORMAT, Part, Side, VERSION, csv, npz};
 
 /// Labels of one clip by someone else, per frame; `None` where they are not known.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,7 +17,9 @@ pub struct Labelling {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LabelsError {
     /// Neither JSON nor a table.
-    #[error("these are no labels: neither a labels document, a truth file nor a table per frame")]
+    #[error(
+        "these are no labels: neither a labels document, a truth file, a table per frame nor an archive of arrays"
+    )]
     Unknown,
     /// Neither JSON with segments nor a table of them.
     #[error("these are no segments: neither a segments document, BABEL's, a truth file nor a table")]
@@ -60,6 +62,28 @@ pub fn read(text: &str, frames: usize) -> Result<Labelling, LabelsError> {
         Some(_) if text.lines().next().is_some_and(|head| head.contains("left_")) => table(text)?,
         _ => return Err(LabelsError::Unknown),
     };
+    checked(labelling, frames)
+}
+
+/// Reads labels of a clip of so many frames, as [`read`] does, or an archive of arrays as
+/// [`npz`](super::npz()) writes it.
+///
+/// Of an archive the arrays `contacts` with its names in `columns` and `contact` with
+/// `contact_columns` are read: booleans or numbers, 0, 1 or −1 (or NaN) for unknown. It may be
+/// of [`npz`](super::npz()), `numpy.savez` or `numpy.savez_compressed`.
+///
+/// # Errors
+/// If the bytes are none of these, or of another number of frames.
+pub fn read_bytes(bytes: &[u8], frames: usize) -> Result<Labelling, LabelsError> {
+    if npz::is_archive(bytes) {
+        checked(npz::read(bytes, frames)?, frames)
+    } else {
+        read(str::from_utf8(bytes).map_err(|_| LabelsError::Unknown)?, frames)
+    }
+}
+
+/// Labels that are of a clip of so many frames.
+fn checked(labelling: Labelling, frames: usize) -> Result<Labelling, LabelsError> {
     for labels in labelling.parts.iter().flat_map(|(_, feet)| feet) {
         if labels.len() != frames {
             return Err(LabelsError::Length { found: labels.len(), frames });

@@ -20,7 +20,7 @@ const SLACK: f64 = 0.1;
 ///
 /// `clip` is the clip's name without an ending; BABEL's files and truth files hold several.
 /// A truth file is `{"86_01": [{"start": 1, "end": 550, "label": "walk"}, ...], ...}`,
-/// or has the list as `{"segments": [...]}`; its frames count from 1, and `end` is the last.
+/// or has the list as `{"segments": [...]}`, which alone is of the clip at hand; its frames count from 1, and `end` is the last.
 /// Where the clip has one frame more than its truth, that is a T-pose before the first.
 /// The segments tile the clip; what nobody labelled between them has no name.
 ///
@@ -95,12 +95,14 @@ fn find(text: &str, clip: &str) -> Result<Found, LabelsError> {
             value => Ok(Found::Document(document(value)?)),
         };
     }
+    let is_bare = value.get_mut("segments").is_some_and(is_truth);
     let clips = value.as_object_mut().ok_or(LabelsError::NoSegments)?;
     match entry(clips, clip).and_then(|name| clips.remove(&name)) {
         Some(sequence) if babel::is_sequence(&sequence) => {
             Ok(Found::Babel(serde_json::from_value(sequence)?))
         }
         Some(mut actions) => Ok(Found::Truth(serde_json::from_value(list(&mut actions).take())?)),
+        None if is_bare => Ok(Found::Truth(serde_json::from_value(value["segments"].take())?)),
         None if clips.values_mut().any(|value| babel::is_sequence(value) || is_truth(value)) => {
             Err(LabelsError::NoClip(clip.into()))
         }
@@ -346,6 +348,28 @@ mod tests {
         assert_eq!(cuts("13_30", 700), Err(LabelsError::Length { found: 792, frames: 700 }));
         let read = read_segments(TRUTH, "86_01", 1301, 120.0).unwrap();
         assert_eq!(ranges(&read), [(0..551, "walk"), (551..1151, "jump"), (1151..1301, "walk")]);
+    }
+
+    #[test]
+    fn a_truth_without_names_is_of_the_clip_at_hand() {
+        let bare = r#"{"fps": 120, "segments": [{"start": 1, "end": 4, "label": "walk"},
+            {"start": 5, "end": 10, "label": "run", "cut_earliest": 9, "cut_latest": 12}]}"#;
+        assert!(has_segments(bare, "86_01"));
+        let read = read_segments(bare, "86_01", 10, 120.0).unwrap();
+        assert_eq!(ranges(&read), [(0..4, "walk"), (4..10, "run")]);
+        assert_eq!(read_cuts(bare, "86_01", 10, 120.0).unwrap(), [TrueCut::at(4.0)]);
+        let long = read_segments(bare, "86_01", 100, 120.0);
+        assert_eq!(long, Err(LabelsError::Length { found: 10, frames: 100 }));
+        // A clip's own entry goes before.
+        let named = bare.replace("\"fps\": 120", "\"13_30\": [{\"start\": 1, \"end\": 10}]");
+        assert_eq!(ranges(&read_segments(&named, "13_30", 10, 120.0).unwrap()), [(0..10, "")]);
+        for text in [r#"{"segments": []}"#, r#"{"segments": [1]}"#, r#"{"segments": 1}"#, r#"["segments"]"#] {
+            assert_eq!(
+                read_segments(text, "86_01", 10, 120.0).unwrap_err(),
+                LabelsError::NoSegments,
+                "{text}"
+            );
+        }
     }
 
     #[test]

@@ -74,16 +74,7 @@ pub fn intervals_csv(labelled: &[Labelled], frame_time: f64) -> String {
 pub fn events_csv(labelled: &[Labelled], frame_time: f64) -> String {
     let mut text = head(labelled.iter().map(|labelled| labelled.root), "time,frame,context,event\n");
     for Labelled { root, detection } in labelled {
-        let mut events = Vec::new();
-        for (side, context) in [(Side::Left, "Left"), (Side::Right, "Right")] {
-            let labels = &detection.principal().foot(side).planted;
-            for range in intervals(labels) {
-                events.extend((range.start > 0).then_some((range.start, context, "Foot Strike")));
-                events.extend((range.end < labels.len()).then_some((range.end, context, "Foot Off")));
-            }
-        }
-        events.sort_unstable();
-        for (frame, context, event) in events {
+        for (frame, context, event) in events(detection) {
             let _ =
                 writeln!(text, "{}{},{frame},{context},{event}", field(*root), seconds(frame, frame_time));
         }
@@ -115,8 +106,22 @@ pub fn segments_csv(documents: &[SegmentsDocument]) -> String {
     text
 }
 
+/// The gait events of a skeleton in order of time: frame, context and event.
+pub(super) fn events(detection: &Detection) -> Vec<(usize, &'static str, &'static str)> {
+    let mut events = Vec::new();
+    for (side, context) in [(Side::Left, "Left"), (Side::Right, "Right")] {
+        let labels = &detection.principal().foot(side).planted;
+        for range in intervals(labels) {
+            events.extend((range.start > 0).then_some((range.start, context, "Foot Strike")));
+            events.extend((range.end < labels.len()).then_some((range.end, context, "Foot Off")));
+        }
+    }
+    events.sort_unstable();
+    events
+}
+
 /// Feet and parts in the order of the columns: left before right, contact, heel, toe.
-fn columns(detection: &Detection) -> impl Iterator<Item = (Side, Part)> + '_ {
+pub(super) fn columns(detection: &Detection) -> impl Iterator<Item = (Side, Part)> + '_ {
     let parts =
         [Part::Contact, Part::Heel, Part::Toe].into_iter().filter(|&part| detection.part(part).is_some());
     Side::BOTH.into_iter().flat_map(move |side| parts.clone().map(move |part| (side, part)))

@@ -1,0 +1,223 @@
+//! Results as other programs meet them: NumPy, pandas and Blender, where Python is at hand.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use assert_cmd::Command;
+use plantigrade::labels::{self, Part};
+use serde_json::Value;
+
+fn project(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+fn plantigrade(args: &[&str]) -> Output {
+    let mut command = Command::cargo_bin("plantigrade").expect("the binary");
+    command.current_dir(project("samples")).args(args).output().expect("it runs")
+}
+
+fn stdout(output: &Output) -> String {
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    assert_eq!(output.status.code(), Some(0));
+    String::from_utf8(output.stdout.clone()).expect("text")
+}
+
+/// Runs a script in `folder`, if there is a Python that has some modules: the one that
+/// `PLANTIGRADE_PYTHON` names, or else `python3`.
+fn python(modules: &str, script: &str, folder: &Path) {
+    let program = std::env::var("PLANTIGRADE_PYTHON").unwrap_or_else(|_| "python3".into());
+    let run =
+        |script: &str| std::process::Command::new(&program).args(["-c", script]).current_dir(folder).output();
+    if !run(&format!("import {modules}")).is_ok_and(|output| output.status.success()) {
+        println!("skipped: there is no {program} that has {modules}");
+        return;
+    }
+    let output = run(script).expect("it runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// A folder with some formats of the curved walk's labels.
+fn exported(formats: &[&str]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for format in formats {
+        let path = folder.path().to_str().expect("a path");
+        stdout(&plantigrade(&["detect", "curved-walk.bvh", "--format", format, "--out", path]));
+    }
+    folder
+}
+
+#[test]
+fn archives_are_written_and_read_back() {
+    let folder = exported(&["npz", "csv"]);
+    let bytes = fs::read(folder.path().join("curved-walk.npz")).expect("an archive");
+    let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
+    let labels = labels::read_bytes(&bytes, 245).expect("labels");
+    assert_eq!(labels, labels::read_bytes(&table, 245).expect("labels"));
+    let piped = plantigrade(&["detect", "curved-walk.bvh", "--format", "npz"]);
+    assert_eq!(piped.stdout, bytes);
+    let toes = plantigrade(&["detect", "curved-walk.bvh", "--format", "npz", "--method", "paper"]);
+    let toes = labels::read_bytes(&toes.stdout, 245).expect("labels");
+    assert_eq!(toes.parts.iter().map(|(part, _)| *part).collect::<Vec<_>>(), [Part::Toe]);
+}
+
+#[test]
+fn numpy_and_pandas_open_what_is_written() {
+    let folder = exported(&["npz", "csv"]);
+    let path = folder.path().join("two.npz");
+    let two = plantigrade(&["detect", "../tests/files/good/two-skeletons.bvh", "--format", "npz"]);
+    fs::write(path, two.stdout).expect("written");
+    let script = r#"
+import numpy, pandas
+arrays = numpy.load("curved-walk.npz")
+assert list(arrays["columns"]) == ["left_heel", "left_toe", "right_heel", "right_toe"]
+assert arrays["contacts"].shape == arrays["confidence"].shape == (245, 4)
+assert arrays["contacts"].dtype == bool and arrays["confidence"].dtype == numpy.float32
+assert (arrays["confidence"] >= 0.5).all() and arrays["source"] == "curved-walk.bvh"
+frames = pandas.read_csv("curved-walk.csv")
+for table in ("contacts", "contact"):
+    names = arrays["columns" if table == "contacts" else "contact_columns"]
+    assert (frames[list(names)].to_numpy() == arrays[table]).all()
+assert numpy.allclose(frames["time"], arrays["time"], atol=1e-6)
+assert abs(arrays["rate"] - 120) < 0.01
+two = numpy.load("two.npz")
+assert two["contacts"].shape == (2, 12, 4) and list(two["roots"])[1] == "B:Hips"
+names = ["right_toe", "left_toe"]
+for save, name in [(numpy.savez, "stored.npz"), (numpy.savez_compressed, "packed.npz")]:
+    save(name, contacts=frames[names].to_numpy(), columns=numpy.array(names))
+"#;
+    python("numpy, pandas", script, folder.path());
+    let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
+    let table = labels::read_bytes(&table, 245).expect("labels");
+    for name in ["stored.npz", "packed.npz"] {
+        // Without Python there are none.
+        let Ok(bytes) = fs::read(folder.path().join(name)) else { continue };
+        let labels = labels::read_bytes(&bytes, 245).expect(name);
+        assert_eq!(labels.part(Part::Toe), table.part(Part::Toe), "{name}");
+    }
+}
+
+/// As much of Blender as the script meets, and what it should have done there.
+const BLENDER: &str = r#"
+import json, sys, types
+
+class Curve:
+    def __init__(self, path):
+        self.data_path, self.keyframe_points = path, []
+
+class Armature(dict):
+    type, animation_data = "ARMATURE", None
+    def keyframe_insert(self, data_path, frame):
+        if self.animation_data is None:
+            self.animation_data = types.SimpleNamespace(action=types.SimpleNamespace(fcurves=[]))
+        curves = self.animation_data.action.fcurves
+        curve = next((curve for curve in curves if curve.data_path == data_path), None)
+        if curve is None:
+            curves.append(curve := Curve(data_path))
+        value = self[json.loads(data_path[1:-1])]
+        curve.keyframe_points.append(types.SimpleNamespace(co=(frame, value), interpolation="BEZIER"))
+
+class Markers(list):
+    def new(self, name, frame):
+        self.append(types.SimpleNamespace(name=name, frame=frame))
+
+armature, markers = Armature(), Markers()
+render = types.SimpleNamespace(fps=24, fps_base=1.0)
+bpy = types.ModuleType("bpy")
+bpy.context = types.SimpleNamespace(
+    object=armature, scene=types.SimpleNamespace(render=render, timeline_markers=markers))
+bpy.utils = types.SimpleNamespace(escape_identifier=lambda name: json.dumps(name)[1:-1])
+sys.modules["bpy"] = bpy
+script = open("curved-walk.blender.py", encoding="utf-8").read()
+# A second run changes nothing.
+for _ in range(2):
+    exec(script, {})
+
+events = [line.split(",") for line in open("curved-walk.events.csv").read().split("\n")[1:-1]]
+assert [(m.frame, m.name) for m in markers] == [(int(e[1]) + 1, e[2] + " " + e[3]) for e in events]
+rows = [line.split(",") for line in open("curved-walk.csv").read().split("\n")[:-1]]
+curves = {curve.data_path[2:-2]: curve.keyframe_points for curve in armature.animation_data.action.fcurves}
+assert sorted(curves) == sorted(rows[0][2:]), curves.keys()
+for name, keys in curves.items():
+    assert all(key.interpolation == "CONSTANT" for key in keys)
+    column = rows[0].index(name)
+    for row in rows[1:]:
+        frame = int(row[0]) + 1
+        assert [key.co[1] for key in keys if key.co[0] <= frame][-1] == int(row[column]), (name, frame)
+"#;
+
+#[test]
+fn blender_gets_markers_and_keys() {
+    let folder = exported(&["blender", "csv", "events"]);
+    let script = fs::read_to_string(folder.path().join("curved-walk.blender.py")).expect("a script");
+    assert!(script.contains("FRAME_START = 1\n") && script.contains("SOURCE = \"curved-walk.bvh\"\n"));
+    python("json", BLENDER, folder.path());
+}
+
+#[test]
+fn no_name_gets_out_of_its_quotes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let name = "\"] + [exit(3)] #\\' é.bvh";
+    // Not every file system takes such names.
+    if fs::copy(project("samples/bowling.bvh"), folder.path().join(name)).is_err() {
+        return;
+    }
+    let path = folder.path().join(name);
+    let script = plantigrade(&["detect", path.to_str().expect("a path"), "--format", "blender"]);
+    fs::write(folder.path().join("script.py"), stdout(&script)).expect("written");
+    let check = r#"
+import ast
+tree = ast.parse(open("script.py", encoding="ascii").read())
+named = {node.targets[0].id: node.value for node in tree.body if isinstance(node, ast.Assign)}
+assert ast.literal_eval(named["SOURCE"]) == "\"] + [exit(3)] #\\' é.bvh"
+for name in ("RATE", "FRAMES", "FRAME_START", "EVENTS", "PLANTS"):
+    ast.literal_eval(named[name])
+"#;
+    python("ast", check, folder.path());
+}
+
+#[test]
+fn gait_is_measured_in_every_format() {
+    let json: Value =
+        serde_json::from_str(&stdout(&plantigrade(&["gait", "curved-walk.bvh", "--format", "json"])))
+            .expect("JSON");
+    let cadence = json["gait"]["cadence_steps_per_min"].as_f64().expect("a cadence");
+    assert!((100.0..125.0).contains(&cadence), "{json:#}");
+    assert_eq!((&json["path"], &json["method"]), (&"curved-walk.bvh".into(), &"robust".into()));
+
+    let table =
+        stdout(&plantigrade(&["gait", "curved-walk.bvh", "bowling.bvh", "--format", "csv", "--jobs", "2"]));
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 3);
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()));
+    let column = |name: &str| rows[0].iter().position(|other| *other == name).expect(name);
+    assert_eq!((rows[1][0], rows[2][0]), ("curved-walk.bvh", "bowling.bvh"), "in the order asked for");
+    let found: f64 = rows[1][column("cadence_steps_per_min")].parse().expect("a number");
+    assert!((found - cadence).abs() < 1e-6);
+    for name in ["left_stance_s", "right_step_width_m", "double_support_share", "flight_share_count"] {
+        rows[1][column(name)].parse::<f64>().expect(name);
+    }
+
+    let text = stdout(&plantigrade(&["gait", "curved-walk.bvh", "frog-jumps.bvh"]));
+    assert!(text.contains("cadence") && text.contains("double support"), "{text}");
+    assert!(text.contains("frog-jumps.bvh\n  no whole strides"), "{text}");
+    let still = stdout(&plantigrade(&["gait", "frog-jumps.bvh", "--format", "json"]));
+    let still: Value = serde_json::from_str(&still).expect("JSON");
+    assert!(still["gait"]["cadence_steps_per_min"].is_null());
+}
+
+#[test]
+fn gait_fails_for_what_has_none_alone() {
+    let files = ["../tests/files/good/no-motion.bvh", "../tests/files/good/two-skeletons.bvh"];
+    let output = plantigrade(&[&["gait", "--format", "json"], &files[..]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.starts_with(files[0]) && said.lines().count() == 1, "{said}");
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json[1]["root"], "B:Hips");
+    for args in
+        [&["gait"][..], &["gait", "bowling.bvh", "--r", "0"], &["gait", "bowling.bvh", "--format", "npz"]]
+    {
+        assert_eq!(plantigrade(args).status.code(), Some(2), "{args:?}");
+    }
+}

@@ -1,0 +1,53 @@
+//! Gait measures as columns of a table.
+
+use super::{Gait, PerSide, Spread};
+
+impl Gait {
+    /// The measures as columns with names that tell their units: of each foot's measures the
+    /// mean, and with `_sd` and `_count` its spread.
+    pub fn columns(&self) -> Vec<(String, Option<f64>)> {
+        let mut columns = vec![
+            ("strides".into(), Some(self.strides as f64)),
+            ("cadence_steps_per_min".into(), self.cadence_steps_per_min),
+            ("speed_m_per_s".into(), self.speed_m_per_s),
+        ];
+        let mut spread = |name: String, spread: Option<Spread>| {
+            columns.push((name.clone(), spread.map(|spread| spread.mean)));
+            columns.push((format!("{name}_sd"), spread.and_then(|spread| spread.sd)));
+            columns.push((format!("{name}_count"), Some(spread.map_or(0.0, |spread| spread.count as f64))));
+        };
+        for (name, measure) in self.by_side() {
+            spread(format!("left_{name}"), measure.left);
+            spread(format!("right_{name}"), measure.right);
+        }
+        for (name, measure) in [
+            ("double_support_s", self.double_support_s),
+            ("double_support_share", self.double_support_share),
+            ("flight_s", self.flight_s),
+            ("flight_share", self.flight_share),
+        ] {
+            spread(name.into(), measure);
+        }
+        let symmetry = self.symmetry;
+        columns.extend([
+            ("stance_symmetry_percent".into(), symmetry.stance_percent),
+            ("swing_symmetry_percent".into(), symmetry.swing_percent),
+            ("step_time_symmetry_percent".into(), symmetry.step_time_percent),
+            ("step_length_symmetry_percent".into(), symmetry.step_length_percent),
+        ]);
+        columns
+    }
+
+    /// The measures that each foot has, by name.
+    pub fn by_side(&self) -> [(&'static str, PerSide); 7] {
+        [
+            ("stance_s", self.stance_s),
+            ("swing_s", self.swing_s),
+            ("stride_time_s", self.stride_time_s),
+            ("stride_length_m", self.stride_length_m),
+            ("step_time_s", self.step_time_s),
+            ("step_length_m", self.step_length_m),
+            ("step_width_m", self.step_width_m),
+        ]
+    }
+}
