@@ -232,7 +232,9 @@ export class App {
   }
 
   /** Saves by a button of the Labels tab. */
-  async save(button: "Labels" | "Every frame" | "Intervals" | "Gait events"): Promise<Saved> {
+  async save(
+    button: "Labels" | "Every frame" | "Intervals" | "Gait events" | "Arrays" | "Blender",
+  ): Promise<Saved> {
     await this.tab("Labels");
     await this.unfoldSave();
     return this.download(() =>

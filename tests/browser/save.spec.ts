@@ -103,3 +103,24 @@ test("the table of gait events has every strike and every lift within the clip",
   const times = rows.map(({ time }) => Number(time));
   expect(times).toEqual([...times].sort((a, b) => a - b));
 });
+
+test("arrays for NumPy come back as labels that agree", async ({ app }) => {
+  await app.sample("curved-walk");
+  const { name, bytes } = await app.save("Arrays");
+  expect(name).toBe("curved-walk.contacts.npz");
+  await app.drop({ name, mimeType: "", buffer: Buffer.from(bytes) });
+  await app.tab("Score");
+  await expect(app.panel.getByRole("row", { name: /^0.0 s/ })).toContainText("100.0");
+});
+
+test("the script for Blender holds the plants of the clip", async ({ app }) => {
+  await app.sample("curved-walk");
+  const labels = readLabels(await app.save("Labels"));
+  const { name, text } = await app.save("Blender");
+  expect(name).toBe("curved-walk.blender.py");
+  expect(text).toContain("import bpy");
+  for (const { start, end } of labels.left.contact ?? []) {
+    expect(text).toMatch(new RegExp(`\\b${start}\\b[^\n]*`));
+    expect(text).toMatch(new RegExp(`\\b${end}\\b[^\n]*`));
+  }
+});

@@ -123,7 +123,7 @@ impl RawClip {
         Ok(RawDetection::new(found, self.skeleton.metres_per_unit, self.clip.frame_time()))
     }
 
-    /// The labels of a detection as a document: `json`, `csv`, `intervals` or `events`.
+    /// The labels of a detection as a file: `json`, `csv`, `intervals`, `events`, `npz` or `blender`.
     ///
     /// # Errors
     /// If there is no such format.
@@ -133,7 +133,7 @@ impl RawClip {
         format: &str,
         name: String,
         sha256: Option<String>,
-    ) -> Result<String, Failure> {
+    ) -> Result<Vec<u8>, Failure> {
         detection.save(format, name, sha256, &self.clip, &self.skeleton, &self.notices)
     }
 }

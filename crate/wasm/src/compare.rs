@@ -15,13 +15,14 @@ pub struct RawLabelling(Labelling);
 
 #[wasm_bindgen]
 impl RawLabelling {
-    /// Reads a labels document, a truth file or a table per frame, for a clip of so many frames.
+    /// Reads a labels document, a truth file, a table per frame or an NPZ archive, for a clip of
+    /// so many frames.
     ///
     /// # Errors
-    /// If the text is none of these, or is of another clip.
+    /// If the file is none of these, or is of another clip.
     #[wasm_bindgen(constructor)]
-    pub fn new(text: &str, frames: usize) -> Result<RawLabelling, Failure> {
-        Ok(RawLabelling(labels::read(text, frames)?))
+    pub fn new(file: &[u8], frames: usize) -> Result<RawLabelling, Failure> {
+        Ok(RawLabelling(labels::read_bytes(file, frames)?))
     }
 
     /// The parts that were labelled.

@@ -37,17 +37,21 @@ impl RawDetection {
         clip: &Clip,
         skeleton: &Skeleton,
         notices: &[Notice],
-    ) -> Result<String, Failure> {
+    ) -> Result<Vec<u8>, Failure> {
         let several = clip.roots().count() > 1;
         let root = several.then(|| clip.joints()[skeleton.root].name.as_str());
         let labelled = [Labelled { root, detection: self.core() }];
-        Ok(match format {
+        let frame_time = clip.frame_time();
+        let text = match format {
             "json" => Document::of(Source { name, sha256 }, clip, skeleton, self.core(), notices).to_json(),
-            "csv" => labels::frames_csv(&labelled, clip.frame_time()),
-            "intervals" => labels::intervals_csv(&labelled, clip.frame_time()),
-            "events" => labels::events_csv(&labelled, clip.frame_time()),
+            "csv" => labels::frames_csv(&labelled, frame_time),
+            "intervals" => labels::intervals_csv(&labelled, frame_time),
+            "events" => labels::events_csv(&labelled, frame_time),
+            "blender" => labels::blender_script(&labelled, &name, frame_time),
+            "npz" => return Ok(labels::npz(&labelled, &name, frame_time)),
             _ => return Err(Failure::from(format!("there is no format {format:?}"))),
-        })
+        };
+        Ok(text.into_bytes())
     }
 
     fn part(&self, part: &str) -> Result<&PartLabels, Failure> {

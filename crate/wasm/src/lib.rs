@@ -6,12 +6,14 @@
 mod clip;
 mod compare;
 mod detection;
+mod gait;
 mod records;
 mod segmentation;
 
 pub use clip::{RawClip, RawReader};
 pub use compare::{DisagreementFacts, EventFacts, RawLabelling, ScoreFacts, ScoreRow};
 pub use detection::RawDetection;
+pub use gait::{GaitFacts, SidesFacts, SpreadFacts, SymmetryFacts};
 pub use records::{
     ClipFacts, DetectOptions, EditFacts, Failure, JointFacts, MethodFacts, NoticeText, Overrides,
     SegmentFacts, SegmentMethodFacts, SegmentOptions,

@@ -135,7 +135,7 @@ export async function openRow({ source }: Row): Promise<void> {
 }
 
 const everything = {
-  formats: ["json", "csv", "intervals", "events"],
+  formats: ["json", "csv", "intervals", "events", "npz"],
   segmentFormats: ["json", "csv"],
 } as const;
 
@@ -155,8 +155,8 @@ export async function saveAll(): Promise<void> {
           (survey) => survey.survey(data, name, orders, Comlink.proxy(keptOf)),
           stoppable.signal,
         );
-        for (const { ending, text } of surveyed.ok ? surveyed.documents : []) {
-          await calls.add(`${names[i]}${ending}`, text);
+        for (const { ending, data } of surveyed.ok ? surveyed.documents : []) {
+          await calls.add(`${names[i]}${ending}`, data);
         }
         stoppable.onProgress?.(++count / done.length);
       };

@@ -41,7 +41,7 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
     return;
   }
   try {
-    const compared = await engine.compare(await data.text(), name);
+    const compared = await engine.compare(data, name);
     if (source.value !== about) return;
     if (!compared.ok) {
       fail(name, compared.failure);

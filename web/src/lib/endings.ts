@@ -9,6 +9,8 @@ export const labelEndings: Record<SaveFormat, Ending> = {
   csv: [".frames.csv", "text/csv"],
   intervals: [".intervals.csv", "text/csv"],
   events: [".events.csv", "text/csv"],
+  npz: [".contacts.npz", "application/zip"],
+  blender: [".blender.py", "text/x-python"],
 };
 
 export const segmentEndings: Record<SegmentFormat, Ending> = {

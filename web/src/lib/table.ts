@@ -70,6 +70,15 @@ export const columns: readonly Column[] = [
   found("right_planted", "Right", ({ planted }) => planted?.right, percent, {
     about: "Share of the frames in which the right foot is planted",
   }),
+  found(
+    "cadence_steps_per_min",
+    "Cadence",
+    ({ cadence }) => cadence,
+    (steps) => steps.toFixed(0),
+    {
+      about: "Steps per minute",
+    },
+  ),
   found("segments", "Segments", ({ segments }) => segments, count, { minor: true }),
   found(
     "took_ms",

@@ -2,6 +2,7 @@ import { setOverrides } from "../app/detect";
 import { clip, openClip, overrides, source } from "../app/state";
 import { bytes, count, hertz, span } from "../lib/time";
 import type { Clip, Overrides, Up } from "../worker/types";
+import { GaitFacts } from "./GaitFacts";
 
 const ups: readonly Up[] = ["y", "z", "x", "-y", "-z", "-x"];
 const footRole = /^(hips|(left|right)_(thigh|shank|ankle|toe|tip))$/;
@@ -15,6 +16,7 @@ export function ClipPanel() {
         <h2>Clip</h2>
         <Facts clip={held} />
       </div>
+      <GaitFacts />
       <div class="field">
         <h2>Read it as</h2>
         <Reading clip={held} />

@@ -14,6 +14,8 @@ const formats: readonly (readonly [SaveFormat, string, string])[] = [
   ["csv", "Every frame", "CSV"],
   ["intervals", "Intervals", "CSV"],
   ["events", "Gait events", "CSV"],
+  ["npz", "Arrays", "NPZ"],
+  ["blender", "Blender", "Python"],
 ];
 
 export function LabelsPanel() {

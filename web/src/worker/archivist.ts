@@ -34,10 +34,10 @@ const api = {
     }
   },
 
-  /** Adds a text to the archive that is being packed. */
-  async add(name: string, text: string): Promise<void> {
+  /** Adds a file to the archive that is being packed. */
+  async add(name: string, data: string | Uint8Array): Promise<void> {
     packing ??= new Packing();
-    packing.add(name, text);
+    packing.add(name, data);
   },
 
   /** The archive of all that was added. */

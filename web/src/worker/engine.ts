@@ -55,12 +55,12 @@ interface Held {
   options?: DetectOptions;
   segmentOptions?: SegmentOptions;
   /** Labels and segments of someone else that it is compared with. */
-  other?: Text;
-  otherSegments?: Text;
+  other?: Theirs;
+  otherSegments?: Theirs;
 }
 
-interface Text {
-  text: string;
+interface Theirs {
+  file: Blob;
   name: string;
 }
 
@@ -110,8 +110,8 @@ export function createEngine(
     if (held.overrides) await calls.override(held.overrides);
     if (held.edits) await calls.edit(held.edits);
     if (held.options) await calls.detect(held.options);
-    if (held.other) await calls.compare(held.other.text, held.other.name);
-    if (held.otherSegments) await calls.compare(held.otherSegments.text, held.otherSegments.name);
+    if (held.other) await calls.compare(held.other.file, held.other.name);
+    if (held.otherSegments) await calls.compare(held.otherSegments.file, held.otherSegments.name);
   }
 
   async function resegment(calls: Calls) {
@@ -203,12 +203,12 @@ export function createEngine(
         return segmented;
       }, stoppable).catch(broken);
     },
-    async compare(text, name) {
-      const compared: Compared = await callOnClip((calls) => calls.compare(text, name)).catch(
+    async compare(file, name) {
+      const compared: Compared = await callOnClip((calls) => calls.compare(file, name)).catch(
         broken,
       );
       if (compared.ok && held) {
-        held["other" in compared ? "other" : "otherSegments"] = { text, name };
+        held["other" in compared ? "other" : "otherSegments"] = { file, name };
       }
       return compared;
     },
@@ -221,6 +221,7 @@ export function createEngine(
     hash: () => callOnClip((calls) => calls.hash()),
     methods: () => call(({ calls }) => calls.methods()),
     segmentMethods: () => call(({ calls }) => calls.segmentMethods()),
+    gait: () => callOnClip((calls) => calls.gait()),
     score: () => callOnClip((calls) => calls.score()),
     scoreSegments: () => callOnSegments((calls) => calls.scoreSegments()),
     save: (format) => callOnClip((calls) => calls.save(format)),

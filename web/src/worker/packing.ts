@@ -8,10 +8,10 @@ export class Packing {
     this.chunks.push(chunk as Uint8Array<ArrayBuffer>);
   });
 
-  add(name: string, text: string) {
+  add(name: string, data: string | Uint8Array) {
     const entry = new ZipDeflate(name, { level: 6 });
     this.zip.add(entry);
-    entry.push(strToU8(text), true);
+    entry.push(typeof data === "string" ? strToU8(data) : data, true);
   }
 
   finish(): Blob {

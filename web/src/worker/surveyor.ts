@@ -34,6 +34,8 @@ export interface Survey {
   /** Share of the frames in which each foot is planted, 0 … 1; absent where no plants can be found. */
   planted?: { left: number; right: number };
   segments?: number;
+  /** Steps per minute; absent where nobody walks or runs. */
+  cadence?: number;
   /** Why plants or segments are missing. */
   missing: string[];
   /** Whether a person has edited its labels. */
@@ -52,7 +54,7 @@ export interface Changes {
 export interface Document {
   /** What its name ends in. */
   ending: string;
-  text: string;
+  data: string | Uint8Array;
 }
 
 export type Surveyed =
@@ -121,10 +123,12 @@ async function label(task: Task): Promise<{ survey: Omit<Survey, "took">; docume
     held.push(value);
     value.edit([...changes.edits]);
     Object.assign(survey, factsOf(value, frames));
+    const { cadence } = clip.gait(value);
+    if (cadence !== undefined) survey.cadence = cadence;
     survey.notices += value.notices().length;
     for (const format of orders.formats) {
-      const text = clip.save(value, format, name, hash);
-      documents.push({ ending: labelEndings[format][0], text });
+      const data = clip.save(value, format, name, hash);
+      documents.push({ ending: labelEndings[format][0], data });
     }
   } else survey.missing.push(detected.failure.message);
   const segmented = await refusals(() => clip.segment(orders.segment, () => {}));
@@ -135,8 +139,8 @@ async function label(task: Task): Promise<{ survey: Omit<Survey, "took">; docume
     survey.segments = segments.length;
     const names = actionsOf(segments, changes.names).map(titleOf);
     for (const format of orders.segmentFormats) {
-      const text = clip.saveSegments(value, names, format, name, hash);
-      documents.push({ ending: segmentEndings[format][0], text });
+      const data = clip.saveSegments(value, names, format, name, hash);
+      documents.push({ ending: segmentEndings[format][0], data });
     }
   } else survey.missing.push(segmented.failure.message);
   return { survey, documents };

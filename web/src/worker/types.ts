@@ -11,6 +11,7 @@ export type {
   DisagreementFacts as Disagreement,
   EditFacts as Edit,
   Failure,
+  GaitFacts as Gait,
   JointFacts as Joint,
   MethodFacts,
   NoticeText as Notice,
@@ -25,8 +26,11 @@ export type {
 export type Up = ClipFacts["up"];
 export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
-/** What labels are saved as: a document, or tables per frame, plant and gait event. */
-export type SaveFormat = "json" | "csv" | "intervals" | "events";
+/**
+ * What labels are saved as: a document, tables per frame, plant and gait event, arrays for
+ * NumPy, or a script for Blender.
+ */
+export type SaveFormat = "json" | "csv" | "intervals" | "events" | "npz" | "blender";
 /** What segments are saved as: a document, a table, or the shape of BABEL. */
 export type SegmentFormat = "json" | "csv" | "babel";
 

@@ -20,6 +20,7 @@ import type {
   DetectOptions,
   Edit,
   Failure,
+  Gait,
   Labelling,
   Labels,
   MethodFacts,
@@ -160,9 +161,10 @@ const api = {
   },
 
   /** Reads labels or segments of the clip by someone else and holds them in place of those before. */
-  async compare(text: string, name: string): Promise<Compared> {
+  async compare(file: Blob, name: string): Promise<Compared> {
     const here = current();
     const about = stem(here.name);
+    const text = (await isArchive(file)) ? "" : await file.text();
     if (hasSegments(text, about)) {
       const read = await refusals(() => new RawSegments(text, about, here.clip));
       if (!read.ok) return read;
@@ -170,11 +172,18 @@ const api = {
       here.otherSegments = read.value;
       return { ok: true, segments: { name, segments: read.value.segments() } };
     }
-    const read = await refusals(() => new RawLabelling(text, here.clip.facts().frames));
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const read = await refusals(() => new RawLabelling(bytes, here.clip.facts().frames));
     if (!read.ok) return read;
     here.other?.free();
     here.other = read.value;
     return { ok: true, other: labelling(read.value, name) };
+  },
+
+  /** How the person walks, by the last labels as they are edited; nothing where there are none. */
+  async gait(): Promise<Gait | undefined> {
+    const { clip, detection } = current();
+    return detection && clip.gait(detection);
   },
 
   /** How well the last detection agrees with the labels of someone else, part by part. */
@@ -212,12 +221,12 @@ const api = {
   },
 
   /** The labels of the last detection. */
-  async save(format: SaveFormat): Promise<string> {
+  async save(format: SaveFormat): Promise<Uint8Array<ArrayBuffer>> {
     const here = current();
     const { name, clip, detection } = here;
     if (!detection) throw new Error("There are no labels to save.");
     const hash = format === "json" ? await hashOf(here) : undefined;
-    return clip.save(detection, format, name, hash);
+    return clip.save(detection, format, name, hash) as Uint8Array<ArrayBuffer>;
   },
 };
 
@@ -237,6 +246,10 @@ function release() {
   held?.otherSegments?.free();
   held?.clip.free();
   held = undefined;
+}
+
+async function isArchive(file: Blob) {
+  return (await file.slice(0, 2).text()) === "PK";
 }
 
 /** A file's name without its ending. */

@@ -78,7 +78,8 @@ pub fn read_bytes(bytes: &[u8], frames: usize) -> Result<Labelling, LabelsError>
     if npz::is_archive(bytes) {
         checked(npz::read(bytes, frames)?, frames)
     } else {
-        read(str::from_utf8(bytes).map_err(|_| LabelsError::Unknown)?, frames)
+        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        read(str::from_utf8(text).map_err(|_| LabelsError::Unknown)?, frames)
     }
 }
 
@@ -177,6 +178,14 @@ impl Labelling {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_byte_order_mark_is_no_label() {
+        let text = r#"{"left": [0, 1], "right": [1, 0]}"#;
+        let marked = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+        assert_eq!(read_bytes(&marked, 2), read(text, 2));
+        assert_eq!(read_bytes(b"\xff\xfe{", 2), Err(LabelsError::Unknown));
+    }
 
     #[test]
     fn labels_become_ones_own_where_they_are_known() {

@@ -6,8 +6,8 @@ use plantigrade::labels::{Document, Part, Side};
 use plantigrade::plants::{self, Feet};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{
-    ClipFacts, DetectOptions, EditFacts, Failure, Overrides, RawClip, RawLabelling, RawReader, RawSegments,
-    SegmentFacts, SegmentOptions, has_segments,
+    ClipFacts, DetectOptions, EditFacts, Failure, Overrides, RawClip, RawDetection, RawLabelling, RawReader,
+    RawSegments, SegmentFacts, SegmentOptions, has_segments,
 };
 use tsify::{Ts, Tsify};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -20,6 +20,11 @@ fn walk() -> RawClip {
         reader.push(chunk).unwrap();
     }
     reader.finish().unwrap()
+}
+
+/// What a detection is saved as, where that is text.
+fn saved(clip: &RawClip, detection: &RawDetection, format: &str) -> String {
+    String::from_utf8(clip.save(detection, format, "walk.bvh".into(), None).unwrap()).unwrap()
 }
 
 fn options(method: &str) -> Ts<DetectOptions> {
@@ -86,13 +91,36 @@ fn edits_lie_over_what_was_found_until_they_are_taken_back() {
     let mut marks = vec![0; before.len() / 2];
     marks[1] = 1;
     assert_eq!(found.edited("contact", "left").unwrap(), marks);
-    let text = clip.save(&found, "json", "walk.bvh".into(), None).unwrap();
+    let text = saved(&clip, &found, "json");
     assert_eq!(text.matches("\"edited\"").count(), 1);
-    let read = RawLabelling::new(&text, 245).unwrap();
+    let read = RawLabelling::new(text.as_bytes(), 245).unwrap();
     found.edit(read.edits().unwrap()).unwrap();
     assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
     found.edit(Vec::new()).unwrap();
     assert_eq!(found.intervals("contact", "left").unwrap(), before);
+}
+
+#[wasm_bindgen_test]
+fn labels_come_back_from_an_archive() {
+    let clip = walk();
+    let found = clip.detect(options("robust")).unwrap();
+    let archive = clip.save(&found, "npz", "walk.bvh".into(), None).unwrap();
+    let read = RawLabelling::new(&archive, 245).unwrap();
+    for part in found.parts() {
+        let ours: Vec<i8> = found.planted(&part, "right").unwrap().iter().map(|&label| label as i8).collect();
+        assert_eq!(read.planted(&part, "right").unwrap(), ours);
+    }
+    assert!(saved(&clip, &found, "blender").contains("import bpy"));
+}
+
+#[wasm_bindgen_test]
+fn a_walk_has_a_gait() {
+    let clip = walk();
+    let found = clip.detect(options("robust")).unwrap();
+    let gait = clip.gait(&found).unwrap().to_rust().unwrap();
+    assert!((100.0..125.0).contains(&gait.cadence.unwrap()), "{gait:?}");
+    assert_eq!(gait.sides.len(), 7);
+    assert!(gait.double_support_share.unwrap().mean > 0.1);
 }
 
 #[wasm_bindgen_test]
@@ -118,10 +146,10 @@ fn overrides_take_the_place_of_those_before() {
 fn documents_read_back() {
     let clip = walk();
     let labels = clip.detect(options("robust")).unwrap();
-    let text = clip.save(&labels, "json", "walk.bvh".into(), None).unwrap();
+    let text = saved(&clip, &labels, "json");
     let document: Document = serde_json::from_str(&text).unwrap();
     assert_eq!((document.frames, document.source.name.as_str()), (245, "walk.bvh"));
-    let table = clip.save(&labels, "csv", "walk.bvh".into(), None).unwrap();
+    let table = saved(&clip, &labels, "csv");
     assert_eq!(table.lines().count(), 246);
 }
 
@@ -130,13 +158,13 @@ fn truth_stands_beside_the_labels() {
     let clip = walk();
     let labels = clip.detect(options("robust")).unwrap();
     let truth = include_str!("../../../../samples/curved-walk.json");
-    let other = RawLabelling::new(truth, 245).unwrap();
+    let other = RawLabelling::new(truth.as_bytes(), 245).unwrap();
     assert_eq!(other.parts(), ["contact", "toe", "heel"]);
     assert_eq!(other.planted("toe", "left").unwrap().len(), 245);
     let scores = other.score(&clip, &labels).unwrap();
     let contact = scores[0].to_rust().unwrap();
     assert!(contact.rows[3].lenient > 0.98 && contact.events.f1 > 0.9);
-    assert!(RawLabelling::new(truth, 244).is_err());
+    assert!(RawLabelling::new(truth.as_bytes(), 244).is_err());
 }
 
 #[wasm_bindgen_test]

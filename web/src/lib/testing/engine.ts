@@ -138,7 +138,8 @@ export function createEngine(): Engine {
         { ...method, name: "mvu", title: "Never ends" },
       ];
     },
-    async compare(text, name) {
+    async compare(file, name) {
+      const text = await file.text();
       if (text.includes("segments")) {
         otherSegments = { name, segments: JSON.parse(text).segments };
         return { ok: true, segments: otherSegments };
@@ -153,6 +154,9 @@ export function createEngine(): Engine {
       const feet = { left: Int8Array.from(labels.left), right: Int8Array.from(labels.right) };
       other = { name, parts: { toe: feet } };
       return { ok: true, other };
+    },
+    async gait() {
+      return undefined;
     },
     async score() {
       if (!other) return [];
@@ -179,7 +183,7 @@ export function createEngine(): Engine {
       return new Blob(parts.map(({ name }) => name));
     },
     async save(format) {
-      return `{"made up": "${format}"}`;
+      return new TextEncoder().encode(`{"made up": "${format}"}`);
     },
     cancel() {
       clip = undefined;
