@@ -36,6 +36,8 @@ pub enum Command {
     Gait(GaitArgs),
     /// Compare the labels of clips with their truth
     Score(ScoreArgs),
+    /// Hold planted feet still: remove foot skate
+    Clean(CleanArgs),
     /// Say what a file holds: joints, feet, axes, scale, and what had to be repaired
     Info(InfoArgs),
 }
@@ -236,6 +238,27 @@ pub struct ScoreArgs {
     /// Parameters that actions are found by.
     #[command(flatten, next_help_heading = "Options with --cuts")]
     pub segments: SegmentsArgs,
+}
+
+/// Which clip to clean up, by which plants, and where to write it.
+#[derive(ClapArgs)]
+#[command(mut_arg("paths", |arg| arg.value_name("FILE").num_args(1).help("A BVH file, or - for standard input")))]
+pub struct CleanArgs {
+    /// The clip.
+    #[command(flatten)]
+    pub read: ReadArgs,
+    /// The file to write: BVH with the same hierarchy
+    #[arg(short, long, value_name = "OUT.bvh")]
+    pub out: PathBuf,
+    /// Labels to go by: a document of detect, a table per frame, or a truth file [default: detected]
+    #[arg(long, value_name = "LABELS", conflicts_with_all = ["plants", "method"])]
+    pub labels: Option<PathBuf>,
+    /// The method that detects plants
+    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name))]
+    pub method: plants::Method,
+    /// Its parameters.
+    #[command(flatten)]
+    pub plants: PlantArgs,
 }
 
 /// What to say of which clips.

@@ -7,6 +7,7 @@ use plantigrade::bvh;
 use plantigrade::labels::LabelsError;
 use plantigrade::plants::DetectError;
 use plantigrade::segments::SegmentError;
+use plantigrade::skate::SkateError;
 
 /// Why an input gave no result.
 #[derive(Debug, thiserror::Error)]
@@ -44,6 +45,14 @@ pub enum Failure {
         path: PathBuf,
         /// Why not.
         error: DetectError,
+    },
+    /// The clip cannot be cleaned up.
+    #[error("{name}: error: {error}", name = name(.path))]
+    Clean {
+        /// The input.
+        path: PathBuf,
+        /// Why not.
+        error: SkateError,
     },
     /// The clip has nothing to cut.
     #[error("{name}: error: {error}", name = name(.path))]

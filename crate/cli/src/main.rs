@@ -1,6 +1,7 @@
 //! `plantigrade`: foot plants and actions in BVH files, from the command line.
 
 mod args;
+mod clean;
 mod detect;
 mod failure;
 mod gait;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Command::Segment(args) => segment::run(args),
         Command::Gait(args) => gait::run(args),
         Command::Score(args) => score::run(args),
+        Command::Clean(args) => clean::run(args),
         Command::Info(args) => info::run(args),
     };
     match done {

@@ -10,5 +10,6 @@ pub mod notice;
 pub mod plants;
 pub mod score;
 pub mod segments;
+pub mod skate;
 pub mod skeleton;
 mod spline;

@@ -76,6 +76,11 @@ impl<'a> Kinematics<'a> {
         }
         &self.positions
     }
+
+    /// How each joint is turned against the file's axes in the pose last asked for, by joint index.
+    pub fn rotations(&self) -> &[Matrix3<f64>] {
+        &self.rotations
+    }
 }
 
 /// Multiplies `rotation` from the right by a turn of `angle` radians about `axis`.

@@ -77,6 +77,12 @@ pub enum Code {
     ImplausibleRate,
     /// The labels leave a foot or the person in the air implausibly long.
     ImplausibleAirborne,
+    /// Plants that clean-up left as they are.
+    Unconstrained,
+    /// Clean-up cannot move the hips: their joint has no position channels.
+    FixedRoot,
+    /// Nothing is planted: there is no foot skate to clean up.
+    NothingPlanted,
 }
 
 impl Code {

@@ -9,6 +9,7 @@ mod detection;
 mod gait;
 mod records;
 mod segmentation;
+mod skate;
 
 pub use clip::{RawClip, RawReader};
 pub use compare::{DisagreementFacts, EventFacts, RawLabelling, ScoreFacts, ScoreRow};
@@ -19,6 +20,7 @@ pub use records::{
     SegmentFacts, SegmentMethodFacts, SegmentOptions,
 };
 pub use segmentation::{CutScore, RawSegmentation, RawSegments, has_segments, segment_methods};
+pub use skate::{CleanedPlantFacts, RawCleaned, SlideFacts};
 
 use plantigrade::plants::Method;
 use tsify::Ts;

@@ -7,6 +7,7 @@ use plantigrade::labels::{Edit, LabelsError, Part, Side};
 use plantigrade::notice::Notice;
 use plantigrade::plants::{DetectError, Family, Method, ParamError, Params};
 use plantigrade::segments::{self, MethodOption, Segment, SegmentError};
+use plantigrade::skate::SkateError;
 use plantigrade::skeleton::{self, Role};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -73,6 +74,12 @@ impl From<Error> for Failure {
 
 impl From<DetectError> for Failure {
     fn from(error: DetectError) -> Failure {
+        Failure { message: error.to_string(), ..Failure::default() }
+    }
+}
+
+impl From<SkateError> for Failure {
+    fn from(error: SkateError) -> Failure {
         Failure { message: error.to_string(), ..Failure::default() }
     }
 }

@@ -114,6 +114,25 @@ fn labels_come_back_from_an_archive() {
 }
 
 #[wasm_bindgen_test]
+fn planted_feet_are_held_still() {
+    let clip = walk();
+    let found = clip.detect(options("robust")).unwrap();
+    let slides: Vec<f64> =
+        clip.skate(&found).unwrap().iter().map(|slide| slide.to_rust().unwrap().farthest).collect();
+    assert_eq!(slides.len(), 5);
+    let cleaned = clip.clean(&found).unwrap();
+    for (plant, before) in cleaned.plants().unwrap().iter().zip(slides) {
+        let plant = plant.to_rust().unwrap();
+        assert_eq!((plant.before, plant.why_not), (before, None));
+        assert!(plant.after < 1e-3, "{}", plant.after);
+    }
+    assert_eq!(cleaned.positions().len(), clip.positions().len());
+    let read = bvh::parse(cleaned.bvh().as_bytes(), bvh::Options::default()).unwrap().clip;
+    assert_eq!(read.frame_count(), 245);
+    assert!(cleaned.notices().unwrap().is_empty());
+}
+
+#[wasm_bindgen_test]
 fn a_walk_has_a_gait() {
     let clip = walk();
     let found = clip.detect(options("robust")).unwrap();
