@@ -3,6 +3,7 @@ import { clip, openClip, overrides, source } from "../app/state";
 import { bytes, count, hertz, span } from "../lib/time";
 import type { Clip, Overrides, Up } from "../worker/types";
 import { GaitFacts } from "./GaitFacts";
+import { SkateFacts } from "./SkateFacts";
 
 const ups: readonly Up[] = ["y", "z", "x", "-y", "-z", "-x"];
 const footRole = /^(hips|(left|right)_(thigh|shank|ankle|toe|tip))$/;
@@ -16,6 +17,7 @@ export function ClipPanel() {
         <h2>Clip</h2>
         <Facts clip={held} />
       </div>
+      <SkateFacts />
       <GaitFacts />
       <div class="field">
         <h2>Read it as</h2>

@@ -1,5 +1,6 @@
 import { effect, signal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { cleaned, shown } from "../app/fix";
 import { prefersStill } from "../app/playback";
 import {
   type CameraView,
@@ -18,6 +19,7 @@ import {
 } from "../app/state";
 import { theme } from "../app/theme";
 import { gridStep, sizeOf } from "../lib/travel";
+import type { Clip } from "../worker/types";
 import { Pills } from "./Pills";
 import type { Stage } from "./stage";
 
@@ -120,22 +122,22 @@ function direct(host: HTMLElement): () => void {
 }
 
 function connect(stage: Stage): (() => void)[] {
-  let shown: unknown;
+  let before: unknown;
   let up: unknown;
   return [
     effect(() => {
       void theme.value;
-      const reframe = shown !== source.value || up !== clip.value?.up;
-      shown = source.value;
+      const reframe = before !== source.value || up !== clip.value?.up;
+      before = source.value;
       up = clip.value?.up;
-      stage.load(clip.value, reframe);
+      const held = clip.value;
+      const after = cleaned.value && { ...held, positions: cleaned.value.positions };
+      stage.load(after && shown.value !== "before" ? (after as Clip) : held, reframe);
+      if (shown.value === "both") stage.haunt(held);
+      stage.label(detection.peek(), plants.peek());
       if (reframe) cameraView.value = "perspective";
     }),
-    effect(() => {
-      void theme.value;
-      void clip.value;
-      stage.label(detection.value, plants.value);
-    }),
+    effect(() => stage.label(detection.value, plants.value)),
     effect(() => stage.seek(playhead.value)),
     effect(() => stage.setFollow(follow.value || hero.value)),
     effect(() => stage.setAside(hero.value)),

@@ -82,7 +82,8 @@ export class Bones {
   private readonly rest = new Vector3();
   private readonly along = new Vector3();
 
-  constructor(clip: Clip, size: number, palette: Palette) {
+  /** A ghost is seen through. */
+  constructor(clip: Clip, size: number, palette: Palette, isGhost = false) {
     this.palette = palette;
     this.pose = new Float32Array(clip.joints.length * 3);
     this.lit = litBones(clip);
@@ -105,7 +106,11 @@ export class Bones {
       this.radius[parent] = Math.max(this.radius[parent] ?? 0, 0.62 * width);
       this.radius[joint] = Math.max(this.radius[joint] ?? 0, 0.46 * width);
     });
-    const skin = { roughness: 0.62, metalness: 0.05 };
+    const skin = {
+      roughness: 0.62,
+      metalness: 0.05,
+      ...(isGhost && { transparent: true, opacity: 0.28, depthWrite: false }),
+    };
     this.bones = new InstancedMesh(
       boneGeometry(),
       glowing(new MeshStandardMaterial({ ...skin, flatShading: true })),

@@ -28,6 +28,12 @@ interface Cast {
   rings: Rings;
 }
 
+/** The same clip as it was before, seen through. */
+interface Ghost {
+  clip: Clip;
+  bones: Bones;
+}
+
 /** The labels of that clip, and the prints of the plants near the moment. */
 interface Labels {
   detection: Detection;
@@ -47,6 +53,7 @@ export class Stage {
   private readonly observer: ResizeObserver;
   private cast: Cast | null = null;
   private labels: Labels | null = null;
+  private ghost: Ghost | null = null;
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
   private moment = 0;
@@ -99,6 +106,7 @@ export class Stage {
   /** Shows another clip; `reframe` also brings the camera to it. */
   load(clip: Clip | null, reframe: boolean) {
     this.label(null, []);
+    this.haunt(null);
     const before = this.cast;
     this.cast = clip && this.castOf(clip);
     this.strike(before);
@@ -131,6 +139,21 @@ export class Stage {
     this.scene.background = palette.ground;
     this.scene.add(cast.floor.mesh, cast.shadow.mesh, cast.rings.mesh, bones.group);
     return cast;
+  }
+
+  /** Shows the clip on stage once more, as it was before; `null` shows none. */
+  haunt(clip: Clip | null) {
+    if (this.ghost) {
+      this.scene.remove(this.ghost.bones.group);
+      this.retired.push(this.ghost.bones);
+    }
+    this.ghost = null;
+    if (clip && this.cast) {
+      const bones = new Bones(clip, this.cast.size, readPalette(this.host), true);
+      this.ghost = { clip, bones };
+      this.scene.add(bones.group);
+    }
+    this.invalidate();
   }
 
   /** Shows the labels of the clip on stage. */
@@ -249,11 +272,10 @@ export class Stage {
       this.camera.travel(x, z, this.follow);
       this.camera.controls.update(0);
       cast.floor.moveTo(x, z);
-      bones.show(
-        clip,
-        Math.min(this.moment, Math.max(clip.frames - 1, 0)),
-        labels?.detection.floor ?? cast.lowest,
-      );
+      const moment = Math.min(this.moment, Math.max(clip.frames - 1, 0));
+      const floor = labels?.detection.floor ?? cast.lowest;
+      bones.show(clip, moment, floor);
+      this.ghost?.bones.show(this.ghost.clip, moment, floor);
       shares.fill(0);
       if (labels) this.measureLight(labels.detection, swell * clip.rate);
       bones.light(shares);
@@ -295,6 +317,8 @@ export class Stage {
     cancelAnimationFrame(this.due);
     this.observer.disconnect();
     this.label(null, []);
+    cancelAnimationFrame(this.due);
+    this.haunt(null);
     cancelAnimationFrame(this.due);
     this.strike(this.cast);
     for (const part of this.retired) part.dispose();

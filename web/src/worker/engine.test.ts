@@ -51,6 +51,9 @@ function worker(said: string[]) {
       return { ok: true, other: {} as Labelling };
     },
     gait: async () => undefined,
+    skate: async () => [],
+    clean: async () => ({ positions: new Float32Array(), plants: [], notices: [] }),
+    saveCleaned: async () => "",
     score: async () => [],
     scoreSegments: async () => [],
     async saveSegments() {

@@ -3,9 +3,16 @@
  * times are seconds; frames count from 0.
  */
 
-import type { ClipFacts, DetectOptions, SegmentFacts, SegmentOptions } from "../wasm/plantigrade";
+import type {
+  CleanedPlantFacts,
+  ClipFacts,
+  DetectOptions,
+  SegmentFacts,
+  SegmentOptions,
+} from "../wasm/plantigrade";
 
 export type {
+  CleanedPlantFacts as CleanedPlant,
   CutScore,
   DetectOptions,
   DisagreementFacts as Disagreement,
@@ -20,6 +27,7 @@ export type {
   SegmentFacts as Segment,
   SegmentMethodFacts as SegmentMethod,
   SegmentOptions,
+  SlideFacts as Slide,
 } from "../wasm/plantigrade";
 
 /** A signed axis of the file that points up. */
@@ -112,6 +120,15 @@ export interface Labelling {
 export interface Segments {
   name: string;
   segments: readonly SegmentFacts[];
+}
+
+/** The clip with its planted feet held still. */
+export interface Cleaned {
+  /** As those of the clip. */
+  positions: Float32Array;
+  /** What became of every plant: the left foot's, then the right's. */
+  plants: readonly CleanedPlantFacts[];
+  notices: NoticeList;
 }
 
 type NoticeList = ClipFacts["notices"];

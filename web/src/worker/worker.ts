@@ -4,6 +4,7 @@ import * as Comlink from "comlink";
 import {
   hasSegments,
   methods,
+  type RawCleaned,
   type RawClip,
   type RawDetection,
   RawLabelling,
@@ -14,6 +15,7 @@ import {
 import { Packing } from "./packing";
 import { read, ready, refusals, seldom, sha256, start } from "./reading";
 import type {
+  Cleaned,
   Clip,
   CutScore,
   Detection,
@@ -34,6 +36,7 @@ import type {
   SegmentOptions,
   Segments,
   Side,
+  Slide,
   Track,
   Tracks,
 } from "./types";
@@ -66,6 +69,7 @@ interface Held {
   edits: Edit[];
   hash?: Promise<string | undefined>;
   detection?: RawDetection;
+  cleaned?: RawCleaned;
   segmentation?: RawSegmentation;
   other?: RawLabelling;
   otherSegments?: RawSegments;
@@ -106,6 +110,7 @@ const api = {
     detected.value.edit(here.edits);
     here.detection?.free();
     here.detection = detected.value;
+    dropCleaned(here);
     const detection = copy(detected.value, options);
     return Comlink.transfer({ ok: true, detection }, buffers(detection.parts));
   },
@@ -117,6 +122,7 @@ const api = {
     const { detection } = here;
     if (!detection) return {};
     detection.edit(edits);
+    dropCleaned(here);
     const names = detection.parts() as Part[];
     const sides = (part: Part) => ({
       left: labels(detection, part, "left"),
@@ -186,6 +192,32 @@ const api = {
     return detection && clip.gait(detection);
   },
 
+  /** How far every plant slides: the left foot's, then the right's. */
+  async skate(): Promise<Slide[]> {
+    const { clip, detection } = current();
+    return detection ? clip.skate(detection) : [];
+  },
+
+  /** Holds the planted feet still; what comes of it can be saved until the labels change. */
+  async clean(): Promise<Cleaned> {
+    const here = current();
+    if (!here.detection) throw new Error("There are no labels to clean by.");
+    dropCleaned(here);
+    const cleaned = here.clip.clean(here.detection);
+    here.cleaned = cleaned;
+    const positions = cleaned.positions() as Float32Array<ArrayBuffer>;
+    const facts = { positions, plants: cleaned.plants(), notices: cleaned.notices() };
+    return Comlink.transfer(facts, [positions.buffer]);
+  },
+
+  /** The clip as it was cleaned last, as a BVH file. */
+  async saveCleaned(): Promise<string> {
+    const here = current();
+    if (!here.detection) throw new Error("There are no labels to clean by.");
+    here.cleaned ??= here.clip.clean(here.detection);
+    return here.cleaned.bvh();
+  },
+
   /** How well the last detection agrees with the labels of someone else, part by part. */
   async score(): Promise<Score[]> {
     const { clip, detection, other } = current();
@@ -239,8 +271,15 @@ function current() {
   return held;
 }
 
+/** Labels have changed: what was cleaned by others is no longer asked for. */
+function dropCleaned(here: Held) {
+  here.cleaned?.free();
+  delete here.cleaned;
+}
+
 function release() {
   held?.detection?.free();
+  held?.cleaned?.free();
   held?.segmentation?.free();
   held?.other?.free();
   held?.otherSegments?.free();

@@ -158,6 +158,15 @@ export function createEngine(): Engine {
     async gait() {
       return undefined;
     },
+    async skate() {
+      return [];
+    },
+    async clean() {
+      return { positions: clip?.positions ?? new Float32Array(), plants: [], notices: [] };
+    },
+    async saveCleaned() {
+      return "HIERARCHY";
+    },
     async score() {
       if (!other) return [];
       const run = { side: "left", part: "toe", kind: "missed" } as const;

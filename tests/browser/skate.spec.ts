@@ -1,0 +1,59 @@
+/** Foot skate: measured, removed, seen and saved. */
+
+import { expect, test } from "./app";
+import { file } from "./clips";
+
+test("slides are measured, feet are held still, and the clean clip is saved", async ({
+  app,
+  page,
+}) => {
+  await app.sample("limp-to-run");
+  await app.tab("Clip");
+  const table = app.panel.getByRole("table", { name: "Foot skate" });
+  const slide = async (name: string) => {
+    const cells = await table.getByRole("row", { name }).getByRole("cell").allInnerTexts();
+    return cells.map(Number.parseFloat);
+  };
+  const [mean = 0, worst = 0] = await slide("Now");
+  expect(mean).toBeGreaterThan(0.2);
+  expect(worst).toBeGreaterThan(mean);
+  await app.panel.getByRole("button", { name: "Hold planted feet still" }).click();
+  await expect(table.getByRole("row", { name: "Cleaned" })).toHaveText(/0\.0 cm\s*0\.0 cm/);
+  await expect(app.panel.getByRole("button", { name: "Both" })).toHaveAttribute(
+    "aria-pressed",
+    "true",
+  );
+  const both = await app.stage.screenshot();
+  await app.panel.getByRole("button", { name: "After" }).click();
+  await page.waitForTimeout(300);
+  expect(both.equals(await app.stage.screenshot())).toBe(false);
+  const saved = await app.download(() =>
+    app.panel.getByRole("button", { name: /^Save the cleaned clip/ }).click(),
+  );
+  expect(saved.name).toBe("limp-to-run.clean.bvh");
+  const labels = await app.save("Labels");
+  // What was saved is a clip whose feet stand where they were labelled.
+  await app.drop(file(saved.name, saved.text));
+  await app.opened("limp-to-run.clean.bvh");
+  await app.drop(file(labels.name, labels.text));
+  await app.panel.getByRole("button", { name: "Make these labels mine" }).click();
+  await app.tab("Clip");
+  // The place of the heel is found anew from the clip: a millimetre of difference is its.
+  await expect.poll(async () => (await slide("Now"))[0]).toBeLessThan(mean / 8);
+});
+
+test("the worst slide is a click away, and other labels make another clip", async ({
+  app,
+  page,
+}) => {
+  await app.sample("curved-walk");
+  await app.tab("Clip");
+  await app.panel.getByRole("button", { name: "Hold planted feet still" }).click();
+  await expect(app.panel.getByRole("button", { name: "After" })).toBeVisible();
+  await page.keyboard.press("End");
+  await app.panel.getByRole("button", { name: /^\d.* cm$/ }).click();
+  expect(await app.frame()).toBeLessThan(244);
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await expect(app.panel.getByRole("button", { name: "Hold planted feet still" })).toBeVisible();
+});
