@@ -22,7 +22,9 @@ export function FailureCard() {
   return (
     <div class="failure" role="alert">
       <div class="failure-head">
-        <h2>{held.name} could not be opened</h2>
+        <h2>
+          {held.name} could not be {held.what ?? "opened"}
+        </h2>
         <button
           type="button"
           class="button plain icon-only"
@@ -35,7 +37,7 @@ export function FailureCard() {
         </button>
       </div>
       <Reason of={held} />
-      {openClip.value && <p class="quiet">{openClip.value.name} is still open.</p>}
+      {openClip.value && !held.what && <p class="quiet">{openClip.value.name} is still open.</p>}
       <p class="failure-foot">
         <button type="button" class="button" onClick={copy}>
           {copied.value === report ? "Copied" : "Copy report"}

@@ -4,7 +4,7 @@ import type { DetectOptions, Overrides } from "../worker/types";
 import { rescore } from "./compare";
 import { follow } from "./edit";
 import { engine } from "./engine";
-import { messageOf } from "./failing";
+import { failTo, messageOf } from "./failing";
 import { segmentNow, stopSegmenting } from "./segment";
 import {
   clip,
@@ -67,11 +67,12 @@ const overrideLatest = latest(async (asked: Overrides) => {
     const opened = await engine.override(asked);
     if (source.value !== about) return;
     if (opened.ok) clip.value = opened.clip;
-    else failure.value = { name: about?.name ?? "", failure: opened.failure };
+    else
+      failure.value = { name: about?.name ?? "", what: "read that way", failure: opened.failure };
     await detectNow();
     if (source.value === about) await segmentNow();
   } catch (error) {
-    failure.value = { name: about?.name ?? "", failure: { message: messageOf(error) } };
+    failTo("read that way", about?.name ?? "", error);
   }
 });
 

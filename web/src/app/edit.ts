@@ -19,7 +19,7 @@ import type { EditedParts } from "../worker";
 import type { Detection, Edit, Part, Side, Track } from "../worker/types";
 import { rescore } from "./compare";
 import { engine } from "./engine";
-import { fail, messageOf } from "./failing";
+import { failTo } from "./failing";
 import { pause, seek } from "./playback";
 import {
   announcement,
@@ -133,7 +133,7 @@ async function show(): Promise<void> {
     });
     await rescore();
   } catch (error) {
-    if (source.value === about) fail(about?.name ?? "", { message: messageOf(error) });
+    if (source.value === about) failTo("edited", about?.name ?? "", error);
   }
 }
 

@@ -4,7 +4,7 @@ import { batch, effect, signal } from "@preact/signals";
 import { stemOf } from "../lib/names";
 import type { Cleaned } from "../worker/types";
 import { engine } from "./engine";
-import { fail, messageOf } from "./failing";
+import { failTo } from "./failing";
 import { handOver } from "./handOver";
 import { announcement, clip, detection, overrides } from "./state";
 
@@ -40,7 +40,7 @@ export async function clean(): Promise<void> {
       announcement.value = "Cleaned: the view shows the clip before as a ghost";
     });
   } catch (error) {
-    if (detection.value === labels) fail(about.name, { message: messageOf(error) });
+    if (detection.value === labels) failTo("cleaned", about.name, error);
   } finally {
     cleaning.value = false;
   }

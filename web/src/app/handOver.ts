@@ -1,6 +1,6 @@
 import { Cancelled } from "../worker";
-import { messageOf } from "./failing";
-import { announcement, failure } from "./state";
+import { failTo } from "./failing";
+import { announcement } from "./state";
 
 /** Hands what is made to the browser as a download. */
 export async function handOver(file: string, make: () => Promise<Blob>): Promise<void> {
@@ -15,6 +15,6 @@ export async function handOver(file: string, make: () => Promise<Blob>): Promise
   } catch (error) {
     if (error instanceof Cancelled || (error instanceof Error && error.name === "AbortError"))
       return;
-    failure.value = { name: file, failure: { message: messageOf(error) } };
+    failTo("saved", file, error);
   }
 }

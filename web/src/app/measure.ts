@@ -1,8 +1,10 @@
 /** What is measured of the clip by its labels, once somebody looks. */
 
 import { batch, effect, signal } from "@preact/signals";
+import { Cancelled } from "../worker";
 import type { Gait, Slide } from "../worker/types";
 import { engine } from "./engine";
+import { failTo } from "./failing";
 import { detection, openClip, tab } from "./state";
 
 /** How far every plant slides; empty until it is known. */
@@ -22,12 +24,15 @@ effect(() => {
 });
 
 async function measure(labels: typeof detection.value) {
-  const measured = await Promise.all([
-    engine.gait().catch(() => undefined),
-    engine.skate().catch(() => []),
-  ]);
-  if (detection.value !== labels) return;
-  batch(() => {
-    [gait.value, slides.value] = measured;
-  });
+  try {
+    const measured = await Promise.all([engine.gait(), engine.skate()]);
+    if (detection.value !== labels) return;
+    batch(() => {
+      [gait.value, slides.value] = measured;
+    });
+  } catch (error) {
+    if (detection.value === labels && !(error instanceof Cancelled)) {
+      failTo("measured", openClip.value?.name ?? "", error);
+    }
+  }
 }

@@ -32,6 +32,8 @@ export interface Source {
 /** A file that could not be opened, and why. */
 export interface Refusal {
   name: string;
+  /** What could not be done with it; opened, if that is not said. */
+  what?: string;
   failure: Failure;
   /** The file, where its bytes are at hand: it may be tried again in another way. */
   source?: Source;

@@ -2,6 +2,7 @@
 
 import type { Survey } from "../worker";
 import type { Failure } from "../worker/types";
+import { centimetres } from "./slides";
 import { count, hertz, span } from "./time";
 
 export interface TableRow {
@@ -79,6 +80,14 @@ export const columns: readonly Column[] = [
       about: "Steps per minute",
     },
   ),
+  found("mean_slide_m", "Skate", ({ skate }) => skate?.mean, centimetres, {
+    about: "How far planted feet slide on the mean",
+    minor: true,
+  }),
+  found("worst_slide_m", "Worst", ({ skate }) => skate?.worst, centimetres, {
+    about: "How far a planted foot slides at most",
+    minor: true,
+  }),
   found("segments", "Segments", ({ segments }) => segments, count, { minor: true }),
   found(
     "took_ms",

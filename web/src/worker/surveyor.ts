@@ -3,6 +3,7 @@
 import * as Comlink from "comlink";
 import { labelEndings, segmentEndings } from "../lib/endings";
 import { actionsOf, type Named, titleOf } from "../lib/segments";
+import { summary } from "../lib/slides";
 import type { RawClip, RawDetection } from "../wasm/plantigrade";
 import { read, ready, refusals, seldom, sha256, start } from "./reading";
 import type {
@@ -36,6 +37,8 @@ export interface Survey {
   segments?: number;
   /** Steps per minute; absent where nobody walks or runs. */
   cadence?: number;
+  /** Mean and greatest slide of a plant, in metres; absent without plants. */
+  skate?: { mean: number; worst: number };
   /** Why plants or segments are missing. */
   missing: string[];
   /** Whether a person has edited its labels. */
@@ -125,6 +128,8 @@ async function label(task: Task): Promise<{ survey: Omit<Survey, "took">; docume
     Object.assign(survey, factsOf(value, frames));
     const { cadence } = clip.gait(value);
     if (cadence !== undefined) survey.cadence = cadence;
+    const skate = summary(clip.skate(value).map(({ farthest }) => farthest));
+    if (skate) survey.skate = skate;
     survey.notices += value.notices().length;
     for (const format of orders.formats) {
       const data = clip.save(value, format, name, hash);
