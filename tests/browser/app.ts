@@ -243,7 +243,14 @@ export class App {
   }
 }
 
-export const test = base.extend<{ app: App }, { site: Site }>({
+interface Given {
+  app: App;
+  /** The person has not seen the page before: there is a tour. */
+  isNew: boolean;
+}
+
+export const test = base.extend<Given, { site: Site }>({
+  isNew: [false, { option: true }],
   site: [
     // biome-ignore lint/correctness/noEmptyPattern: a fixture names what it needs by a pattern
     async ({}, use) => {
@@ -253,7 +260,16 @@ export const test = base.extend<{ app: App }, { site: Site }>({
     },
     { scope: "worker" },
   ],
-  app: async ({ page, site }, use) => {
+  app: async ({ page, site, isNew }, use) => {
+    if (!isNew) {
+      await page.addInitScript(() => {
+        try {
+          localStorage.setItem("plantigrade:tour", "done");
+        } catch {
+          // A page without an address keeps nothing.
+        }
+      });
+    }
     const app = new App(page, site);
     await use(app);
     expect(app.complaints(), "The browser has nothing to complain of").toEqual([]);

@@ -11,6 +11,7 @@ import "./styles/timeline.css";
 import "./styles/panel.css";
 import "./styles/batch.css";
 import "./styles/edit.css";
+import "./styles/tour.css";
 import "./styles/score.css";
 import "./styles/segment.css";
 

@@ -14,6 +14,7 @@ import { onKey } from "./keys";
 import { openFiles, openFromAddress } from "./open";
 import { Progress } from "./Progress";
 import { announcement, dragging, openClip, phase } from "./state";
+import { hinted, Tour } from "./Tour";
 
 export function App() {
   const picker = useRef<HTMLInputElement>(null);
@@ -33,7 +34,12 @@ export function App() {
     document.title = held ? `${held.name} – Plantigrade` : "Plantigrade";
   }, [held]);
   return (
-    <div class="shell" data-state={phase.value} data-clip={held ? "open" : "none"}>
+    <div
+      class="shell"
+      data-state={phase.value}
+      data-clip={held ? "open" : "none"}
+      data-hint={hinted()}
+    >
       <Head pick={pick} />
       <main>
         <Viewer />
@@ -63,6 +69,7 @@ export function App() {
           }
         />
       )}
+      <Tour />
       {tableShown.value && <Batch />}
       <Dialogs />
       <p class="hidden" role="status">

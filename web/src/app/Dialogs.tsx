@@ -4,6 +4,7 @@ import { place } from "../lib/report";
 import { Icon } from "./icons";
 import { keyTable } from "./keys";
 import { clip, dialog, notices } from "./state";
+import { startTour } from "./Tour";
 
 export function Dialogs() {
   if (dialog.value === "keys") return <KeysDialog />;
@@ -72,8 +73,18 @@ function KeysDialog() {
       </div>
       <p class="note">
         On the timeline: wheel zooms, Shift and wheel or a middle drag pans, a click on a bar goes
-        to its start, a double click on a segment names it.
+        to its start, a drag of its end moves it, a double click on a segment names it.
       </p>
+      <button
+        type="button"
+        class="button"
+        onClick={() => {
+          dialog.value = null;
+          startTour();
+        }}
+      >
+        Show the tour
+      </button>
     </Dialog>
   );
 }
