@@ -29,6 +29,13 @@ export interface Source {
   truth?: string;
 }
 
+/** Another clip that stands beside the one on show. */
+export interface Beside {
+  source: Source;
+  clip: Clip;
+  detection: Detection | null;
+}
+
 /** A file that could not be opened, and why. */
 export interface Refusal {
   name: string;
@@ -74,6 +81,9 @@ export const detection = signal<Detection | null>(null);
 
 /** Why there are no labels, when the detector could not find any. */
 export const detectFailure = signal<Failure | null>(null);
+
+/** Other clips beside the one on show, in the order in which they came. */
+export const besides = signal<readonly Beside[]>([]);
 
 /** What a person corrected in the labels, in order. */
 export const edits = signal<readonly Edit[]>([]);

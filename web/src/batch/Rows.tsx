@@ -1,6 +1,7 @@
 import { useRef } from "preact/hooks";
 import { openRow, type Row } from "../app/batch";
-import { source } from "../app/state";
+import { mostBesides, putBeside, takeAway } from "../app/beside";
+import { besides, openClip, source } from "../app/state";
 import { sentence } from "../lib/report";
 import { columns } from "../lib/table";
 import { useSight } from "../lib/useSight";
@@ -45,6 +46,7 @@ function Cells({ row }: { row: Row }) {
           {name?.text(row)}
         </button>
         {row.survey?.edited && <span class="quiet"> edited</span>}
+        {row.survey && openClip.value && row.source !== source.value && <BesideButton row={row} />}
       </th>
       {row.survey ? (
         others.map((column) => (
@@ -67,5 +69,29 @@ function Cells({ row }: { row: Row }) {
         </>
       )}
     </>
+  );
+}
+
+/** Puts a clip at the side of the one that is open, or takes it away. */
+function BesideButton({ row: { source } }: { row: Row }) {
+  const isBeside = besides.value.some((other) => other.source === source);
+  return (
+    <button
+      type="button"
+      class="beside"
+      aria-label={`${source.name} beside ${openClip.value?.name}`}
+      aria-pressed={isBeside}
+      disabled={!isBeside && besides.value.length >= mostBesides}
+      title={
+        isBeside
+          ? "Take it away"
+          : besides.value.length < mostBesides
+            ? `Put it beside ${openClip.value?.name}`
+            : `No more than ${mostBesides} stand beside it`
+      }
+      onClick={() => (isBeside ? takeAway(source) : putBeside(source))}
+    >
+      Beside
+    </button>
   );
 }

@@ -2,6 +2,7 @@ import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import {
   actions,
+  besides,
   chosen,
   clip,
   detectFailure,
@@ -43,6 +44,7 @@ export function Timeline() {
       other: other.value,
       segmentation: segmentation.value,
       otherSegments: otherSegments.value,
+      besides: openClip.value ? besides.value : [],
     };
     return layOut(shown, box.value.width, box.value.height);
   });

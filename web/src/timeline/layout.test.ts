@@ -14,7 +14,13 @@ const robust: Detection = {
   floor: 0,
   notices: [],
 };
-const nothing: Shown = { detection: null, other: null, segmentation: null, otherSegments: null };
+const nothing: Shown = {
+  detection: null,
+  other: null,
+  segmentation: null,
+  otherSegments: null,
+  besides: [],
+};
 const kinds = (detection: Detection | null, width: number, room: number) =>
   layOut({ ...nothing, detection }, width, room).lanes.map((lane) => lane.kind);
 
@@ -93,7 +99,7 @@ describe("segments", () => {
     notices: [],
   };
   const otherSegments = { name: "truth", segments: segmentation.segments };
-  const shown: Shown = { detection: robust, other: null, segmentation, otherSegments };
+  const shown: Shown = { detection: robust, other: null, segmentation, otherSegments, besides: [] };
   const below = (what: Shown, width: number, room: number) =>
     layOut(what, width, room)
       .lanes.slice(6)
@@ -103,12 +109,12 @@ describe("segments", () => {
     const all = ["height", "speed", "segments", "motifs", "others", "why"];
     expect(below(shown, 1440, 400)).toEqual(all);
     const plain = { ...segmentation, motifs: new Uint32Array(0) };
-    const alone = { ...shown, segmentation: plain, otherSegments: null };
+    const alone = { ...shown, segmentation: plain, otherSegments: null, besides: [] };
     expect(below(alone, 1440, 351)).toEqual(["height", "speed", "segments", "why"]);
   });
 
   it("give up curves before they overflow", () => {
-    const single = { ...shown, otherSegments: null };
+    const single = { ...shown, otherSegments: null, besides: [] };
     for (const [width, room] of [
       [1440, 300],
       [1440, 270],

@@ -1,3 +1,4 @@
+import type { Beside } from "../app/state";
 import { principalPart } from "../lib/plants";
 import type {
   Detection,
@@ -29,6 +30,14 @@ export interface OtherBars {
   height: number;
 }
 
+/** The plants of another clip beside ours. */
+export interface BesideBars {
+  kind: "beside";
+  beside: Beside;
+  y: number;
+  height: number;
+}
+
 /** A curve of both feet. */
 export interface Curves {
   kind: "height" | "speed";
@@ -46,7 +55,7 @@ export interface SegmentLane {
   height: number;
 }
 
-export type Lane = Bars | OtherBars | Curves | SegmentLane;
+export type Lane = Bars | OtherBars | BesideBars | Curves | SegmentLane;
 
 export const isBars = (lane: Lane): lane is Bars => "track" in lane;
 export const isCurves = (lane: Lane): lane is Curves => "part" in lane;
@@ -57,6 +66,8 @@ export interface Shown {
   other: Labelling | null;
   segmentation: Segmentation | null;
   otherSegments: Segments | null;
+  /** Other clips side by side. */
+  besides: readonly Beside[];
 }
 
 export interface Layout {
@@ -69,6 +80,9 @@ export interface Layout {
   height: number;
 }
 
+/** A lane before it has its place. */
+type Placeless<T> = T extends unknown ? Omit<T, "y"> : never;
+
 /** Sizes of a wide page, of a phone, where tracks grow to be touched, and of a short phone. */
 const wide = {
   labels: 118,
@@ -76,6 +90,7 @@ const wide = {
   contact: 12,
   bar: 16,
   other: 8,
+  beside: 16,
   segments: 20,
   motifs: 13,
   others: 14,
@@ -90,6 +105,7 @@ const narrow: Sizes = {
   contact: 16,
   bar: 28,
   other: 10,
+  beside: 12,
   segments: 28,
   motifs: 14,
   others: 16,
@@ -112,7 +128,7 @@ const order = ["contact", "heel", "toe"] as const;
 
 /**
  * The lanes from top to bottom: per foot contact, heel and toe, whichever the method
- * knows, each with someone else's below it; curves of the feet; the segments with their
+ * knows, each with someone else's below it; clips beside; curves of the feet; the segments with their
  * motifs, someone else's and the method's curve. Curves share what room is left.
  */
 export function layOut(shown: Shown, width: number, room: number): Layout {
@@ -125,7 +141,7 @@ export function layOut(shown: Shown, width: number, room: number): Layout {
   const compared = detection && other ? comparedParts(ours, other, size, room - least) : [];
   const lanes: Lane[] = [];
   let y = size.ruler + 6;
-  const add = (lane: Omit<Bars, "y"> | Omit<OtherBars, "y"> | Omit<SegmentLane, "y">) => {
+  const add = (lane: Placeless<Exclude<Lane, Curves>>) => {
     lanes.push({ ...lane, y });
     y += lane.height + size.gap;
   };
@@ -141,6 +157,8 @@ export function layOut(shown: Shown, width: number, room: number): Layout {
     }
     if (lanes.length > before) y += size.group - size.gap;
   }
+  for (const beside of shown.besides) add({ kind: "beside", beside, height: size.beside });
+  if (shown.besides.length) y += size.group - size.gap;
   const part = ours.toe ? "toe" : principalPart(ours);
   const tracks = part && ours[part];
   const left = room - y - least - 2;

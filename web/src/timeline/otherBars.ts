@@ -56,7 +56,7 @@ export function nameOther(
   left: number,
   right: number,
 ) {
-  const shown = fitted(pen, ink, name.replace(/\.(json|csv)$/i, ""), right - left, 10);
+  const shown = fitted(pen, ink, name.replace(/\.(json|csv|bvh)$/i, ""), right - left, 10);
   pen.fillStyle = ink.muted;
   pen.fillText(shown, left, y + height / 2 + 0.5);
 }

@@ -1,6 +1,7 @@
 import { eachInSight } from "../lib/crowd";
 import { toX } from "../lib/timeView";
 import { bar, bracket, crowd, paintBars } from "./bars";
+import { paintBeside } from "./besideBars";
 import { curveText, paintCurves, scaleText } from "./curves";
 import type { Ink } from "./ink";
 import { type Bars, isBars, isCurves, type Lane } from "./layout";
@@ -36,6 +37,7 @@ export function paint(pen: CanvasRenderingContext2D, scene: Scene) {
     if (isBars(lane)) paintBars(pen, scene, lane, inner);
     else if (isCurves(lane)) paintCurves(pen, scene, lane, inner);
     else if (lane.kind === "other") paintOther(pen, scene, lane, inner);
+    else if (lane.kind === "beside") paintBeside(pen, scene, lane, inner);
     else painters[lane.kind](pen, scene, lane, inner);
   }
   paintMinimap(pen, scene, inner);
@@ -61,6 +63,8 @@ function paintLabel(pen: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
     pen.fillText(scaleText(lane), left, middle + 8);
   } else if (lane.kind === "other") {
     nameOther(pen, ink, lane.name, lane, left + 20, right);
+  } else if (lane.kind === "beside") {
+    nameOther(pen, ink, lane.beside.source.name, lane, left, right);
   } else if (lane.kind === "others") {
     nameOther(pen, ink, scene.otherSegments?.name ?? "", lane, left + 20, right);
   } else if (lane.kind === "why") {

@@ -3,6 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { cleaned, shown } from "../app/fix";
 import { prefersStill } from "../app/playback";
 import {
+  besides,
   type CameraView,
   cameraRequests,
   cameraView,
@@ -20,6 +21,7 @@ import {
 import { theme } from "../app/theme";
 import { gridStep, sizeOf } from "../lib/travel";
 import type { Clip } from "../worker/types";
+import { Companions } from "./Companions";
 import { Pills } from "./Pills";
 import type { Stage } from "./stage";
 
@@ -73,6 +75,7 @@ export function Viewer() {
             </button>
           </div>
           <Pills />
+          <Companions />
           <p class="scale" hidden={trouble.value === "missing"}>
             Grid {gridStep(sizeOf(openClip.value))} m
           </p>
@@ -135,9 +138,11 @@ function connect(stage: Stage): (() => void)[] {
       stage.load(after && shown.value !== "before" ? (after as Clip) : held, reframe);
       if (shown.value === "both") stage.haunt(held);
       stage.label(detection.peek(), plants.peek());
+      stage.accompany(openClip.value ? besides.peek() : []);
       if (reframe) cameraView.value = "perspective";
     }),
     effect(() => stage.label(detection.value, plants.value)),
+    effect(() => stage.accompany(openClip.value ? besides.value : [])),
     effect(() => stage.seek(playhead.value)),
     effect(() => stage.setFollow(follow.value || hero.value)),
     effect(() => stage.setAside(hero.value)),

@@ -133,8 +133,8 @@ export class Bones {
     clip.joints.forEach((_, j) => void this.joints.setColorAt(j, palette.joint));
   }
 
-  /** Puts the bones where a moment between two frames has them. */
-  show(clip: Clip, moment: number, floor: number) {
+  /** Puts the bones where a moment between two frames has them, or aside of there. */
+  show(clip: Clip, moment: number, floor: number, aside = { x: 0, z: 0 }) {
     const { pose } = this;
     const last = Math.max(clip.frames - 1, 0);
     const frame = Math.min(Math.floor(moment), last);
@@ -146,7 +146,11 @@ export class Bones {
       const a = source[from + i] as number;
       pose[i] = a + ((source[to + i] as number) - a) * share;
     }
-    for (let i = 1; i < pose.length; i += 3) pose[i] = (pose[i] as number) - floor;
+    for (let i = 0; i < pose.length; i += 3) {
+      pose[i] = (pose[i] as number) + aside.x;
+      pose[i + 1] = (pose[i + 1] as number) - floor;
+      pose[i + 2] = (pose[i + 2] as number) + aside.z;
+    }
     this.placeBones();
     this.placeJoints();
   }

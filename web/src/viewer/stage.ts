@@ -1,19 +1,18 @@
 import { DirectionalLight, HemisphereLight, Scene, Vector2, WebGLRenderer } from "three";
-import type { CameraView } from "../app/state";
-import { footWithSole, type Near, plantsNear } from "../lib/footprints";
-import { type Plant, plantedness } from "../lib/plants";
+import type { Beside, CameraView } from "../app/state";
+import { type Near, plantsNear } from "../lib/footprints";
+import type { Plant } from "../lib/plants";
 import { extentOf, facingOf, reachOf, sizeOf, travelOf } from "../lib/travel";
 import type { Clip, Detection } from "../worker/types";
 import { Bones } from "./bones";
 import { Camera } from "./camera";
+import { Figure } from "./figure";
 import { Floor } from "./floor";
-import { readPalette } from "./palette";
+import { type Palette, readPalette } from "./palette";
 import { Prints } from "./prints";
-import { Rings } from "./rings";
-import { Shadow } from "./shadow";
 
-/** Seconds before and after an edge within which a foot's light swells or fades. */
-const swell = 0.045;
+/** How far apart characters stand side by side, in heights. */
+const apart = 0.75;
 
 /** Everything drawn for one clip. */
 interface Cast {
@@ -23,9 +22,14 @@ interface Cast {
   lowest: number;
   path: Float32Array;
   floor: Floor;
-  bones: Bones;
-  shadow: Shadow;
-  rings: Rings;
+  figure: Figure;
+}
+
+/** Another clip beside it. */
+interface Companion {
+  figure: Figure;
+  beside: Beside;
+  lowest: number;
 }
 
 /** The same clip as it was before, seen through. */
@@ -49,11 +53,11 @@ export class Stage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera: Camera;
-  private readonly shares = new Float32Array(5);
   private readonly observer: ResizeObserver;
   private cast: Cast | null = null;
   private labels: Labels | null = null;
   private ghost: Ghost | null = null;
+  private companions: Companion[] = [];
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
   private moment = 0;
@@ -107,6 +111,7 @@ export class Stage {
   load(clip: Clip | null, reframe: boolean) {
     this.label(null, []);
     this.haunt(null);
+    this.accompany([]);
     const before = this.cast;
     this.cast = clip && this.castOf(clip);
     this.strike(before);
@@ -124,21 +129,31 @@ export class Stage {
     const palette = readPalette(this.host);
     const size = sizeOf(clip);
     const hips = clip.roles.hips ?? 0;
-    const feet = [footWithSole(clip, "left"), footWithSole(clip, "right")];
-    const bones = new Bones(clip, size, palette);
     const cast: Cast = {
       clip,
       size,
       lowest: extentOf(clip, 0).low,
       path: travelOf(clip, hips),
       floor: new Floor(palette, size),
-      bones,
-      shadow: new Shadow(bones, size, palette.shadow),
-      rings: new Rings(feet, size, palette),
+      figure: new Figure(clip, size, palette),
     };
     this.scene.background = palette.ground;
-    this.scene.add(cast.floor.mesh, cast.shadow.mesh, cast.rings.mesh, bones.group);
+    this.scene.add(cast.floor.mesh);
+    cast.figure.enter(this.scene);
     return cast;
+  }
+
+  /** Shows other clips at the side of the one on stage; they start where it does, and go their own way. */
+  accompany(others: readonly Beside[]) {
+    for (const { figure } of this.companions) {
+      figure.leave(this.scene);
+      this.retired.push(figure);
+    }
+    const { cast } = this;
+    const palette = readPalette(this.host);
+    this.companions = cast ? others.map((beside, i) => companion(cast, beside, i, palette)) : [];
+    for (const { figure } of this.companions) figure.enter(this.scene);
+    this.invalidate();
   }
 
   /** Shows the clip on stage once more, as it was before; `null` shows none. */
@@ -261,11 +276,11 @@ export class Stage {
   }
 
   private draw() {
-    const { cast, shares } = this;
+    const { cast } = this;
     if (cast) {
       this.renewPrints(cast);
       const { labels } = this;
-      const { clip, bones } = cast;
+      const { clip, figure } = cast;
       this.whereabouts(cast);
       const x = place[0];
       const z = place[1];
@@ -274,43 +289,25 @@ export class Stage {
       cast.floor.moveTo(x, z);
       const moment = Math.min(this.moment, Math.max(clip.frames - 1, 0));
       const floor = labels?.detection.floor ?? cast.lowest;
-      bones.show(clip, moment, floor);
+      figure.show(moment, floor, labels?.detection ?? null);
       this.ghost?.bones.show(this.ghost.clip, moment, floor);
-      shares.fill(0);
-      if (labels) this.measureLight(labels.detection, swell * clip.rate);
-      bones.light(shares);
-      cast.shadow.show(bones);
-      cast.rings.show(
-        bones,
-        Math.max(shares[1] as number, shares[2] as number),
-        Math.max(shares[3] as number, shares[4] as number),
-      );
       const seconds = this.moment / clip.rate;
       labels?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
+      for (const { figure, beside, lowest } of this.companions) {
+        const { detection } = beside;
+        figure.show(seconds * beside.clip.rate, detection?.floor ?? lowest, detection);
+      }
     }
     this.renderer.render(this.scene, this.camera.camera);
     for (const part of this.retired) part.dispose();
     this.retired.length = 0;
   }
 
-  private measureLight({ parts }: Detection, reach: number) {
-    const { shares, moment } = this;
-    const heel = parts.heel ?? parts.contact;
-    const toe = parts.toe ?? parts.contact;
-    if (heel) {
-      shares[1] = plantedness(heel.left.planted, moment, reach);
-      shares[3] = plantedness(heel.right.planted, moment, reach);
-    }
-    if (toe) {
-      shares[2] = plantedness(toe.left.planted, moment, reach);
-      shares[4] = plantedness(toe.right.planted, moment, reach);
-    }
-  }
-
   private strike(cast: Cast | null) {
     if (!cast) return;
-    this.scene.remove(cast.floor.mesh, cast.shadow.mesh, cast.rings.mesh, cast.bones.group);
-    this.retired.push(cast.floor, cast.shadow, cast.rings, cast.bones);
+    this.scene.remove(cast.floor.mesh);
+    cast.figure.leave(this.scene);
+    this.retired.push(cast.floor, cast.figure);
   }
 
   dispose() {
@@ -319,6 +316,7 @@ export class Stage {
     this.label(null, []);
     cancelAnimationFrame(this.due);
     this.haunt(null);
+    this.accompany([]);
     cancelAnimationFrame(this.due);
     this.strike(this.cast);
     for (const part of this.retired) part.dispose();
@@ -326,6 +324,24 @@ export class Stage {
     this.renderer.dispose();
     this.canvas.remove();
   }
+}
+
+/** The next clip to the side: by turns left and right of the one on stage, as it faces at first. */
+function companion(
+  { clip, size, path }: Cast,
+  beside: Beside,
+  i: number,
+  palette: Palette,
+): Companion {
+  const facing = facingOf(clip, 0);
+  const away = apart * size * Math.ceil((i + 1) / 2) * (i % 2 ? -1 : 1);
+  const start = travelOf(beside.clip, beside.clip.roles.hips ?? 0);
+  const aside = {
+    x: (path[0] ?? 0) - (start[0] ?? 0) + away * facing.z,
+    z: (path[1] ?? 0) - (start[1] ?? 0) - away * facing.x,
+  };
+  const figure = new Figure(beside.clip, sizeOf(beside.clip), palette, aside);
+  return { figure, beside, lowest: extentOf(beside.clip, 0).low };
 }
 
 const place: [number, number] = [0, 0];

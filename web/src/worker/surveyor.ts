@@ -5,8 +5,11 @@ import { labelEndings, segmentEndings } from "../lib/endings";
 import { actionsOf, type Named, titleOf } from "../lib/segments";
 import { summary } from "../lib/slides";
 import type { RawClip, RawDetection } from "../wasm/plantigrade";
+import { buffers, copyClip, copyDetection } from "./copies";
 import { read, ready, refusals, seldom, sha256, start } from "./reading";
 import type {
+  Clip,
+  Detection,
   DetectOptions,
   Edit,
   Failure,
@@ -60,9 +63,12 @@ export interface Document {
   data: string | Uint8Array;
 }
 
-export type Surveyed =
-  | { ok: true; survey: Survey; documents: Document[] }
-  | { ok: false; failure: Failure };
+interface Refused {
+  ok: false;
+  failure: Failure;
+}
+
+export type Surveyed = { ok: true; survey: Survey; documents: Document[] } | Refused;
 
 const api = {
   start,
@@ -93,7 +99,31 @@ const api = {
       for (const owner of held) owner.free();
     }
   },
+
+  /** Reads and labels a clip that is to stand beside another; without feet it has no labels. */
+  async figure(
+    file: Blob,
+    name: string,
+    options: DetectOptions,
+    changesOf: (hash: string) => Promise<Changes>,
+  ): Promise<Figured> {
+    await ready;
+    const opened = await refusals(() => read(file, false, () => {}));
+    if (!opened.ok) return opened;
+    const raw = opened.value;
+    const hash = await sha256(file);
+    const changes = hash ? await changesOf(hash) : { edits: [] };
+    const detected = await refusals(() => raw.detect(options));
+    if (detected.ok) detected.value.edit([...changes.edits]);
+    const clip = copyClip(raw, name);
+    const detection = detected.ok ? copyDetection(detected.value, options) : null;
+    if (detected.ok) detected.value.free();
+    raw.free();
+    return Comlink.transfer({ ok: true, clip, detection }, buffers({ clip, detection }));
+  },
 };
+
+export type Figured = { ok: true; clip: Clip; detection: Detection | null } | Refused;
 
 export type SurveyApi = typeof api;
 

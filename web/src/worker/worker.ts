@@ -12,6 +12,7 @@ import {
   RawSegments,
   segmentMethods,
 } from "../wasm/plantigrade";
+import { buffers, copyClip, copyDetection, copyLabels } from "./copies";
 import { Packing } from "./packing";
 import { read, ready, refusals, seldom, sha256, start } from "./reading";
 import type {
@@ -37,8 +38,6 @@ import type {
   Segments,
   Side,
   Slide,
-  Track,
-  Tracks,
 } from "./types";
 
 export type Opened = { ok: true; clip: Clip } | { ok: false; failure: Failure };
@@ -111,7 +110,7 @@ const api = {
     here.detection?.free();
     here.detection = detected.value;
     dropCleaned(here);
-    const detection = copy(detected.value, options);
+    const detection = copyDetection(detected.value, options);
     return Comlink.transfer({ ok: true, detection }, buffers(detection.parts));
   },
 
@@ -125,8 +124,8 @@ const api = {
     dropCleaned(here);
     const names = detection.parts() as Part[];
     const sides = (part: Part) => ({
-      left: labels(detection, part, "left"),
-      right: labels(detection, part, "right"),
+      left: copyLabels(detection, part, "left"),
+      right: copyLabels(detection, part, "right"),
     });
     const parts = Object.fromEntries(names.map((part) => [part, sides(part)]));
     return Comlink.transfer(parts, buffers(parts));
@@ -296,21 +295,8 @@ const stem = (name: string) => name.replace(/\.\w+$/, "");
 
 function facts(): Opened {
   const { clip, name } = current();
-  const positions = clip.positions();
-  return Comlink.transfer({ ok: true, clip: { name, ...clip.facts(), positions } }, [
-    positions.buffer,
-  ]);
-}
-
-function copy(raw: RawDetection, options: DetectOptions): Detection {
-  const names = raw.parts() as Part[];
-  const parts = Object.fromEntries(names.map((part) => [part, tracks(raw, part)]));
-  return {
-    options,
-    parts: parts as Detection["parts"],
-    floor: raw.floor,
-    notices: raw.notices(),
-  };
+  const copied = copyClip(clip, name);
+  return Comlink.transfer({ ok: true, clip: copied }, buffers(copied));
 }
 
 function copySegments(raw: RawSegmentation, options: SegmentOptions): Segmentation {
@@ -338,32 +324,6 @@ function labelling(raw: RawLabelling, name: string): Labelling {
   });
   const names = raw.parts() as Part[];
   return { name, parts: Object.fromEntries(names.map((part) => [part, sides(part)])) };
-}
-
-function tracks(raw: RawDetection, part: Part): Tracks {
-  const track = (side: Side): Track => ({
-    ...labels(raw, part, side),
-    height: raw.height(part, side),
-    speed: raw.speed(part, side),
-  });
-  return { left: track("left"), right: track("right") };
-}
-
-function labels(raw: RawDetection, part: Part, side: Side): Labels {
-  return {
-    planted: raw.planted(part, side),
-    confidence: raw.confidence(part, side),
-    intervals: raw.intervals(part, side),
-    edited: raw.edited(part, side),
-  };
-}
-
-/** The memory of all series of a record, to be handed over rather than copied. */
-function buffers(record: object): Transferable[] {
-  return Object.values(record).flatMap((value) => {
-    if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
-    return value && typeof value === "object" ? buffers(value) : [];
-  });
 }
 
 function hashOf(here: Held): Promise<string | undefined> {
