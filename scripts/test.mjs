@@ -4,6 +4,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { browser } from "./browser.mjs";
 import { buildSite } from "./build.mjs";
+import { buildPackage } from "./package.mjs";
 import { main, root, run, Stop, step } from "./run.mjs";
 import { bindgen, CRATES, setup, tool } from "./setup.mjs";
 
@@ -27,6 +28,7 @@ const checks = {
   ],
   wasm: ["WebAssembly in a browser: page and worker", wasm],
   web: ["Web units", () => node("vitest/vitest.mjs", "run", "--root", "web")],
+  package: ["The npm package", packed],
   browser: ["The app in a browser", app],
 };
 
@@ -69,6 +71,11 @@ async function wasm() {
   return output;
 }
 
+async function packed() {
+  await buildPackage();
+  return run(process.execPath, ["--test", join(root, "tests/package/package.test.mjs")]);
+}
+
 async function app() {
   const { chromium } = await browser();
   await buildSite();
@@ -84,7 +91,11 @@ function passed(output) {
   const cargos = [...plain.matchAll(/test result: ok\. (\d+) passed/g)];
   const vitests = [...plain.matchAll(/^\s*Tests\s+(\d+) passed/gm)];
   const playwrights = [...plain.matchAll(/^\s*(\d+) passed(?: \(|$)/gm)];
-  return [...cargos, ...vitests, ...playwrights].reduce((sum, match) => sum + Number(match[1]), 0);
+  const nodes = [...plain.matchAll(/^\W*pass (\d+)$/gm)];
+  return [...cargos, ...vitests, ...playwrights, ...nodes].reduce(
+    (sum, match) => sum + Number(match[1]),
+    0,
+  );
 }
 
 await main(async () => {

@@ -1,0 +1,54 @@
+/** `npm run package`: the npm package in target/npm, from the wasm module and its TypeScript. */
+
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { main, root, run, step } from "./run.mjs";
+import { setup } from "./setup.mjs";
+
+/** Where the package stands once it is built. */
+export const folder = join(root, "target/npm");
+
+/** Builds the package; the wasm module must be there. */
+export async function buildPackage() {
+  step("Building the npm package");
+  const sources = join(root, "crate/wasm/npm");
+  const module = join(root, "web/src/wasm");
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  for (const name of ["plantigrade.js", "plantigrade.d.ts", "plantigrade_bg.wasm"]) {
+    copyFileSync(join(module, name), join(folder, name));
+  }
+  for (const name of ["README.md", "package.json", "index.ts"]) {
+    copyFileSync(join(sources, name), join(folder, name));
+  }
+  for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) {
+    copyFileSync(join(root, name), join(folder, name));
+  }
+  const options = ["--target", "es2023", "--module", "nodenext", "--lib", "es2023,dom,esnext"];
+  const strict = ["--strict", "--declaration", "--types", "node", "--typeRoots"];
+  await run(process.execPath, [
+    join(root, "node_modules/typescript/bin/tsc"),
+    ...options,
+    ...strict,
+    join(root, "node_modules/@types"),
+    "--stripInternal",
+    "--ignoreConfig",
+    join(folder, "index.ts"),
+  ]);
+  rmSync(join(folder, "index.ts"));
+  // The project's version is the package's.
+  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const about = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  writeFileSync(
+    join(folder, "package.json"),
+    `${JSON.stringify({ ...about, version }, null, 2)}\n`,
+  );
+}
+
+if (process.argv[1] === import.meta.filename) {
+  await main(async () => {
+    await setup();
+    await buildPackage();
+    console.log("\nThe package is in target/npm: publish or pack it from there.");
+  });
+}
