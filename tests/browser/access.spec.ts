@@ -6,6 +6,18 @@ import { bad, clip, file, good } from "./clips";
 const states: Record<string, (app: App) => Promise<void>> = {
   "the empty page": (app) => app.empty(),
   "the Detect tab": (app) => app.sample("bowling"),
+  "the Why tab": async (app) => {
+    await app.sample("bowling");
+    await app.tab("Why");
+    await app.page.getByRole("slider", { name: "Sorted norms" }).press("ArrowRight");
+    await expect(app.view.getByText(/^Frame \d+$/)).toBeVisible();
+  },
+  "the Why tab of a threshold": async (app) => {
+    await app.sample("bowling");
+    await app.page.getByRole("combobox", { name: "Method" }).selectOption("dual");
+    await app.tab("Why");
+    await expect(app.panel).toContainText("thresholds");
+  },
   "the Segment tab": async (app) => {
     await app.sample("limp-to-run");
     await app.tab("Segment");

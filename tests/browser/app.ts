@@ -28,7 +28,7 @@ export interface Listed {
   name: string;
 }
 
-export type Tab = "Detect" | "Segment" | "Labels" | "Score" | "Clip";
+export type Tab = "Detect" | "Why" | "Segment" | "Labels" | "Score" | "Clip";
 
 export class App {
   readonly state: Locator;

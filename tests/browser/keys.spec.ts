@@ -56,7 +56,7 @@ test("a slider that has the focus keeps its arrow keys", async ({ app, page }) =
 test("tabs are chosen by the arrow keys", async ({ app, page }) => {
   await app.sample("curved-walk");
   await page.getByRole("tab", { name: "Detect" }).focus();
-  for (const name of ["Segment", "Labels", "Clip", "Detect"]) {
+  for (const name of ["Why", "Segment", "Labels", "Clip", "Detect"]) {
     await page.keyboard.press("ArrowRight");
     await expect(page.getByRole("tab", { name })).toBeFocused();
     await expect(page.getByRole("tabpanel", { name })).toBeVisible();

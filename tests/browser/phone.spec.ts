@@ -165,12 +165,12 @@ test("a tap loops a segment, and a second one asks for its name", async ({ app, 
   await expectNoSideways(app);
 });
 
-test("all five tabs fit a phone", async ({ app, page }) => {
+test("all six tabs fit a phone", async ({ app, page }) => {
   await app.sample("frog-jumps");
   await app.drop(clip("samples/frog-jumps.json"));
   for (const tab of await page.getByRole("tab").all()) {
     await expect(tab).toBeInViewport({ ratio: 1 });
   }
-  await expect(page.getByRole("tab")).toHaveCount(5);
+  await expect(page.getByRole("tab")).toHaveCount(6);
   await expectNoSideways(app);
 });

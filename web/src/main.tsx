@@ -14,6 +14,8 @@ import "./styles/edit.css";
 import "./styles/tour.css";
 import "./styles/score.css";
 import "./styles/segment.css";
+import "uplot/dist/uPlot.min.css";
+import "./styles/why.css";
 
 const root = document.getElementById("app");
 if (root) render(<App />, root);

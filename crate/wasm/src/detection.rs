@@ -3,7 +3,7 @@
 use plantigrade::bvh::Clip;
 use plantigrade::labels::{self, Document, Edit, Labelled, Source};
 use plantigrade::notice::Notice;
-use plantigrade::plants::{Detection, Evidence, FootLabels, PartLabels};
+use plantigrade::plants::{Detection, FootLabels, PartLabels};
 use plantigrade::skeleton::Skeleton;
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -54,18 +54,17 @@ impl RawDetection {
         Ok(text.into_bytes())
     }
 
-    fn part(&self, part: &str) -> Result<&PartLabels, Failure> {
+    pub(crate) fn metres_per_unit(&self) -> f64 {
+        self.metres_per_unit
+    }
+
+    pub(crate) fn part(&self, part: &str) -> Result<&PartLabels, Failure> {
         let labels = self.core().parts.iter().find(|labels| labels.part.name() == part);
         labels.ok_or_else(|| Failure::from(format!("this method does not label {part:?}")))
     }
 
-    fn foot(&self, part: &str, of: &str) -> Result<&FootLabels, Failure> {
+    pub(crate) fn foot(&self, part: &str, of: &str) -> Result<&FootLabels, Failure> {
         Ok(self.part(part)?.foot(side(of)?))
-    }
-
-    fn evidence(&self, part: &str) -> Result<&Evidence, Failure> {
-        let evidence = self.part(part)?.evidence.as_ref();
-        evidence.ok_or_else(|| Failure::from("nothing was clustered".to_owned()))
     }
 
     fn metres(&self, values: &[f64]) -> Vec<f32> {
@@ -140,46 +139,4 @@ impl RawDetection {
         let ranges = labels::intervals(&labels.foot(side).planted);
         Ok(ranges.iter().map(|range| u8::from(shown.is_edited(side, labels.part, range))).collect())
     }
-
-    /// Whether there was anything to cluster; without, there is no evidence.
-    #[wasm_bindgen(js_name = hasEvidence)]
-    pub fn has_evidence(&self, part: &str) -> Result<bool, Failure> {
-        Ok(self.part(part)?.evidence.is_some())
-    }
-
-    /// Norms of the samples of both feet, ascending.
-    #[wasm_bindgen(js_name = sortedNorms)]
-    pub fn sorted_norms(&self, part: &str) -> Result<Vec<f32>, Failure> {
-        Ok(single(&self.evidence(part)?.sorted_norms))
-    }
-
-    /// Variance of the first norms up to each one.
-    #[wasm_bindgen(js_name = runningVariance)]
-    pub fn running_variance(&self, part: &str) -> Result<Vec<f32>, Failure> {
-        Ok(single(&self.evidence(part)?.running_variance))
-    }
-
-    /// Index of the knee.
-    pub fn knee(&self, part: &str) -> Result<usize, Failure> {
-        Ok(self.evidence(part)?.knee)
-    }
-
-    /// Scale of the kernel.
-    pub fn sigma(&self, part: &str) -> Result<f64, Failure> {
-        Ok(self.evidence(part)?.sigma)
-    }
-
-    /// Root of each sample's degree: left frames, then right ones.
-    pub fn roots(&self, part: &str) -> Result<Vec<f32>, Failure> {
-        Ok(single(&self.evidence(part)?.roots))
-    }
-
-    /// The value of the roots that parts planted from not.
-    pub fn threshold(&self, part: &str) -> Result<f64, Failure> {
-        Ok(self.evidence(part)?.threshold)
-    }
-}
-
-fn single(values: &[f64]) -> Vec<f32> {
-    values.iter().map(|&value| value as f32).collect()
 }

@@ -6,6 +6,7 @@
 mod clip;
 mod compare;
 mod detection;
+mod evidence;
 mod gait;
 mod records;
 mod segmentation;
@@ -14,6 +15,7 @@ mod skate;
 pub use clip::{RawClip, RawReader};
 pub use compare::{DisagreementFacts, EventFacts, RawLabelling, ScoreFacts, ScoreRow};
 pub use detection::RawDetection;
+pub use evidence::{EvidenceFacts, LimitFacts};
 pub use gait::{GaitFacts, SidesFacts, SpreadFacts, SymmetryFacts};
 pub use records::{
     ClipFacts, DetectOptions, EditFacts, Failure, JointFacts, MethodFacts, NoticeText, Overrides,

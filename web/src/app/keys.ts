@@ -75,6 +75,7 @@ export const keyTable: readonly (readonly [
       ["F", "Frame everything"],
       ["+ −", "Zoom the timeline"],
       ["0", "Fit the timeline"],
+      ["← → Enter", "In a plot: frame by frame, go there"],
     ],
   ],
   [

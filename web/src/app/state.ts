@@ -64,7 +64,7 @@ export interface Work {
 }
 
 export type CameraView = "perspective" | "front" | "side" | "top";
-export type Tab = "detect" | "segment" | "labels" | "score" | "clip";
+export type Tab = "detect" | "why" | "segment" | "labels" | "score" | "clip";
 export type Loop = "off" | "clip" | "plant" | "segment";
 
 /** The clip on show; null before the first one is read. */

@@ -1,9 +1,9 @@
 import { setOptions } from "../app/detect";
 import { detectFailure, detection, methods, options, plants } from "../app/state";
-import { positionToR, rToPosition, sensitivity } from "../lib/logSlider";
 import { plantedShare, principal } from "../lib/plants";
 import { sentence } from "../lib/report";
 import type { Side } from "../worker/types";
+import { Sensitivity, Window } from "./Sensitivity";
 import { Slider } from "./Slider";
 
 /** Methods that compare with a height or a speed that can be set. */
@@ -12,34 +12,15 @@ const bySpeed = ["speed", "dual", "min-speed"];
 const thresholds = { height: 0.05, speed: 0.5 };
 
 export function DetectPanel() {
-  const { method, r, w, height = thresholds.height, speed = thresholds.speed } = options.value;
+  const { method, height = thresholds.height, speed = thresholds.speed } = options.value;
   const chosen = methods.value.find(({ name }) => name === method);
   return (
     <>
       <Method name={method} />
       {chosen?.family !== "mixture" && chosen?.family !== "threshold" && (
         <>
-          <Slider
-            id="sensitivity"
-            name="Sensitivity r"
-            value={r}
-            usual={sensitivity.default}
-            text={(at) => at.toFixed(4)}
-            spoken={(at) => `r ${at.toFixed(4)}`}
-            range={{ min: 0, max: 1, step: 0.005, to: rToPosition, from: positionToR }}
-            ends={["Strict", "Generous"]}
-            set={(to) => setOptions({ r: to })}
-          />
-          <Slider
-            id="window"
-            name="Window w"
-            value={w}
-            usual={1}
-            text={(at) => (at === 0 ? "1 frame" : `± ${at} ${at === 1 ? "frame" : "frames"}`)}
-            range={{ min: 0, max: 4, step: 1 }}
-            ends={["Sharp", "Smooth"]}
-            set={(to) => setOptions({ w: to })}
-          />
+          <Sensitivity />
+          <Window />
         </>
       )}
       {byHeight.includes(method) && (

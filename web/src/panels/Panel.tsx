@@ -5,9 +5,11 @@ import { DetectPanel } from "./DetectPanel";
 import { LabelsPanel } from "./LabelsPanel";
 import { ScorePanel } from "./ScorePanel";
 import { SegmentPanel } from "./SegmentPanel";
+import { WhyPanel } from "./WhyPanel";
 
 const allTabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
   ["detect", "Detect", DetectPanel],
+  ["why", "Why", WhyPanel],
   ["segment", "Segment", SegmentPanel],
   ["labels", "Labels", LabelsPanel],
   ["score", "Score", ScorePanel],

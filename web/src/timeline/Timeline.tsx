@@ -29,6 +29,7 @@ import { type Ink, readInk } from "./ink";
 import { layOut } from "./layout";
 import { PlantTable } from "./PlantTable";
 import { Playhead } from "./Playhead";
+import { PointedLine } from "./PointedLine";
 import { paint } from "./paint";
 import { SegmentTable } from "./SegmentTable";
 import { Transport } from "./Transport";
@@ -132,6 +133,7 @@ export function Timeline() {
       <Transport />
       <div class="tracks" ref={room}>
         <canvas ref={canvas} class={still ? "gone" : undefined} />
+        {!still && <PointedLine layout={layout} width={width} />}
         {!still && <Playhead layout={layout} width={width} />}
         {still ? (
           <Why

@@ -3,6 +3,7 @@ import { askForEdges, resize, select, selection } from "../app/edit";
 import { loopSegment, pause, seek, seekPlant } from "../app/playback";
 import { askForName } from "../app/segment";
 import { actions, clip, plants, reach, selected, timeView } from "../app/state";
+import { point, whyOpen } from "../app/why";
 import { firstAfter } from "../lib/crowd";
 import type { Stay } from "../lib/edits";
 import { intervalAt } from "../lib/plants";
@@ -103,6 +104,13 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
     if (drag === "scrub" && (y < layoutNow().ruler.height || !laneAt(y))) scrub(x, inner);
   };
 
+  /** The frame under a pointer that is on the lanes. */
+  const frameAt = (x: number, y: number, inner: number) => {
+    const frame = Math.floor(toFrame(timeView.value, x, inner));
+    const isOnLanes = x >= 0 && y < layoutNow().minimap.y - 3;
+    return isOnLanes && frame < frames() ? { frame } : undefined;
+  };
+
   const laneAt = (y: number) =>
     layoutNow().lanes.find(
       (lane) =>
@@ -131,6 +139,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
             : barAt(x, y, inner) || segmentAt(x, y, inner)
               ? "pointer"
               : "default";
+      if (whyOpen.value) point(frameAt(x, y, inner));
       const segment = segmentAt(x, y, inner);
       canvas.title = segment ? titleOf(segment) : "";
       return;
@@ -288,6 +297,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   canvas.addEventListener("wheel", wheel, { passive: false, ...quiet });
   canvas.addEventListener("pointerdown", down, quiet);
   canvas.addEventListener("pointermove", move, quiet);
+  canvas.addEventListener("pointerleave", () => point(undefined), quiet);
   canvas.addEventListener("pointerup", up, quiet);
   canvas.addEventListener("pointercancel", up, quiet);
   return () => off.abort();

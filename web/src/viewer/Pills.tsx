@@ -1,5 +1,6 @@
 import { useComputed } from "@preact/signals";
-import { detection, frame, openClip, plants } from "../app/state";
+import { detection, openClip, plants } from "../app/state";
+import { isElsewhere, shownFrame } from "../app/why";
 import { type Plant, plantAt } from "../lib/plants";
 import { span } from "../lib/time";
 import type { Side } from "../worker/types";
@@ -9,6 +10,7 @@ export function Pills() {
   if (!detection.value) return null;
   return (
     <div class="pills">
+      {isElsewhere.value && <p class="pill why-pill">Frame {shownFrame}</p>}
       <Pill side="left" />
       <Pill side="right" />
     </div>
@@ -16,7 +18,7 @@ export function Pills() {
 }
 
 function Pill({ side }: { side: Side }) {
-  const plant = useComputed<Plant | undefined>(() => plantAt(plants.value, frame.value, side));
+  const plant = useComputed<Plant | undefined>(() => plantAt(plants.value, shownFrame.value, side));
   const name = side === "left" ? "Left" : "Right";
   const rate = openClip.value?.rate ?? 1;
   const planted = plant.value;

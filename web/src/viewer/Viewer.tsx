@@ -15,10 +15,10 @@ import {
   look,
   openClip,
   plants,
-  playhead,
   source,
 } from "../app/state";
 import { theme } from "../app/theme";
+import { momentShown } from "../app/why";
 import { gridStep, sizeOf } from "../lib/travel";
 import type { Clip } from "../worker/types";
 import { Companions } from "./Companions";
@@ -143,7 +143,7 @@ function connect(stage: Stage): (() => void)[] {
     }),
     effect(() => stage.label(detection.value, plants.value)),
     effect(() => stage.accompany(openClip.value ? besides.value : [])),
-    effect(() => stage.seek(playhead.value)),
+    effect(() => stage.seek(momentShown.value)),
     effect(() => stage.setFollow(follow.value || hero.value)),
     effect(() => stage.setAside(hero.value)),
     skipFirst(

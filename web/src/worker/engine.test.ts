@@ -40,6 +40,7 @@ function worker(said: string[]) {
       said.push(`edit ${edits.length}`);
       return {};
     },
+    why: async () => undefined,
     theirs: async () => [],
     hash: async () => undefined,
     methods: async () => [],

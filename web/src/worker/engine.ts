@@ -218,6 +218,7 @@ export function createEngine(
       return callOnClip((calls) => calls.edit(edits));
     },
     theirs: () => callOnClip((calls) => calls.theirs()),
+    why: (part, reach) => callOnClip((calls) => calls.why(part, reach)),
     hash: () => callOnClip((calls) => calls.hash()),
     methods: () => call(({ calls }) => calls.methods()),
     segmentMethods: () => call(({ calls }) => calls.segmentMethods()),

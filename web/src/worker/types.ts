@@ -7,6 +7,8 @@ import type {
   CleanedPlantFacts,
   ClipFacts,
   DetectOptions,
+  EvidenceFacts,
+  LimitFacts,
   SegmentFacts,
   SegmentOptions,
 } from "../wasm/plantigrade";
@@ -81,6 +83,47 @@ export interface Detection {
   /** Height of the ground in the clip's positions, metres: subtract it from y. */
   floor: number;
   notices: NoticeList;
+}
+
+/** A height in metres and a speed in m/s. */
+export interface Place {
+  height: number;
+  speed: number;
+}
+
+/** Why feet are taken for planted. */
+export interface Why {
+  part: Part;
+  /** What heights and speeds are compared with, where the method does that. */
+  limits: LimitFacts;
+  /** How the samples were clustered, where they were. */
+  evidence?: Evidence;
+}
+
+/** A clustering of the samples of both feet: u parts them at a threshold. */
+export interface Evidence extends EvidenceFacts {
+  /** Number of samples. */
+  count: number;
+  /** Places among the norms in ascending order, evenly spread, with the knee's. */
+  ranks: Float32Array;
+  /** The norm at each of them. */
+  norms: Float32Array;
+  /** The variance of the norms up to each of them. */
+  variances: Float32Array;
+  /** Norm and u of each frame of the clip; not a number where a frame was not clustered. */
+  feet: Record<Side, { norms: Float32Array; roots: Float32Array }>;
+  /** What u a foot would have; absent where only the clip's own samples have one. */
+  field?: Field;
+}
+
+/** u of feet that hold a height and a speed, on a grid whose steps grow with the height and the speed. */
+export interface Field {
+  /** The greatest height and speed of the grid. */
+  reach: Place;
+  /** Steps to a side; place i of a side lies at (i / (size − 1))² of the greatest. */
+  size: number;
+  /** size × size, by rows of one height. */
+  roots: Float32Array;
 }
 
 /** What a method of segmentation looks at. */

@@ -13,6 +13,7 @@ import {
   segmentMethods,
 } from "../wasm/plantigrade";
 import { buffers, copyClip, copyDetection, copyLabels } from "./copies";
+import { whyOf } from "./evidence";
 import { Packing } from "./packing";
 import { read, ready, refusals, seldom, sha256, start } from "./reading";
 import type {
@@ -29,6 +30,7 @@ import type {
   MethodFacts,
   Overrides,
   Part,
+  Place,
   SaveFormat,
   Score,
   Segmentation,
@@ -38,6 +40,7 @@ import type {
   Segments,
   Side,
   Slide,
+  Why,
 } from "./types";
 
 export type Opened = { ok: true; clip: Clip } | { ok: false; failure: Failure };
@@ -129,6 +132,14 @@ const api = {
     });
     const parts = Object.fromEntries(names.map((part) => [part, sides(part)]));
     return Comlink.transfer(parts, buffers(parts));
+  },
+
+  /** Why the last detection has the feet planted; `reach` is how far heights and speeds are of interest. */
+  async why(part: Part, reach: Place): Promise<Why | undefined> {
+    const { detection } = current();
+    if (!detection?.parts().includes(part)) return undefined;
+    const why = whyOf(detection, part, reach);
+    return Comlink.transfer(why, buffers(why));
   },
 
   /** The labels of someone else as edits that make them one's own. */

@@ -1,5 +1,6 @@
 //! From samples to two classes: the threshold.
 
+use super::field::Field;
 use super::roots::Roots;
 use super::samples::Samples;
 use super::scale::Scale;
@@ -18,15 +19,21 @@ pub struct Evidence {
     pub running_variance: Vec<f64>,
     /// Index into both of the knee.
     pub knee: usize,
+    /// What the variance was compared with: r, or more of it for a wider window.
+    pub tolerance: f64,
     /// Scale of the kernel: the norm at the knee, unless set by hand.
     pub sigma: f64,
     /// u: the value that parts the samples, the root of each one's degree unless the
     /// method has another; the left foot's frames, then the right's.
     pub roots: Vec<f64>,
-    /// Samples above this value of u are alike in being planted.
+    /// Samples to either side of this value of u are alike in being planted or not.
     pub threshold: f64,
+    /// Whether the planted ones are those above.
+    pub planted_is_high: bool,
     /// Median u of the planted class.
     pub planted_middle: f64,
+    /// u of any foot, where it is the root of a degree with the same scale for all samples.
+    pub field: Option<Field>,
 }
 
 /// Where the threshold lies between two classes.
@@ -70,10 +77,13 @@ pub(super) fn divide<'a>(
         sorted_norms: scale.sorted_norms,
         running_variance: scale.running_variance,
         knee: scale.knee,
+        tolerance: scale.tolerance,
         sigma,
         roots: roots.values,
         threshold: parting.as_ref().map_or(f64::NEG_INFINITY, |found| found.threshold),
+        planted_is_high: parting.as_ref().is_none_or(|found| found.planted_is_high),
         planted_middle: parting.map_or(0.0, |found| found.planted_middle),
+        field: None,
     };
     (evidence, planted)
 }

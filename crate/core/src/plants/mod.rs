@@ -20,6 +20,7 @@ mod derivative;
 mod drag;
 mod expansion;
 mod feet;
+mod field;
 mod floor;
 mod lanczos;
 mod methods;
@@ -36,8 +37,9 @@ mod two_means;
 pub use cluster::Evidence;
 pub use degree::Kernel;
 pub use feet::{DetectError, Feet, FootTracks};
+pub use field::Field;
 pub use methods::{Family, Method};
-pub use params::{ParamError, Params, ValidParams};
+pub use params::{Limits, ParamError, Params, ValidParams};
 
 use methods::{Found, Task};
 

@@ -1,7 +1,7 @@
 //! Parameters of detection and the rules they keep.
 
-use super::Method;
 use super::roots::Pairs;
+use super::{Method, methods};
 
 /// What can be set; the defaults serve any clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +92,15 @@ impl Params {
     }
 }
 
+/// What a method takes a foot for planted under, where it compares with such.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// In metres.
+    pub height: Option<f64>,
+    /// In metres per second.
+    pub speed: Option<f64>,
+}
+
 impl ValidParams {
     /// See [`Params::method`].
     pub fn method(&self) -> Method {
@@ -123,6 +132,19 @@ impl ValidParams {
         self.0.exact
     }
 
+    /// The height and the speed that the method compares with.
+    pub fn limits(&self) -> Limits {
+        let Params { height, speed, .. } = self.0;
+        match self.0.method {
+            Method::Height => Limits { height: Some(height), speed: None },
+            Method::Speed | Method::MinSpeed => Limits { height: None, speed: Some(speed) },
+            Method::Dual => Limits { height: Some(height), speed: Some(speed) },
+            Method::MedianSpeed => methods::MEDIAN_SPEED,
+            Method::HeightSpeed => methods::HEIGHT_SPEED,
+            _ => Limits::default(),
+        }
+    }
+
     pub(super) fn pairs(&self) -> Pairs {
         if self.0.exact { Pairs::All } else { Pairs::Few }
     }
@@ -148,6 +170,9 @@ mod tests {
         );
         assert_eq!(message(Params { window: 17, ..default }), "w must be at most 16, not 17");
         assert!(message(Params { scale: Some(f64::NAN), ..default }).starts_with("sigma must be"));
+        let limits = Params { method: Method::Dual, ..default }.check().unwrap().limits();
+        assert_eq!(limits, Limits { height: Some(0.05), speed: Some(0.5) });
+        assert_eq!(ValidParams::default().limits(), Limits::default());
         assert!("best".parse::<Method>().is_err());
     }
 }

@@ -76,6 +76,20 @@ impl Samples {
         Samples::new(dimension, points)
     }
 
+    /// Samples of feet that hold a height and a speed over the whole window, for each height all speeds.
+    pub fn held(heights: &[f64], speeds: &[f64], ranges: Ranges, dimension: usize) -> Samples {
+        let mut points = Vec::with_capacity(heights.len() * speeds.len() * dimension);
+        for height in heights {
+            for speed in speeds {
+                for _ in 0..dimension / 2 {
+                    points.push(limited(height / ranges.height));
+                    points.push(limited(speed / ranges.speed));
+                }
+            }
+        }
+        Samples::new(dimension, points)
+    }
+
     /// Adds the samples of another clip behind these.
     pub fn append(&mut self, other: Samples) {
         self.points.extend(other.points);

@@ -9,6 +9,8 @@ pub(super) struct Scale {
     pub running_variance: Vec<f64>,
     /// Index of the knee: the last norm up to which the variance keeps to r.
     pub knee: usize,
+    /// r: what the variance was compared with.
+    pub tolerance: f64,
 }
 
 impl Scale {
@@ -18,7 +20,7 @@ impl Scale {
         sorted_norms.sort_unstable_by(f64::total_cmp);
         let running_variance = running_variance(&sorted_norms);
         let knee = running_variance.iter().rposition(|&variance| variance <= r).unwrap_or(0);
-        Scale { sorted_norms, running_variance, knee }
+        Scale { sorted_norms, running_variance, knee, tolerance: r }
     }
 
     /// σ: the norm at the knee.

@@ -59,10 +59,44 @@ fn labels_are_those_of_the_core() {
         assert_eq!(found.planted(part, "left").unwrap(), left);
         assert_eq!(found.intervals(part, "left").unwrap().len() % 2, 0);
         assert_eq!(found.confidence(part, "right").unwrap().len(), 245);
-        assert!(found.sigma(part).unwrap() > 0.0);
-        assert_eq!(found.sorted_norms(part).unwrap().len(), found.running_variance(part).unwrap().len());
     }
     assert!(found.planted("shoulder", "left").is_err());
+}
+
+#[wasm_bindgen_test]
+fn labels_follow_from_the_evidence() {
+    let found = walk().detect(options("paper")).unwrap();
+    let facts = found.evidence("toe").unwrap().to_rust().unwrap();
+    let sorted = found.sorted_norms("toe").unwrap();
+    assert_eq!((sorted.len(), sorted.len()), (490, found.running_variance("toe").unwrap().len()));
+    assert_eq!((facts.sigma as f32, facts.tolerance), (sorted[facts.knee], 0.001));
+    assert!(facts.planted_is_high && facts.planted_middle > facts.threshold);
+    for side in ["left", "right"] {
+        let roots = found.roots("toe", side).unwrap();
+        let planted: Vec<u8> =
+            roots.iter().map(|root| u8::from(f64::from(*root) > facts.threshold)).collect();
+        assert_eq!(planted, found.planted("toe", side).unwrap());
+        let norms = found.norms("toe", side).unwrap();
+        assert!(norms.iter().all(|norm| sorted.contains(norm)));
+    }
+    let field = found.field("toe", &[0.0, 1.0], &[0.0, 0.5, 9.0]).unwrap();
+    assert_eq!(field.len(), 6);
+    assert!(f64::from(field[0]) > facts.threshold && f64::from(field[5]) < facts.threshold);
+    assert!(found.field("heel", &[0.0], &[0.0]).is_err());
+    let limits = found.limits().unwrap().to_rust().unwrap();
+    assert_eq!((limits.height, limits.speed), (None, None));
+}
+
+#[wasm_bindgen_test]
+fn methods_without_a_field_say_so() {
+    let clip = walk();
+    let found = clip.detect(options("njw")).unwrap();
+    assert!(!found.evidence("toe").unwrap().to_rust().unwrap().has_field);
+    assert!(found.field("toe", &[0.0], &[0.0]).is_err());
+    let found = clip.detect(options("dual")).unwrap();
+    assert!(!found.has_evidence("toe").unwrap() && found.evidence("toe").is_err());
+    let limits = found.limits().unwrap().to_rust().unwrap();
+    assert_eq!((limits.height, limits.speed), (Some(0.05), Some(0.5)));
 }
 
 #[wasm_bindgen_test]

@@ -83,6 +83,9 @@ export function createEngine(): Engine {
     async edit() {
       return {};
     },
+    async why() {
+      return undefined;
+    },
     async theirs() {
       return [];
     },

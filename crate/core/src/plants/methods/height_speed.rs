@@ -3,6 +3,7 @@
 use super::toes::Toes;
 use super::{Entry, Family, Found, Task};
 use crate::labels::Part;
+use crate::plants::Limits;
 
 pub(super) const METHOD: Entry = Entry {
     name: "height-speed",
@@ -16,6 +17,8 @@ pub(super) const METHOD: Entry = Entry {
 /// In metres and metres per second.
 const HEIGHT: f64 = 0.114;
 const SPEED: f64 = 0.93;
+
+pub(in crate::plants) const LIMITS: Limits = Limits { height: Some(HEIGHT), speed: Some(SPEED) };
 
 fn detect(task: &Task) -> Found {
     Toes::of(task).by_rule(|height, speed| height < HEIGHT && speed < SPEED)

@@ -3,6 +3,7 @@
 use super::toes::Toes;
 use super::{Entry, Family, Found, Task};
 use crate::labels::Part;
+use crate::plants::Limits;
 
 pub(super) const METHOD: Entry = Entry {
     name: "median-speed",
@@ -15,6 +16,9 @@ pub(super) const METHOD: Entry = Entry {
 
 /// In metres per second.
 const SPEED: f64 = 0.15;
+
+pub(in crate::plants) const LIMITS: Limits = Limits { height: None, speed: Some(SPEED) };
+
 /// Frames to either side of the filter.
 const HALF: usize = 3;
 

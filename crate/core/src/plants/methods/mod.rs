@@ -23,6 +23,9 @@ mod toes;
 use std::fmt;
 use std::str::FromStr;
 
+pub(super) use height_speed::LIMITS as HEIGHT_SPEED;
+pub(super) use median_speed::LIMITS as MEDIAN_SPEED;
+
 use super::{Feet, PartLabels, ValidParams};
 use crate::labels::Part;
 use crate::named::named;

@@ -18,6 +18,7 @@ use crate::motion::Track;
 use crate::notice::{Code, Notice};
 use crate::plants::cluster::{self, Between, Evidence};
 use crate::plants::degree::Kernel;
+use crate::plants::field::Field;
 use crate::plants::refine::{self, Refined};
 use crate::plants::roots::Among;
 use crate::plants::samples::{Ranges, Samples};
@@ -152,9 +153,11 @@ impl Work<'_> {
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
         let anchors: Vec<f64> = samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect();
         let pairs = self.params.pairs();
-        let roots = Among { samples: &samples, weights: &anchors, sigma, kernel, pairs }.own();
+        let among = Among { samples: &samples, weights: &anchors, sigma, kernel, pairs };
         let frames = self.pieces.iter().cloned().flatten().collect();
-        let (evidence, planted) = cluster::divide(frames, &samples, scale, sigma, roots, Between::Medians);
+        let (mut evidence, planted) =
+            cluster::divide(frames, &samples, scale, sigma, among.own(), Between::Medians);
+        evidence.field = Some(Field::of(among, ranges));
         Clustering { samples, ranges, anchors, evidence, planted }
     }
 

@@ -4,6 +4,7 @@ use super::{Found, Task};
 use crate::labels::Part;
 use crate::plants::cluster::{self, Between, Evidence};
 use crate::plants::degree::Kernel;
+use crate::plants::field::Field;
 use crate::plants::roots::{Among, Pairs};
 use crate::plants::samples::{Ranges, Samples};
 use crate::plants::scale::Scale;
@@ -19,6 +20,8 @@ pub(super) struct Toes<'a> {
     pub signals: Signals,
     /// Those of the clip: left frames, then right ones; those of a standing clip after them.
     pub samples: Samples,
+    /// What their heights and speeds were divided by.
+    ranges: Ranges,
 }
 
 impl<'a> Toes<'a> {
@@ -29,7 +32,7 @@ impl<'a> Toes<'a> {
         let mut ranges = Ranges::of(&signals, &pieces);
         let Some(still) = task.still else {
             let samples = Samples::of(&signals, &pieces, ranges, window, 1);
-            return Toes { feet: task.feet, signals, samples };
+            return Toes { feet: task.feet, signals, samples, ranges };
         };
         // One character, two recordings: what is long or fast in one is so in both.
         let scale = still.leg / task.feet.leg;
@@ -43,7 +46,7 @@ impl<'a> Toes<'a> {
         ranges.speed = ranges.speed.max(still_ranges.speed);
         let mut samples = Samples::of(&signals, &pieces, ranges, window, 1);
         samples.append(Samples::of(&still_signals, &still_pieces, ranges, window, 1));
-        Toes { feet: task.feet, signals, samples }
+        Toes { feet: task.feet, signals, samples, ranges }
     }
 
     /// σ by the knee of the norms, unless set by hand.
@@ -65,9 +68,11 @@ impl<'a> Toes<'a> {
         let frames = (0..self.feet.frame_count()).collect();
         let weights = vec![1.0; self.samples.len()];
         let kernel = Kernel::Gaussian;
-        let roots = Among { samples: &self.samples, weights: &weights, sigma, kernel, pairs }.own();
-        let parted = cluster::divide(frames, &self.samples, scale, sigma, roots, Between::Gap);
-        self.parted(parted)
+        let among = Among { samples: &self.samples, weights: &weights, sigma, kernel, pairs };
+        let (mut evidence, planted) =
+            cluster::divide(frames, &self.samples, scale, sigma, among.own(), Between::Gap);
+        evidence.field = Some(Field::of(among, self.ranges));
+        self.parted((evidence, planted))
     }
 
     fn parted(self, (mut evidence, planted): (Evidence, Vec<bool>)) -> Found {

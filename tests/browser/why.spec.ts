@@ -1,0 +1,252 @@
+import type { Locator } from "@playwright/test";
+import { type App, expect, test } from "./app";
+import { repeated, sample } from "./clips";
+import { readLabels } from "./labels";
+
+const plot = (app: App, name: string) => app.panel.getByRole("slider", { name });
+const scatter = (app: App) => plot(app, "Height and speed");
+const norms = (app: App) => plot(app, "Sorted norms");
+const variance = (app: App) => plot(app, "Running variance");
+
+/** A fact beside the heading of a plot. */
+const output = (app: App, text: RegExp) => app.panel.getByText(text);
+
+async function open(app: App, name = "curved-walk") {
+  await app.sample(name);
+  await app.tab("Why");
+  await expect(norms(app)).toBeVisible();
+}
+
+/** A place in a plot, as shares of its box. */
+async function spot(plot: Locator, x: number, y: number) {
+  await plot.scrollIntoViewIfNeeded();
+  const box = await plot.boundingBox();
+  if (!box) throw new Error("The plot is not in sight.");
+  return { x: box.x + x * box.width, y: box.y + y * box.height };
+}
+
+/** The frame that a plot tells. */
+const told = async (plot: Locator) => Number(await plot.getAttribute("aria-valuenow"));
+
+test("the frame under the playhead is explained in words", async ({ app, page }) => {
+  await open(app);
+  const labels = readLabels(await app.save("Labels"));
+  await app.tab("Why");
+  const step = labels.left.contact?.[0];
+  if (!step) throw new Error("The left foot never stands.");
+  const words = (label: string) => app.fact(label);
+  await app.pressRuler(0.3);
+  await page.keyboard.press("Home");
+  await expect(words("Left planted")).toHaveText(/^√degree \d\.\d\d, above 0\.\d\d$/);
+  await expect(norms(app)).toHaveAttribute("aria-valuetext", /^Frame 0\. Left planted: √degree/);
+  for (let i = 0; i < step.end + 2; i++) await page.keyboard.press("ArrowRight");
+  await expect(words("Left in the air")).toHaveText(/below 0\.\d\d/);
+  await expect(output(app, /^σ 0\.\d\d\d$/)).toBeVisible();
+  await expect(output(app, /^knee \d+ %$/)).toBeVisible();
+});
+
+test("a point under the pointer lights its frame, and a click goes there", async ({
+  app,
+  page,
+}) => {
+  await open(app);
+  expect(await app.frame()).toBe(0);
+  const line = app.timeline.locator(".pointed-line");
+  await expect(line).toBeHidden();
+  const view = await app.stage.screenshot();
+  const at = await spot(norms(app), 0.9, 0.4);
+  await page.mouse.move(at.x, at.y);
+  await expect(line).toBeVisible();
+  const frame = Number(await line.getAttribute("data-frame"));
+  expect(frame).toBeGreaterThan(0);
+  await expect(app.view.getByText(`Frame ${frame}`, { exact: true })).toBeVisible();
+  await expect(app.panel.getByRole("heading", { name: `Frame ${frame}` })).toBeVisible();
+  // Far from rest: one of the feet is in the air.
+  await expect(norms(app)).toHaveAttribute("aria-valuetext", /in the air/);
+  await expect.poll(() => app.stage.screenshot()).not.toEqual(view);
+  expect(await app.frame()).toBe(0);
+  await page.mouse.click(at.x, at.y);
+  expect(await app.frame()).toBe(frame);
+  await page.mouse.move(10, 400);
+  await expect(line).toBeHidden();
+  await expect(app.view.getByText(/^Frame \d+$/)).toBeHidden();
+});
+
+test("the points of the scatter are frames as well", async ({ app, page }) => {
+  await open(app);
+  const line = app.timeline.locator(".pointed-line");
+  const at = await spot(scatter(app), 0.22, 0.8);
+  await page.mouse.move(at.x, at.y);
+  await expect(line).toBeVisible();
+  await page.mouse.click(at.x, at.y);
+  expect(await app.frame()).toBe(Number(await line.getAttribute("data-frame")));
+  // Low and slow, as feet on the ground are.
+  await expect(scatter(app)).toHaveAttribute("aria-valuetext", /planted/);
+});
+
+test("a frame pointed at on the timeline is marked in the plots", async ({ app, page }) => {
+  await open(app);
+  const before = await scatter(app).screenshot();
+  const { x, y } = await app.ruler(0.7);
+  await page.mouse.move(x, y + 40);
+  await expect.poll(() => told(scatter(app))).toBeGreaterThan(100);
+  await expect.poll(() => scatter(app).screenshot()).not.toEqual(before);
+  // The view stays at the playhead: people cross the timeline all the time.
+  await expect(app.view.getByText(/^Frame \d+$/)).toBeHidden();
+  await app.tab("Detect");
+  await page.mouse.move(x + 20, y + 40);
+  await expect(app.timeline.locator(".pointed-line")).toBeHidden();
+});
+
+test("the line of r is dragged, and labels and plots follow", async ({ app, page }) => {
+  await open(app, "drunken-stagger");
+  const sigma = output(app, /^σ 0\.\d\d\d$/);
+  const before = await sigma.textContent();
+  const labels = readLabels(await app.save("Labels"));
+  await app.tab("Why");
+  const field = await scatter(app).screenshot();
+  const grip = variance(app).locator(".level");
+  await grip.scrollIntoViewIfNeeded();
+  await expect(grip).toHaveText("r 0.0010");
+  const box = await grip.boundingBox();
+  if (!box) throw new Error("r cannot be dragged.");
+  await page.mouse.move(box.x + 100, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 100, box.y - 30, { steps: 5 });
+  await page.mouse.up();
+  const slider = page.getByRole("slider", { name: "Sensitivity r" });
+  await expect(slider).not.toHaveAttribute("aria-valuetext", "r 0.0010");
+  const r = Number((await slider.getAttribute("aria-valuetext"))?.slice(2));
+  expect(r).toBeGreaterThan(0.002);
+  await expect(grip).toHaveText(`r ${r.toFixed(4)}`);
+  await expect(sigma).not.toHaveText(before ?? "");
+  expect(await app.frame()).toBe(0);
+  await expect.poll(() => scatter(app).screenshot()).not.toEqual(field);
+  const after = readLabels(await app.save("Labels"));
+  expect(after.method.r).toBe(r);
+  expect(after.left).not.toEqual(labels.left);
+});
+
+test("the slider of r moves the line, and a wider window the norms", async ({ app, page }) => {
+  await open(app, "drunken-stagger");
+  const sigma = output(app, /^σ 0\.\d\d\d$/);
+  const usual = await sigma.textContent();
+  await page.getByRole("slider", { name: "Sensitivity r" }).fill("0");
+  await expect(variance(app).locator(".level")).toHaveText("r 0.0002");
+  await expect(sigma).not.toHaveText(usual ?? "");
+  await app.panel.getByRole("button", { name: "Reset sensitivity" }).click();
+  await expect(sigma).toHaveText(usual ?? "");
+  await page.getByRole("slider", { name: "Window w" }).fill("4");
+  await expect(sigma).not.toHaveText(usual ?? "");
+});
+
+test("the keyboard alone walks through the plots", async ({ app, page }) => {
+  await open(app);
+  await page.getByRole("tab", { name: "Why" }).focus();
+  const steps = ["panel", "Contact", "Toe", "Heel", "Height and speed"];
+  for (const _ of steps) await page.keyboard.press("Tab");
+  await expect(scatter(app)).toBeFocused();
+  await page.keyboard.press("ArrowRight");
+  await expect(scatter(app)).toHaveAttribute("aria-valuenow", "1");
+  expect(await app.frame()).toBe(0);
+  await page.keyboard.press("End");
+  await expect(scatter(app)).toHaveAttribute("aria-valuenow", "244");
+  await page.keyboard.press("Escape");
+  await expect(scatter(app)).toHaveAttribute("aria-valuenow", "0");
+  await page.keyboard.press("Tab");
+  await expect(variance(app)).toBeFocused();
+  await page.keyboard.press("Tab");
+  await expect(norms(app)).toBeFocused();
+  await page.keyboard.press("End");
+  const furthest = await told(norms(app));
+  await expect(app.view.getByText(`Frame ${furthest}`, { exact: true })).toBeVisible();
+  await page.keyboard.press("ArrowLeft");
+  expect(await told(norms(app))).not.toBe(furthest);
+  const next = await told(norms(app));
+  await page.keyboard.press("Enter");
+  expect(await app.frame()).toBe(next);
+  await page.keyboard.press("Tab");
+  await expect(page.getByRole("slider", { name: "Sensitivity r" })).toBeFocused();
+  await expect(app.view.getByText(/^Frame \d+$/)).toBeHidden();
+});
+
+test("parts have reasons of their own", async ({ app, page }) => {
+  await open(app);
+  const usual = await output(app, /^σ/).textContent();
+  await app.panel.getByRole("button", { name: "Heel" }).click();
+  await expect(output(app, /^σ/)).not.toHaveText(usual ?? "");
+  await app.tab("Detect");
+  await page.getByRole("combobox", { name: "Method" }).selectOption("paper");
+  await app.tab("Why");
+  await expect(norms(app)).toBeVisible();
+  await expect(app.panel.getByRole("button", { name: "Heel" })).toBeHidden();
+  await expect(app.fact("Left planted")).toHaveText(/^√degree/);
+});
+
+test("thresholds are drawn, and other methods say that there is no evidence", async ({
+  app,
+  page,
+}) => {
+  await app.sample("curved-walk");
+  const method = page.getByRole("combobox", { name: "Method" });
+  await method.selectOption("dual");
+  await app.tab("Why");
+  await expect(app.panel).toContainText("clusters nothing, so it has no σ and no r");
+  await expect(app.fact("Left planted")).toHaveText(/cm, below 5\.00;\s*0\.\d\d m\/s, below 0\.50/);
+  await expect(norms(app)).toBeHidden();
+  const { x, y } = await spot(scatter(app), 0.25, 0.8);
+  await page.mouse.move(x, y);
+  await expect(app.timeline.locator(".pointed-line")).toBeVisible();
+  for (const [name, words] of [
+    ["gmm", /no spectral evidence/],
+    ["njw", /has no line in this plane/],
+    ["sigma", /method’s own/],
+  ] as const) {
+    await app.tab("Detect");
+    await method.selectOption(name);
+    await app.tab("Why");
+    await expect(app.panel).toContainText(words);
+  }
+});
+
+test("what a person said is the reason", async ({ app, page }) => {
+  await open(app);
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await expect(app.fact("Left in the air")).toHaveText("as you said");
+});
+
+test("where nothing was clustered the panel says so", async ({ app }) => {
+  const still = sample("curved-walk").buffer.toString("utf8");
+  const [head = "", motion = ""] = still.split(/(?=Frame Time:)/);
+  const rows = motion.trim().split(/\r?\n/);
+  const text = [rows[0], ...rows.slice(1).map(() => rows[9])].join("\n");
+  await app.with({
+    name: "still.bvh",
+    mimeType: "text/plain",
+    buffer: Buffer.from(`${head}${text}\n`),
+  });
+  await app.tab("Why");
+  await expect(app.panel).toContainText("Nothing was clustered");
+  await expect(norms(app)).toBeHidden();
+});
+
+test("a long clip is explained without a stutter", async ({ app, page }) => {
+  await app.with(repeated(sample("curved-walk"), 40));
+  await app.tab("Why");
+  await expect(norms(app)).toBeVisible();
+  const longest = await page.evaluate(async () => {
+    let worst = 0;
+    let before = performance.now();
+    for (let i = 0; i < 30; i++) {
+      await new Promise(requestAnimationFrame);
+      worst = Math.max(worst, performance.now() - before);
+      before = performance.now();
+    }
+    return worst;
+  });
+  expect(longest).toBeLessThan(1000);
+  const { x, y } = await spot(norms(app), 0.7, 0.5);
+  await page.mouse.move(x, y);
+  await expect(app.timeline.locator(".pointed-line")).toBeVisible();
+});
