@@ -19,6 +19,8 @@ export default defineConfig({
   use: {
     browserName: "chromium",
     viewport: { width: 1440, height: 900 },
+    // Tests of it ask for it: the others would each fetch the whole site once more.
+    serviceWorkers: "block",
     // Clips stay at the frame a test puts them; tests of motion ask for it.
     contextOptions: { reducedMotion: "reduce" },
     launchOptions: {

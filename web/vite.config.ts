@@ -1,5 +1,7 @@
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
+import { offline } from "./offline.ts";
+import { player } from "./player.ts";
 
 /** What the built page may load. `https:` is for clips named in a #url= link. */
 const policy = [
@@ -31,7 +33,7 @@ export default defineConfig({
   root: import.meta.dirname,
   base: "./",
   cacheDir: "../node_modules/.vite",
-  plugins: [contentSecurityPolicy],
+  plugins: [contentSecurityPolicy, player(), offline()],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   worker: { format: "es" },
   build: {
@@ -40,6 +42,8 @@ export default defineConfig({
     assetsInlineLimit: 0,
     target: "es2023",
     chunkSizeWarningLimit: 700,
+    // The page in one file is built meanwhile: that takes its time.
+    rolldownOptions: { checks: { pluginTimings: false } },
   },
   server: { fs: { allow: [".."] } },
   test: { environment: "happy-dom", include: ["src/**/*.test.{ts,tsx}"] },

@@ -45,6 +45,19 @@ const states: Record<string, (app: App) => Promise<void>> = {
     await app.page.keyboard.press("?");
     await expect(app.dialog).toBeVisible();
   },
+  "the ways to share a sample": async (app) => {
+    await app.sample("bowling");
+    await app.share();
+  },
+  "the ways to share a file": async (app) => {
+    await app.with(good("plain"));
+    await app.share();
+  },
+  "a remark on a link": async (app) => {
+    await app.page.goto(`${app.site.home}#sample=bowling&method=magic`);
+    await app.opened("bowling.bvh");
+    await expect(app.remark).toContainText("magic");
+  },
   "the list of notices": async (app) => {
     await app.with(good("breaks-off"));
     await app.head.getByRole("button", { name: /notice/ }).click();

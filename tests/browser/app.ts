@@ -41,9 +41,13 @@ export class App {
   readonly panel: Locator;
   readonly alert: Locator;
   readonly dialog: Locator;
+  readonly remark: Locator;
   private readonly problems: string[] = [];
   // How a browser without a graphics card takes the picture from WebGL: its own note on itself.
-  private readonly expected = [/GL Driver Message \(OpenGL, Performance,/];
+  private readonly expected = [
+    /GL Driver Message \(OpenGL, Performance,/,
+    /Service Worker registration blocked by Playwright/,
+  ];
 
   constructor(
     readonly page: Page,
@@ -59,6 +63,7 @@ export class App {
     this.panel = page.getByRole("tabpanel");
     this.alert = page.getByRole("alert");
     this.dialog = page.getByRole("dialog");
+    this.remark = page.locator(".remark");
     this.watch();
   }
 
@@ -229,6 +234,30 @@ export class App {
     const download = await coming;
     const bytes = readFileSync(await download.path());
     return { name: download.suggestedFilename(), text: bytes.toString("utf8"), bytes };
+  }
+
+  /** Opens the dialog that passes the clip on. */
+  async share() {
+    await this.head.getByRole("button", { name: "Share" }).click();
+    await expect(this.dialog).toBeVisible();
+  }
+
+  /** The link to what is on show. */
+  async link(): Promise<string> {
+    await this.share();
+    const link = await this.dialog.getByRole("textbox", { name: "Link" }).inputValue();
+    await this.page.keyboard.press("Escape");
+    return link;
+  }
+
+  /** The page in one file. */
+  async sharePage(): Promise<Saved> {
+    await this.share();
+    const saved = await this.download(() =>
+      this.dialog.getByRole("button", { name: "Save page" }).click(),
+    );
+    await this.page.keyboard.press("Escape");
+    return saved;
   }
 
   /** Saves by a button of the Labels tab. */

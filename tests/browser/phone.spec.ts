@@ -174,3 +174,19 @@ test("all six tabs fit a phone", async ({ app, page }) => {
   await expect(page.getByRole("tab")).toHaveCount(6);
   await expectNoSideways(app);
 });
+
+test("the ways to share fit a phone", async ({ app, page }) => {
+  await app.sample("frog-jumps");
+  const share = app.head.getByRole("button", { name: "Share" });
+  await expect(share).toBeInViewport({ ratio: 1 });
+  await share.tap();
+  await expect(app.dialog).toBeInViewport({ ratio: 1 });
+  for (const name of ["Copy", "Save page", "Save picture", "Close"]) {
+    const button = app.dialog.getByRole("button", { name });
+    await expect(button).toBeInViewport({ ratio: 1 });
+    expect((await button.boundingBox())?.height).toBeGreaterThanOrEqual(44);
+  }
+  await expectNoSideways(app);
+  await page.setViewportSize({ width: 375, height: 667 });
+  await expect(app.dialog).toBeInViewport({ ratio: 1 });
+});

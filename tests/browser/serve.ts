@@ -6,14 +6,13 @@ import type { AddressInfo } from "node:net";
 import { extname, join, normalize } from "node:path";
 import { root } from "./clips";
 
-/** The site below a folder that its build knows nothing of, and the sample clips beside it. */
-const folders = { "/deep/sub/": join(root, "web/dist"), "/clips/": join(root, "samples") };
-
 const types: Record<string, string> = {
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript; charset=utf-8",
   ".css": "text/css; charset=utf-8",
   ".svg": "image/svg+xml",
+  ".png": "image/png",
+  ".webmanifest": "application/manifest+json",
   ".json": "application/json",
   ".wasm": "application/wasm",
   ".woff2": "font/woff2",
@@ -27,10 +26,12 @@ export interface Site {
   close(): Promise<void>;
 }
 
-export async function serve(): Promise<Site> {
+/** The site below a folder that its build knows nothing of, and the sample clips beside it. */
+export async function serve(site = join(root, "web/dist")): Promise<Site> {
+  const folders = { "/deep/sub/": site, "/clips/": join(root, "samples") };
   const server = createServer(async (request, response) => {
     try {
-      const path = fileOf(new URL(request.url ?? "/", "http://host").pathname);
+      const path = fileOf(new URL(request.url ?? "/", "http://host").pathname, folders);
       const body = await readFile(path);
       const type = types[extname(path)] ?? "application/octet-stream";
       response.writeHead(200, { "content-type": type, "content-length": body.length }).end(body);
@@ -50,7 +51,7 @@ export async function serve(): Promise<Site> {
   };
 }
 
-function fileOf(address: string): string {
+function fileOf(address: string, folders: Record<string, string>): string {
   const path = normalize(decodeURIComponent(address));
   for (const [prefix, folder] of Object.entries(folders)) {
     if (path.startsWith(prefix)) return join(folder, path.slice(prefix.length) || "index.html");

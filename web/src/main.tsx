@@ -14,6 +14,7 @@ import "./styles/edit.css";
 import "./styles/tour.css";
 import "./styles/score.css";
 import "./styles/segment.css";
+import "./styles/share.css";
 import "uplot/dist/uPlot.min.css";
 import "./styles/why.css";
 

@@ -11,8 +11,10 @@ import { FailureCard } from "./FailureCard";
 import { releaseFocus } from "./focus";
 import { Head } from "./Head";
 import { onKey } from "./keys";
+import { keepOffline } from "./offline";
 import { openFiles, openFromAddress } from "./open";
 import { Progress } from "./Progress";
+import { Remarks } from "./RemarkList";
 import { announcement, dragging, openClip, phase } from "./state";
 import { hinted, Tour } from "./Tour";
 
@@ -27,6 +29,7 @@ export function App() {
     listenForDrops(off.signal);
     releaseFocus(off.signal);
     void openFromAddress();
+    keepOffline();
     return () => off.abort();
   }, []);
   const held = openClip.value;
@@ -63,7 +66,7 @@ export function App() {
       {held && (
         <Panel
           open={
-            <button type="button" class="button strong open-low" onClick={pick}>
+            <button type="button" class="button open-low" onClick={pick}>
               Open
             </button>
           }
@@ -72,6 +75,7 @@ export function App() {
       <Tour />
       {tableShown.value && <Batch />}
       <Dialogs />
+      <Remarks />
       <p class="hidden" role="status">
         {announcement}
       </p>

@@ -1,52 +1,15 @@
-import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
 import { place } from "../lib/report";
-import { Icon } from "./icons";
+import { Dialog } from "./Dialog";
 import { keyTable } from "./keys";
+import { ShareDialog } from "./ShareDialog";
 import { clip, dialog, notices } from "./state";
 import { startTour } from "./Tour";
 
 export function Dialogs() {
   if (dialog.value === "keys") return <KeysDialog />;
   if (dialog.value === "notices") return <NoticesDialog />;
+  if (dialog.value === "share") return <ShareDialog />;
   return null;
-}
-
-function Dialog({ title, children }: { title: string; children: ComponentChildren }) {
-  const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
-    const opener = document.activeElement;
-    const held = element.current;
-    held?.showModal();
-    return () => {
-      held?.close();
-      if (opener instanceof HTMLElement) opener.focus();
-    };
-  }, []);
-  const close = () => {
-    dialog.value = null;
-  };
-  return (
-    <dialog
-      ref={element}
-      aria-labelledby="dialog-title"
-      // By Escape it is closed before it says so: keys must be the page's again at once.
-      onCancel={close}
-      onClose={close}
-      // A press beside the dialog lands on its backdrop, which is the element itself.
-      onPointerDown={(event) => event.target === event.currentTarget && close()}
-    >
-      <div class="dialog-box">
-        <div class="dialog-head">
-          <h2 id="dialog-title">{title}</h2>
-          <button type="button" class="button plain icon-only" aria-label="Close" onClick={close}>
-            <Icon name="close" />
-          </button>
-        </div>
-        {children}
-      </div>
-    </dialog>
-  );
 }
 
 function KeysDialog() {

@@ -1,6 +1,9 @@
 import { count, hertz, span } from "../lib/time";
 import { rows, tableShown } from "./batch";
+import { enclosed } from "./enclosed";
 import { Icon, Mark } from "./icons";
+import { MadeWith } from "./MadeWith";
+import { askToShare } from "./share";
 import { dialog, notices, openClip } from "./state";
 import { nextTheme, themeChoice } from "./theme";
 
@@ -9,10 +12,11 @@ export function Head({ pick }: { pick: () => void }) {
     <header class="head">
       <h1 class="brand">
         <Mark />
-        Plantigrade
+        {enclosed ? "Shared clip" : "Plantigrade"}
       </h1>
       <About />
       <span class="spring" />
+      {enclosed && <MadeWith />}
       {rows.value.length > 0 && (
         <button
           type="button"
@@ -46,9 +50,19 @@ export function Head({ pick }: { pick: () => void }) {
         ?
       </button>
       {openClip.value && (
-        <button type="button" class="button open-high" title="Open (Ctrl O)" onClick={pick}>
-          Open
-        </button>
+        <>
+          <button type="button" class="button open-high" title="Open (Ctrl O)" onClick={pick}>
+            Open
+          </button>
+          <button
+            type="button"
+            class="button strong share"
+            aria-haspopup="dialog"
+            onClick={askToShare}
+          >
+            Share
+          </button>
+        </>
       )}
     </header>
   );

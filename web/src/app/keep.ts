@@ -27,13 +27,15 @@ export async function recall(): Promise<void> {
   known = undefined;
   keepFailure.value = "";
   const hash = await engine.hash().catch(() => undefined);
-  if (source.value !== about || hero.value || !hash) return;
-  const kept = read(keyOf(hash));
+  if (source.value !== about || hero.value) return;
+  // What was shared is the same on every computer, until it is changed there.
+  const key = hash && keyOf(hash) + (about?.shared ? `:${about.shared.id}` : "");
+  const kept = (key && read(key)) || about?.shared;
   // Whoever was quick has begun anew meanwhile: then that counts.
   if (kept && !edits.value.length) await startEdits(kept.edits);
   if (kept && !segmentNames.value.length) segmentNames.value = kept.names;
-  if (source.value !== about) return;
-  known = { key: keyOf(hash), about };
+  if (source.value !== about || !key) return;
+  known = { key, about };
   keep();
 }
 
@@ -62,7 +64,7 @@ function keep() {
     names: segmentNames.value,
   };
   try {
-    if (kept.edits.length || kept.names.length)
+    if (kept.edits.length || kept.names.length || known.about?.shared)
       localStorage.setItem(known.key, JSON.stringify(kept));
     else localStorage.removeItem(known.key);
     keepFailure.value = "";

@@ -1,11 +1,12 @@
 import { batch } from "@preact/signals";
-import { nameOfUrl, parseHash } from "../lib/hash";
+import { type Link, nameOfUrl, parseHash, writeHash } from "../lib/hash";
 import { clampView } from "../lib/timeView";
 import type { Clip } from "../worker/types";
 import { survey, tableShown } from "./batch";
 import { compareWith, dropComparison, dropOtherSegments } from "./compare";
 import { detectNow } from "./detect";
 import { startEdits } from "./edit";
+import { type Enclosed, enclosed, enclosedSource } from "./enclosed";
 import { engine } from "./engine";
 import { fail, messageOf } from "./failing";
 import { fetchBlob } from "./fetch";
@@ -13,8 +14,10 @@ import { gather } from "./gather";
 import { recall } from "./keep";
 import { sizeLimit, tooLarge } from "./limits";
 import { pause, play, prefersStill } from "./playback";
+import { remark } from "./remarks";
 import { heroSample, samples } from "./samples";
 import { segmentNow } from "./segment";
+import { ask, overridesOf, understand } from "./showing";
 import type { Source } from "./state";
 import * as state from "./state";
 
@@ -65,7 +68,7 @@ export async function openFiles(files: readonly File[]): Promise<void> {
 
 export async function openSource(
   source: Source,
-  { lenient = false }: { lenient?: boolean } = {},
+  { lenient = source.showing?.lenient === "yes" }: { lenient?: boolean } = {},
 ): Promise<boolean> {
   if (source.data.size > sizeLimit) {
     fail(source.name, tooLarge(source.data.size), source);
@@ -89,7 +92,10 @@ export async function openSource(
       fail(source.name, opened.failure, source);
       return false;
     }
-    present(opened.clip, source, false);
+    source.lenient = lenient;
+    const clip = await reread(opened.clip, source);
+    if (mine !== turn) return false;
+    present(clip, source, false);
     state.task.value = { name: source.name, stage: "detect" };
     await Promise.race([detectNow(), aborted(signal)]);
     if (mine !== turn) return true;
@@ -105,13 +111,26 @@ export async function openSource(
   }
 }
 
-/** Puts a clip on show from its first frame. */
+/** Reads a clip as whoever passed it on had it read. */
+async function reread(clip: Clip, source: Source): Promise<Clip> {
+  const overrides = overridesOf(source.showing ?? {});
+  if (!Object.keys(overrides).length) return clip;
+  const opened = await engine.override(overrides);
+  if (opened.ok) return opened.clip;
+  remark({ text: `The link says how to read the file, but ${opened.failure.message}.` });
+  const { rate: _1, up: _2, unit: _3, joints: _4, ...others } = source.showing ?? {};
+  source.showing = others;
+  return clip;
+}
+
+/** Puts a clip on show from its first frame, or from the moment it is passed on at. */
 function present(clip: Clip, source: Source, asHero: boolean) {
+  const { showing } = source;
   batch(() => {
     pause();
     state.hero.value = asHero;
     state.source.value = source;
-    state.overrides.value = {};
+    state.overrides.value = showing ? overridesOf(showing) : {};
     state.detection.value = null;
     state.detectFailure.value = null;
     state.segmentation.value = null;
@@ -123,22 +142,27 @@ function present(clip: Clip, source: Source, asHero: boolean) {
       const { template: _, ...rest } = state.segmentOptions.value;
       state.segmentOptions.value = rest;
     }
+    if (showing) ask(showing);
     dropComparison();
     dropOtherSegments();
     if (state.looped.value) state.loop.value = "clip";
     state.loopRegion.value = null;
-    state.playhead.value = 0;
+    state.playhead.value = Math.min(
+      Math.round((showing?.t ?? 0) * clip.rate),
+      Math.max(0, clip.frames - 1),
+    );
     state.timeView.value = clampView({ start: 0, end: clip.frames }, clip.frames);
     state.clip.value = clip;
   });
-  if (!prefersStill()) play();
+  // Whoever was sent a moment wants to see it.
+  if (!prefersStill() && !showing?.t) play();
 }
 
 async function openRemote(
   url: string,
   name: string,
   stage: state.Task["stage"],
-  more: Pick<Source, "truth"> = {},
+  more: Partial<Source> = {},
 ): Promise<boolean> {
   const { mine, signal } = begin(name, stage);
   try {
@@ -147,7 +171,7 @@ async function openRemote(
       state.task.value = share === undefined ? { name, stage } : { name, stage, share };
     });
     if (mine !== turn) return false;
-    return await openSource({ name, data, ...more });
+    return await openSource({ ...more, name, data });
   } catch (error) {
     if (mine === turn) {
       fail(name, {
@@ -159,15 +183,21 @@ async function openRemote(
   }
 }
 
-export const openUrl = (url: string) => openRemote(url, nameOfUrl(url), "fetch");
+export const openUrl = (url: string, more: Partial<Source> = {}) =>
+  openRemote(url, nameOfUrl(url), "fetch", { ...more, origin: { kind: "url", url } });
 
-export async function openSample(name: string): Promise<boolean> {
+export async function openSample(name: string, more: Partial<Source> = {}): Promise<boolean> {
   const sample = samples.find((s) => s.name === name);
   if (sample) {
     const { truth } = sample;
-    const more = truth ? { truth } : {};
-    const opened = await openRemote(sample.url, `${sample.name}.bvh`, "read", more);
-    if (opened) address(`#sample=${encodeURIComponent(name)}`);
+    const origin = { kind: "sample", name } as const;
+    const opened = await openRemote(sample.url, `${sample.name}.bvh`, "read", {
+      ...more,
+      ...(truth ? { truth } : {}),
+      origin,
+    });
+    // A link that was followed stays as it is.
+    if (opened && !more.showing) address(writeHash({ origin, showing: "" }));
     return opened;
   }
   fail(name, { message: `There is no sample called "${name}".`, hint: "Choose one below." });
@@ -179,12 +209,37 @@ function address(hash: string) {
   history.replaceState(null, "", hash || location.pathname + location.search);
 }
 
-/** Follows `#url=` or `#sample=`; otherwise lets a sample move behind the empty page. */
+/**
+ * Opens what a shared page holds, or follows `#url=` or `#sample=`; otherwise lets a sample move
+ * behind the empty page.
+ */
 export async function openFromAddress(): Promise<void> {
+  if (enclosed) {
+    if (!state.clip.value) await openEnclosed(enclosed);
+    return;
+  }
   const link = parseHash(location.hash);
-  if (link?.kind === "url" && (await openUrl(link.url))) return;
-  if (link?.kind === "sample" && (await openSample(link.name))) return;
+  if (link && (await follow(link))) return;
   if (!state.clip.value) await showHero();
+}
+
+async function openEnclosed(held: Enclosed): Promise<void> {
+  try {
+    const showing = await understand(held.showing);
+    await openSource({ ...(await enclosedSource(held)), showing });
+  } catch (error) {
+    fail(held.name, { message: messageOf(error), hint: "Ask for the page again." });
+  }
+}
+
+async function follow({ origin, showing: text }: Link): Promise<boolean> {
+  const before = turn;
+  const showing = await understand(text);
+  // Whoever has opened something else meanwhile wants that.
+  if (before !== turn) return true;
+  return origin.kind === "url"
+    ? openUrl(origin.url, { showing })
+    : openSample(origin.name, { showing });
 }
 
 async function showHero(): Promise<void> {

@@ -1,7 +1,9 @@
 import { computed, signal } from "@preact/signals";
 import type { Span, Stay } from "../lib/edits";
+import type { Origin } from "../lib/hash";
 import { plantEdges, plantsOf } from "../lib/plants";
 import { type Action, actionsOf, cutsOf, type Named } from "../lib/segments";
+import type { Showing } from "../lib/showing";
 import type { TimeView } from "../lib/timeView";
 import type {
   Clip,
@@ -27,6 +29,14 @@ export interface Source {
   data: Blob;
   /** Where labels of it are that are known to be right. */
   truth?: string;
+  /** Where anyone can have it from; absent for a file of one's own. */
+  origin?: Origin;
+  /** Values that are no number are held from the frame before. */
+  lenient?: boolean;
+  /** How it is to be shown, where a link or a shared page says so. */
+  showing?: Showing;
+  /** What was changed in it by whoever shared it; by `id` it is told from the same clip shared again. */
+  shared?: { id: string; edits: readonly Edit[]; names: readonly Named[] };
 }
 
 /** Another clip that stands beside the one on show. */
@@ -197,7 +207,7 @@ export const renaming = signal<Action | null>(null);
 /** On a phone the panel is a sheet; this is whether it is up. */
 export const sheetOpen = signal(false);
 
-export const dialog = signal<"keys" | "notices" | null>(null);
+export const dialog = signal<"keys" | "notices" | "share" | null>(null);
 
 /** Files are being dragged over the page. */
 export const dragging = signal(false);

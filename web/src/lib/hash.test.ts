@@ -1,20 +1,55 @@
 import { expect, it } from "vitest";
-import { nameOfUrl, parseHash } from "./hash";
+import { nameOfUrl, parseHash, writeHash } from "./hash";
+
+const sample = (name: string, showing = "") => ({ origin: { kind: "sample", name }, showing });
+const url = (url: string, showing = "") => ({ origin: { kind: "url", url }, showing });
 
 it("reads a sample's name", () => {
-  expect(parseHash("#sample=walk")).toEqual({ kind: "sample", name: "walk" });
+  expect(parseHash("#sample=walk")).toEqual(sample("walk"));
 });
 
 it("reads an address, encoded or not, with its own query", () => {
-  const url = "https://example.org/a b.bvh?x=1&y=2";
-  expect(parseHash(`#url=${url}`)).toEqual({ kind: "url", url });
-  expect(parseHash(`#url=${encodeURIComponent(url)}`)).toEqual({ kind: "url", url });
+  const address = "https://example.org/a b.bvh?x=1&y=2";
+  expect(parseHash(`#url=${address}`)).toEqual(url(address));
+  expect(parseHash(`#url=${encodeURIComponent(address)}`)).toEqual(url(address));
+});
+
+it("reads how the clip is to be shown", () => {
+  expect(parseHash("#sample=walk&t=1.25&method=paper")).toEqual(
+    sample("walk", "t=1.25&method=paper"),
+  );
+  expect(parseHash("#t=2&sample=walk&r=0.002")).toEqual(sample("walk", "t=2&r=0.002"));
+  expect(parseHash("#t=2&url=https://example.org/a.bvh?t=3&r=4")).toEqual(
+    url("https://example.org/a.bvh?t=3&r=4", "t=2"),
+  );
 });
 
 it("asks for nothing otherwise", () => {
-  expect(parseHash("")).toBeUndefined();
-  expect(parseHash("#url=")).toBeUndefined();
-  expect(parseHash("#elsewhere")).toBeUndefined();
+  for (const hash of ["", "#url=", "#elsewhere", "#t=2", "#sample=", "#curl=https://a.b"]) {
+    expect(parseHash(hash)).toBeUndefined();
+  }
+});
+
+it("reads what it writes", () => {
+  const addresses = [
+    "https://example.org/a.bvh",
+    "https://example.org/a%20b.bvh?x=1&y=%2F#part",
+    "https://example.org/löwe und bär.bvh?url=https://example.org",
+    "http://127.0.0.1:8080/clips/100%.bvh",
+  ];
+  for (const showing of ["", "t=1.25&method=paper", "eye=1,2,3&at=0,0.9,0"]) {
+    for (const address of addresses) {
+      const link = url(address, showing);
+      expect(parseHash(writeHash(link as never))).toEqual(link);
+    }
+    for (const name of ["walk", "a&b=c", "ü #1"]) {
+      const link = sample(name, showing);
+      expect(parseHash(writeHash(link as never))).toEqual(link);
+    }
+  }
+  expect(writeHash(url("https://example.org/a.bvh?x=1&y=2", "t=2") as never)).toBe(
+    "#t=2&url=https://example.org/a.bvh?x=1&y=2",
+  );
 });
 
 it("names the file of an address", () => {

@@ -1,15 +1,35 @@
-export type Link = { kind: "url"; url: string } | { kind: "sample"; name: string };
+/** Where a clip can be had from by anyone. */
+export type Origin = { kind: "url"; url: string } | { kind: "sample"; name: string };
 
-/** What the address asks for: `#url=https://…` or `#sample=name`. */
+/** What the address asks for: `#sample=name&t=1.25` or `#t=1.25&url=https://…`. */
+export interface Link {
+  origin: Origin;
+  /** How the clip is to be shown, not read yet. */
+  showing: string;
+}
+
 export function parseHash(hash: string): Link | undefined {
   const text = hash.replace(/^#/, "");
   // A pasted address is rarely percent-encoded: everything after `url=` belongs to it.
-  if (text.startsWith("url=")) {
-    const url = decode(text.slice(4));
-    return url ? { kind: "url", url } : undefined;
+  const [, showing = "", rest] = text.match(/^(|.*?&)url=(.*)$/s) ?? [];
+  if (rest !== undefined) {
+    const url = decode(rest);
+    return url ? { origin: { kind: "url", url }, showing: showing.slice(0, -1) } : undefined;
   }
+  const parts = text.split("&");
   const name = new URLSearchParams(text).get("sample");
-  return name ? { kind: "sample", name } : undefined;
+  const others = parts.filter((part) => !part.startsWith("sample="));
+  return name ? { origin: { kind: "sample", name }, showing: others.join("&") } : undefined;
+}
+
+/** The same the other way round. */
+export function writeHash({ origin, showing }: Link): string {
+  if (origin.kind === "sample") {
+    return `#sample=${encodeURIComponent(origin.name)}${showing && `&${showing}`}`;
+  }
+  // Readable, unless it could be misread.
+  const url = /[%\s#]/.test(origin.url) ? encodeURIComponent(origin.url) : origin.url;
+  return `#${showing && `${showing}&`}url=${url}`;
 }
 
 /** The file name at the end of an address. */

@@ -10,7 +10,7 @@ export function PlantTable() {
   const listed = plants.value.slice(0, most);
   if (!listed.length) return null;
   return (
-    <table class="hidden">
+    <table>
       <caption>
         {plants.value.length} plants{plants.value.length > most ? `, the first ${most} listed` : ""}
       </caption>

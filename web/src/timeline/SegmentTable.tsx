@@ -11,7 +11,7 @@ export function SegmentTable() {
   const listed = actions.value.slice(0, most);
   if (!listed.length) return null;
   return (
-    <table class="hidden">
+    <table>
       <caption>
         {actions.value.length} segments
         {actions.value.length > most ? `, the first ${most} listed` : ""}

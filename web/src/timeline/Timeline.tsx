@@ -153,8 +153,10 @@ export function Timeline() {
           )
         )}
       </div>
-      <PlantTable />
-      <SegmentTable />
+      <div class="hidden">
+        <PlantTable />
+        <SegmentTable />
+      </div>
     </section>
   );
 }

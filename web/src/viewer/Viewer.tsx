@@ -15,6 +15,7 @@ import {
   look,
   openClip,
   plants,
+  playhead,
   source,
 } from "../app/state";
 import { theme } from "../app/theme";
@@ -24,6 +25,7 @@ import type { Clip } from "../worker/types";
 import { Companions } from "./Companions";
 import { Pills } from "./Pills";
 import type { Stage } from "./stage";
+import { staged } from "./staged";
 
 /** Why there is no picture; empty while there is one. */
 const trouble = signal<"" | "missing" | "lost">("");
@@ -125,12 +127,14 @@ function direct(host: HTMLElement): () => void {
 }
 
 function connect(stage: Stage): (() => void)[] {
+  staged.value = stage;
   let before: unknown;
   let up: unknown;
   return [
     effect(() => {
       void theme.value;
-      const reframe = before !== source.value || up !== clip.value?.up;
+      const isOther = before !== source.value;
+      const reframe = isOther || up !== clip.value?.up;
       before = source.value;
       up = clip.value?.up;
       const held = clip.value;
@@ -140,6 +144,7 @@ function connect(stage: Stage): (() => void)[] {
       stage.label(detection.peek(), plants.peek());
       stage.accompany(openClip.value ? besides.peek() : []);
       if (reframe) cameraView.value = "perspective";
+      if (isOther) showAsSent(stage);
     }),
     effect(() => stage.label(detection.value, plants.value)),
     effect(() => stage.accompany(openClip.value ? besides.value : [])),
@@ -155,6 +160,16 @@ function connect(stage: Stage): (() => void)[] {
       () => stage.frameAll(),
     ),
   ];
+}
+
+/** The camera is where a link or a shared page says. */
+function showAsSent(stage: Stage) {
+  const { showing } = source.peek() ?? {};
+  if (!showing) return;
+  stage.seek(playhead.peek());
+  stage.setFollow(follow.peek());
+  stage.show(showing);
+  if (showing.view) cameraView.value = showing.view;
 }
 
 /** An effect for requests: what was asked before there was a stage is past. */

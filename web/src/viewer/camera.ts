@@ -13,6 +13,7 @@ import {
   Vector4,
 } from "three";
 import type { CameraView } from "../app/state";
+import type { Sight } from "../lib/showing";
 
 CameraControls.install({
   THREE: {
@@ -36,6 +37,14 @@ const share = 0.84;
 const taken = { wide: { top: 52, bottom: 44 }, narrow: { top: 54, bottom: 54 } };
 /** Degrees from straight above. */
 const tilt = 76 * MathUtils.DEG2RAD;
+
+/** From where each of the four sides is looked at, in radians; the azimuth from where the character faces. */
+const angles = {
+  perspective: { azimuth: -0.62, polar: tilt },
+  front: { azimuth: 0, polar: 86 * MathUtils.DEG2RAD },
+  side: { azimuth: -Math.PI / 2, polar: 86 * MathUtils.DEG2RAD },
+  top: { azimuth: -Math.PI / 2, polar: 0 },
+};
 
 /** The camera and what it looks at: a person, from an angle, that travels along if asked. */
 export class Camera {
@@ -103,10 +112,30 @@ export class Camera {
 
   /** Looks at the character from one of the four sides; `facing` is an azimuth. */
   look(view: CameraView, facing: number, glide: boolean) {
-    const azimuth = { perspective: -0.62, front: 0, side: -Math.PI / 2, top: -Math.PI / 2 }[view];
-    const polar = view === "top" ? 0 : view === "perspective" ? tilt : 86 * MathUtils.DEG2RAD;
+    const { azimuth, polar } = angles[view];
     this.controls.normalizeRotations();
     void this.controls.rotateTo(facing + azimuth, polar, glide);
+  }
+
+  /** Whether it looks from a side as it does by itself. */
+  isAt(view: CameraView, facing: number): boolean {
+    const { azimuth, polar } = angles[view];
+    const turn = Math.cos(this.azimuth - facing - azimuth);
+    return this.framed && turn > 0.99999 && Math.abs(this.polar - polar) < 0.005;
+  }
+
+  /** Where it is and what it looks at. */
+  get sight(): Sight {
+    return {
+      eye: this.controls.getPosition(new Vector3()).toArray(),
+      at: this.controls.getTarget(new Vector3()).toArray(),
+    };
+  }
+
+  /** Looks from a place at another. */
+  place({ eye, at }: Sight) {
+    this.framed = false;
+    void this.controls.setLookAt(...eye, ...at, false);
   }
 
   /** Brings the whole character into the picture. */

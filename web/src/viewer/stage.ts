@@ -2,6 +2,7 @@ import { DirectionalLight, HemisphereLight, Scene, Vector2, WebGLRenderer } from
 import type { Beside, CameraView } from "../app/state";
 import { type Near, plantsNear } from "../lib/footprints";
 import type { Plant } from "../lib/plants";
+import type { Showing, Sight } from "../lib/showing";
 import { extentOf, facingOf, reachOf, sizeOf, travelOf } from "../lib/travel";
 import type { Clip, Detection } from "../worker/types";
 import { Bones } from "./bones";
@@ -120,7 +121,7 @@ export class Stage {
       const { size, clip: shown, lowest } = this.cast;
       this.camera.measure(size, reachOf(shown, lowest), x, z);
       this.camera.frame(false);
-      this.look("perspective", false);
+      this.look("perspective", false, 0);
     }
     this.invalidate();
   }
@@ -208,15 +209,43 @@ export class Stage {
     this.invalidate();
   }
 
-  look(view: CameraView, glide = true) {
+  /** Looks from a side at where the character faces, at the moment or at a frame. */
+  look(view: CameraView, glide = true, frame = Math.floor(this.moment)) {
     if (!this.cast) return;
-    const frame = Math.floor(this.moment);
-    const facing = facingOf(
-      this.cast.clip,
-      Math.min(frame, Math.max(this.cast.clip.frames - 1, 0)),
-    );
-    this.camera.look(view, Math.atan2(facing.x, facing.z), glide);
+    this.camera.look(view, this.facing(this.cast.clip, frame), glide);
     this.invalidate();
+  }
+
+  private facing(clip: Clip, frame: number): number {
+    const { x, z } = facingOf(clip, Math.min(frame, Math.max(clip.frames - 1, 0)));
+    return Math.atan2(x, z);
+  }
+
+  /** What the camera sees; absent where it does so by itself once a clip is open and a side chosen. */
+  sight(view: CameraView): Sight | undefined {
+    if (!this.cast) return undefined;
+    // Nobody has asked for the first side: it is that of the first frame.
+    const frame = view === "perspective" ? 0 : Math.floor(this.moment);
+    const isUsual = this.camera.isAt(view, this.facing(this.cast.clip, frame));
+    return isUsual ? undefined : this.camera.sight;
+  }
+
+  /** Looks at the moment from a place at another, or from a side. */
+  show({ view, eye, at }: Showing) {
+    if (!this.cast) return;
+    const [x, z] = this.whereabouts(this.cast);
+    // Along with the character, as if it had walked there.
+    this.camera.travel(x, z, true);
+    if (view) this.look(view, false);
+    if (eye && at) this.camera.place({ eye, at });
+    this.invalidate();
+  }
+
+  /** A picture of what is to be seen. */
+  picture(): Promise<Blob | null> {
+    // The drawing does not outlast the task it is drawn in.
+    this.draw();
+    return new Promise((resolve) => this.canvas.toBlob(resolve));
   }
 
   /** The character, or all of its way where the camera stands still. */

@@ -1,6 +1,7 @@
 /** The page's hold on the worker: starts it, ends it, and starts another when it fails. */
 
 import * as Comlink from "comlink";
+import { startClipWorker } from "./start";
 import { type CallsOf, coreThread, isTrap, type Thread } from "./thread";
 import type { DetectOptions, Edit, Overrides, SegmentOptions } from "./types";
 import type { Api, Compared, CutPart, Detected, Opened, Segmented } from "./worker";
@@ -237,8 +238,7 @@ export function createEngine(
 }
 
 function startWorker(onBroken: (reason: Error) => void): Thread<Api> {
-  const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-  return coreThread<Api>(worker, onBroken);
+  return coreThread<Api>(startClipWorker(), onBroken);
 }
 
 /** A fault of the program, told as a failure; a cancelled call stays cancelled. */

@@ -2,6 +2,9 @@
 
 import address from "../wasm/plantigrade_bg.wasm?url";
 
+/** The bytes of it. */
+export const coreBytes = () => fetch(address).then((response) => response.blob());
+
 let compiled: Promise<WebAssembly.Module> | undefined;
 
 /** The compiled module; one that could not be had is asked for again the next time. */

@@ -2,23 +2,15 @@
 
 import type { ArchiveApi } from "./archivist";
 import { createPool } from "./pool";
+import { startArchivist, startSurveyor } from "./start";
 import type { SurveyApi } from "./surveyor";
 import { coreThread, thread } from "./thread";
 
 /** Label files, each from its bytes to the facts of it. */
-export const surveyors = createPool((onBroken) =>
-  coreThread<SurveyApi>(
-    new Worker(new URL("./surveyor.ts", import.meta.url), { type: "module" }),
-    onBroken,
-  ),
-);
+export const surveyors = createPool((onBroken) => coreThread<SurveyApi>(startSurveyor(), onBroken));
 
 /** Packs and unpacks. */
 export const archivist = createPool(
-  (onBroken) =>
-    thread<ArchiveApi>(
-      new Worker(new URL("./archivist.ts", import.meta.url), { type: "module" }),
-      onBroken,
-    ),
+  (onBroken) => thread<ArchiveApi>(startArchivist(), onBroken),
   1,
 );

@@ -1,0 +1,58 @@
+import { beforeEach, expect, it } from "vitest";
+import { fill, jsonText, packed, text, titleText, unpacked } from "./blocks";
+
+const page = `<!doctype html><title>Plantigrade</title><div id="app"></div>
+<script type="text/plain" id="enclosed"></script>
+<script type="text/plain" id="clip"></script>
+<script type="text/plain" id="core"></script>
+<script type="module">const mark = ' id="clip">'; // </title> <title></script>`;
+
+const nasty = [
+  "</script><img src=x onerror=alert(1)>",
+  "</SCRIPT ><script>alert(1)</script>",
+  "<!-- <script>",
+  "]]>&lt;/script&gt;",
+  "</title><svg onload=alert(1)>",
+  "\u2028\u2029\0$& $1 $` \\u003c/script>",
+  '"); alert("',
+  "läufer 走る 🦶",
+];
+
+beforeEach(() => {
+  document.documentElement.innerHTML = "";
+});
+
+it("fills the blocks of a page and leaves the rest as it is", () => {
+  const filled = fill(page, { clip: "abc", title: "walk" }).join("");
+  expect(filled).toBe(page.replace("Plantigrade", "walk").replace(/(id="clip">)(?=<)/, "$1abc"));
+  // What was filled can be filled anew: a shared page is shared again.
+  expect(fill(filled, { clip: "", title: "Plantigrade" }).join("")).toBe(page);
+});
+
+it("gives no name a way out of its block", () => {
+  for (const name of nasty) {
+    const filled = fill(page, {
+      title: titleText(name),
+      enclosed: jsonText({ name, names: [{ name }] }),
+    }).join("");
+    const parsed = new DOMParser().parseFromString(filled, "text/html");
+    expect(parsed.querySelectorAll("script")).toHaveLength(4);
+    expect(parsed.querySelector("img, svg")).toBeNull();
+    const held = parsed.getElementById("enclosed")?.textContent ?? "";
+    expect(JSON.parse(held)).toEqual({ name, names: [{ name }] });
+  }
+});
+
+it("puts nothing into a block that could end it", () => {
+  expect(() => fill(page, { clip: "a</script>" })).toThrow("end too early");
+  expect(() => fill("<p>", { clip: "abc" })).toThrow("no room");
+});
+
+it("packs bytes as text and back", async () => {
+  const bytes = Uint8Array.from({ length: 100_000 }, (_, i) => (i * i) % 251);
+  const made = await packed(new Blob([bytes]));
+  expect(made).toMatch(/^[A-Za-z0-9+/]+=*$/);
+  document.body.innerHTML = `<script type="text/plain" id="clip">${made}</script>`;
+  expect(text("clip")).toBe(made);
+  expect(new Uint8Array(await (await unpacked("clip")).arrayBuffer())).toEqual(bytes);
+});

@@ -1,0 +1,56 @@
+/**
+ * A page in one file: the player, and in blocks of text that no browser runs what it plays.
+ * `fill` puts something into the blocks, `text` and `unpacked` read it in the page.
+ */
+
+/** In the order of the page: its own program comes after all of them. */
+export const blocks = ["title", "enclosed", "clip", "core"] as const;
+export type Block = (typeof blocks)[number];
+
+/** The page with other contents of some blocks, which must be free of `<`. */
+export function fill(page: string, contents: Partial<Record<Block, string>>): string[] {
+  const parts: string[] = [];
+  let from = 0;
+  for (const block of blocks) {
+    const content = contents[block];
+    if (content === undefined) continue;
+    if (content.includes("<")) throw new Error(`The ${block} would end too early.`);
+    const mark = block === "title" ? "<title>" : ` id="${block}">`;
+    const start = page.indexOf(mark, from) + mark.length;
+    const end = page.indexOf("</", start);
+    if (start < mark.length || end < 0) throw new Error(`The page has no room for the ${block}.`);
+    parts.push(page.slice(from, start), content);
+    from = end;
+  }
+  return [...parts, page.slice(from)];
+}
+
+/** A record as text of a block: nothing in it can end the block. */
+export const jsonText = (record: object) => JSON.stringify(record).replaceAll("<", "\\u003c");
+
+/** Words as text of the title. */
+export const titleText = (words: string) =>
+  words.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
+
+/** What a block of this page holds; nothing where there is no such block. */
+export const text = (block: Block) => document.getElementById(block)?.textContent ?? "";
+
+/** Bytes as text of a block, as short as can be had. */
+export async function packed(data: Blob): Promise<string> {
+  const small = await new Response(data.stream().pipeThrough(new CompressionStream("gzip"))).blob();
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve(String(reader.result).replace(/^.*,/, ""));
+    reader.onerror = () => reject(reader.error);
+    reader.readAsDataURL(small);
+  });
+}
+
+/** The bytes that a block of this page holds. */
+export async function unpacked(block: Block): Promise<Blob> {
+  const chars = atob(text(block));
+  const bytes = new Uint8Array(chars.length);
+  for (let i = 0; i < chars.length; i++) bytes[i] = chars.charCodeAt(i);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).blob();
+}
