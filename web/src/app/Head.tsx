@@ -23,7 +23,7 @@ export function Head({ pick }: { pick: () => void }) {
           class="button"
           aria-pressed={tableShown.value}
           onClick={() => {
-            tableShown.value = !tableShown.value || !openClip.value;
+            tableShown.value = !tableShown.value;
           }}
         >
           {rows.value.length} clips
@@ -49,20 +49,20 @@ export function Head({ pick }: { pick: () => void }) {
       >
         ?
       </button>
+      {(openClip.value || tableShown.value) && (
+        <button type="button" class="button open-high" title="Open (Ctrl O)" onClick={pick}>
+          Open
+        </button>
+      )}
       {openClip.value && (
-        <>
-          <button type="button" class="button open-high" title="Open (Ctrl O)" onClick={pick}>
-            Open
-          </button>
-          <button
-            type="button"
-            class="button strong share"
-            aria-haspopup="dialog"
-            onClick={askToShare}
-          >
-            Share
-          </button>
-        </>
+        <button
+          type="button"
+          class="button strong share"
+          aria-haspopup="dialog"
+          onClick={askToShare}
+        >
+          Share
+        </button>
       )}
     </header>
   );

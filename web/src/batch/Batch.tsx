@@ -46,6 +46,7 @@ function Head() {
   const isRunning = rows.value.some(({ status }) => status === "running");
   const isStopped = done < all && !isRunning;
   const method = methods.value.find(({ name }) => name === asked.value?.detect.method);
+  const back = openClip.value ? `Back to ${openClip.value.name}` : "Back to the start";
   const isStale = asked.value?.detect !== options.value;
   return (
     <div class="batch-head">
@@ -84,19 +85,17 @@ function Head() {
       <button type="button" class="button" disabled={done === 0} onClick={saveAll}>
         Save all <span class="quiet">zip</span>
       </button>
-      {openClip.value && (
-        <button
-          type="button"
-          class="button icon-only"
-          aria-label={`Back to ${openClip.value.name}`}
-          title={`Back to ${openClip.value.name}`}
-          onClick={() => {
-            tableShown.value = false;
-          }}
-        >
-          <Icon name="close" />
-        </button>
-      )}
+      <button
+        type="button"
+        class="button icon-only"
+        aria-label={back}
+        title={back}
+        onClick={() => {
+          tableShown.value = false;
+        }}
+      >
+        <Icon name="close" />
+      </button>
     </div>
   );
 }
