@@ -2,6 +2,7 @@ import { setOverrides } from "../app/detect";
 import { clip, openClip, overrides, source } from "../app/state";
 import { bytes, count, hertz, span } from "../lib/time";
 import type { Clip, Overrides, Up } from "../worker/types";
+import { Facts } from "./Facts";
 import { GaitFacts } from "./GaitFacts";
 import { SkateFacts } from "./SkateFacts";
 
@@ -15,7 +16,7 @@ export function ClipPanel() {
     <>
       <div class="field">
         <h2>Clip</h2>
-        <Facts clip={held} />
+        <Facts facts={factsOf(held)} />
       </div>
       <SkateFacts />
       <GaitFacts />
@@ -31,8 +32,8 @@ export function ClipPanel() {
   );
 }
 
-function Facts({ clip: held }: { clip: Clip }) {
-  const facts: [string, string][] = [
+function factsOf(held: Clip) {
+  return [
     ["File", held.name],
     ["Size", bytes(source.value?.data.size ?? 0)],
     ["Frames", count(held.frames)],
@@ -41,18 +42,8 @@ function Facts({ clip: held }: { clip: Clip }) {
     ["Joints", count(held.joints.filter((joint) => joint.kind !== "end-site").length)],
     ["Up axis", axis(held.up)],
     ["Unit", held.unit ?? `${Number(held.metresPerUnit.toPrecision(3))} m`],
-  ];
-  if (held.leg) facts.push(["Leg", `${(100 * held.leg).toFixed(0)} cm`]);
-  return (
-    <dl class="facts">
-      {facts.map(([name, value]) => (
-        <div key={name}>
-          <dt>{name}</dt>
-          <dd>{value}</dd>
-        </div>
-      ))}
-    </dl>
-  );
+    ["Leg", held.leg !== undefined && `${(100 * held.leg).toFixed(0)} cm`],
+  ] as const;
 }
 
 /** `z`, or `−z` with a real minus. */

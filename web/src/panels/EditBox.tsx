@@ -26,26 +26,8 @@ export function EditBox() {
     <div class="field edit">
       <div class="field-head">
         <h2>Edit</h2>
-        <button
-          type="button"
-          class="button plain icon-only"
-          aria-label="Undo"
-          title="Undo (Ctrl Z)"
-          disabled={!canUndo.value}
-          onClick={undo}
-        >
-          <Icon name="undo" />
-        </button>
-        <button
-          type="button"
-          class="button plain icon-only"
-          aria-label="Redo"
-          title="Redo (Ctrl Shift Z)"
-          disabled={!canRedo.value}
-          onClick={redo}
-        >
-          <Icon name="redo" />
-        </button>
+        <Step name="undo" keys="Ctrl Z" enabled={canUndo.value} act={undo} />
+        <Step name="redo" keys="Ctrl Shift Z" enabled={canRedo.value} act={redo} />
       </div>
       {selection.value ? (
         <Selected />
@@ -59,6 +41,32 @@ export function EditBox() {
         </p>
       )}
     </div>
+  );
+}
+
+function Step({
+  name,
+  keys,
+  enabled,
+  act,
+}: {
+  name: "undo" | "redo";
+  keys: string;
+  enabled: boolean;
+  act: () => void;
+}) {
+  const title = name === "undo" ? "Undo" : "Redo";
+  return (
+    <button
+      type="button"
+      class="button plain icon-only"
+      aria-label={title}
+      title={`${title} (${keys})`}
+      disabled={!enabled}
+      onClick={act}
+    >
+      <Icon name={name} />
+    </button>
   );
 }
 

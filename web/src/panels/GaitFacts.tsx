@@ -1,4 +1,5 @@
 import { gait } from "../app/measure";
+import { Facts } from "./Facts";
 
 const titles: Record<string, string> = {
   stance_s: "Stance",
@@ -51,17 +52,7 @@ export function GaitFacts() {
             ))}
         </tbody>
       </table>
-      <dl class="facts">
-        {facts.map(
-          ([name, value]) =>
-            value && (
-              <div key={name}>
-                <dt>{name}</dt>
-                <dd>{value}</dd>
-              </div>
-            ),
-        )}
-      </dl>
+      <Facts facts={facts} />
     </div>
   );
 }

@@ -1,12 +1,12 @@
-import { useComputed, useSignal } from "@preact/signals";
+import { useComputed } from "@preact/signals";
 import { compareWithTruth } from "../app/compare";
 import { select, selection } from "../app/edit";
-import { Icon } from "../app/icons";
 import { seekPlant } from "../app/playback";
 import { type SaveFormat, save } from "../app/save";
 import { detection, frame, openClip, other, plants, source } from "../app/state";
 import { certainPlant, type Plant, principalPart } from "../lib/plants";
 import { EditBox } from "./EditBox";
+import { ListHead } from "./ListHead";
 import { VirtualList } from "./VirtualList";
 
 const formats: readonly (readonly [SaveFormat, string, string])[] = [
@@ -39,35 +39,15 @@ export function LabelsPanel() {
 
 function Listed() {
   const rate = openClip.value?.rate ?? 1;
-  const isSaving = useSignal(false);
   return (
     <div class="field">
-      <div class="plants-head segments-head">
-        <h2>
-          Plants <span class="number">{plants.value.length}</span>
-        </h2>
-        <button
-          type="button"
-          class="button"
-          aria-expanded={isSaving.value}
-          aria-controls="save-labels"
-          onClick={() => {
-            isSaving.value = !isSaving.value;
-          }}
-        >
-          Save
-          <Icon name={isSaving.value ? "less" : "more"} />
-        </button>
-      </div>
-      {isSaving.value && (
-        <div class="save" id="save-labels">
-          {formats.map(([format, name, kind]) => (
-            <button key={format} type="button" class="button" onClick={() => save(format)}>
-              {name} <span class="quiet">{kind}</span>
-            </button>
-          ))}
-        </div>
-      )}
+      <ListHead title="Plants" count={plants.value.length}>
+        {formats.map(([format, name, kind]) => (
+          <button key={format} type="button" class="button" onClick={() => save(format)}>
+            {name} <span class="quiet">{kind}</span>
+          </button>
+        ))}
+      </ListHead>
       <p class="columns plant-columns" aria-hidden="true">
         <span>Start</span>
         <span>End</span>

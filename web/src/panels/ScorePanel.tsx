@@ -4,6 +4,7 @@ import { takeTheirs } from "../app/edit";
 import { pause, seek } from "../app/playback";
 import { frame, openClip, other, score, scorePart, scores } from "../app/state";
 import type { Disagreement, Score } from "../worker/types";
+import { Facts } from "./Facts";
 import { VirtualList } from "./VirtualList";
 
 /** How our labels agree with someone else's. */
@@ -110,14 +111,7 @@ function Events({ of: { events } }: { of: Score }) {
   return (
     <div class="field">
       <h2>Plants</h2>
-      <dl class="facts">
-        {facts.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <Facts facts={facts} />
     </div>
   );
 }

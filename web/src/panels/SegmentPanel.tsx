@@ -1,4 +1,4 @@
-import { useComputed, useSignal } from "@preact/signals";
+import { useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { dropOtherSegments } from "../app/compare";
 import { Icon } from "../app/icons";
@@ -21,6 +21,7 @@ import {
 import { sentence } from "../lib/report";
 import { type Action, kindText } from "../lib/segments";
 import { count } from "../lib/time";
+import { ListHead } from "./ListHead";
 import { VirtualList } from "./VirtualList";
 
 /** The actions that a clip is made of: how they are found, what they are called, and saved as. */
@@ -227,28 +228,12 @@ function Comparison() {
 
 function Listed() {
   const rate = openClip.value?.rate ?? 1;
-  const isSaving = useSignal(false);
   if (!actions.value.length) return null;
   return (
     <div class="field">
-      <div class="plants-head segments-head">
-        <h2>
-          Segments <span class="number">{actions.value.length}</span>
-        </h2>
-        <button
-          type="button"
-          class="button"
-          aria-expanded={isSaving.value}
-          aria-controls="save-segments"
-          onClick={() => {
-            isSaving.value = !isSaving.value;
-          }}
-        >
-          Save
-          <Icon name={isSaving.value ? "less" : "more"} />
-        </button>
-      </div>
-      {isSaving.value && <Save />}
+      <ListHead title="Segments" count={actions.value.length}>
+        <Save />
+      </ListHead>
       <p class="columns segment-columns" aria-hidden="true">
         <span>Start</span>
         <span>Length</span>
@@ -274,7 +259,7 @@ const formats = [
 
 function Save() {
   return (
-    <div class="save" id="save-segments">
+    <>
       {formats.map(([format, name, kind]) => (
         <button key={format} type="button" class="button" onClick={() => saveSegments(format)}>
           {name} <span class="quiet">{kind}</span>
@@ -283,7 +268,7 @@ function Save() {
       <button type="button" class="button" onClick={saveClips}>
         Clips <span class="quiet">BVH, zip</span>
       </button>
-    </div>
+    </>
   );
 }
 
