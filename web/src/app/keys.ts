@@ -28,7 +28,16 @@ import {
 } from "./playback";
 import { save } from "./save";
 import { askForName } from "./segment";
-import { type CameraView, chosen, clip, dialog, frameAllRequests, look, openClip } from "./state";
+import {
+  type CameraView,
+  chosen,
+  clip,
+  dialog,
+  frameAllRequests,
+  look,
+  openClip,
+  trails,
+} from "./state";
 
 /** Every key of the page, in the words of the dialog that lists them. */
 export const keyTable: readonly (readonly [
@@ -73,6 +82,7 @@ export const keyTable: readonly (readonly [
     [
       ["1 2 3 4", "Perspective, front, side, top"],
       ["F", "Frame everything"],
+      ["T", "Paths of toes and hips"],
       ["+ −", "Zoom the timeline"],
       ["0", "Fit the timeline"],
       ["← → Enter", "In a plot: frame by frame, go there"],
@@ -172,6 +182,7 @@ function play(event: KeyboardEvent): boolean {
   else if (event.key === "s" || event.key === "S") withSegment(segmentHere(), loopSegment);
   else if (event.key === "Enter") withSegment(chosen.value ?? segmentHere(), askForName);
   else if (event.key === "f" || event.key === "F") frameAllRequests.value++;
+  else if (event.key === "t" || event.key === "T") trails.value = !trails.value;
   else if (event.key === "n" || event.key === "N") stepDisagreement(event.shiftKey ? -1 : 1);
   else if (event.key === "0") fitTimeline();
   else if (event.key === "+" || event.key === "=") zoomTimeline(0.7);

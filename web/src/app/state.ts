@@ -196,6 +196,9 @@ export function look(view: CameraView) {
 /** The camera travels with the character. */
 export const follow = signal(true);
 
+/** The ways of toes and hips are drawn. */
+export const trails = signal(false);
+
 /** Counts requests to frame everything; the viewer answers each one. */
 export const frameAllRequests = signal(0);
 

@@ -17,6 +17,7 @@ import {
   plants,
   playhead,
   source,
+  trails,
 } from "../app/state";
 import { theme } from "../app/theme";
 import { momentShown } from "../app/why";
@@ -74,6 +75,17 @@ export function Viewer() {
               }}
             >
               Follow
+            </button>
+            <button
+              type="button"
+              class="chip"
+              aria-pressed={trails.value}
+              title="The ways of the toes and of the hips, a second back and ahead (T)"
+              onClick={() => {
+                trails.value = !trails.value;
+              }}
+            >
+              Paths
             </button>
           </div>
           <Pills />
@@ -143,10 +155,12 @@ function connect(stage: Stage): (() => void)[] {
       if (shown.value === "both") stage.haunt(held);
       stage.label(detection.peek(), plants.peek());
       stage.accompany(openClip.value ? besides.peek() : []);
+      stage.trace(trails.peek());
       if (reframe) cameraView.value = "perspective";
       if (isOther) showAsSent(stage);
     }),
     effect(() => stage.label(detection.value, plants.value)),
+    effect(() => stage.trace(trails.value)),
     effect(() => stage.accompany(openClip.value ? besides.value : [])),
     effect(() => stage.seek(momentShown.value)),
     effect(() => stage.setFollow(follow.value || hero.value)),

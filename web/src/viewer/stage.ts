@@ -11,6 +11,7 @@ import { Figure } from "./figure";
 import { Floor } from "./floor";
 import { type Palette, readPalette } from "./palette";
 import { Prints } from "./prints";
+import { Trails } from "./trails";
 
 /** How far apart characters stand side by side, in heights. */
 const apart = 0.75;
@@ -59,6 +60,7 @@ export class Stage {
   private labels: Labels | null = null;
   private ghost: Ghost | null = null;
   private companions: Companion[] = [];
+  private trails: Trails | null = null;
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
   private moment = 0;
@@ -113,6 +115,7 @@ export class Stage {
     this.label(null, []);
     this.haunt(null);
     this.accompany([]);
+    this.trace(false);
     const before = this.cast;
     this.cast = clip && this.castOf(clip);
     this.strike(before);
@@ -142,6 +145,19 @@ export class Stage {
     this.scene.add(cast.floor.mesh);
     cast.figure.enter(this.scene);
     return cast;
+  }
+
+  /** Shows the ways of toes and root around the moment, or does not. */
+  trace(wanted: boolean) {
+    if (this.trails) {
+      this.scene.remove(this.trails.group);
+      this.retired.push(this.trails);
+    }
+    const { cast } = this;
+    this.trails =
+      wanted && cast?.clip.frames ? new Trails(cast.clip, readPalette(this.host)) : null;
+    if (this.trails) this.scene.add(this.trails.group);
+    this.invalidate();
   }
 
   /** Shows other clips at the side of the one on stage; they start where it does, and go their own way. */
@@ -320,6 +336,7 @@ export class Stage {
       const floor = labels?.detection.floor ?? cast.lowest;
       figure.show(moment, floor, labels?.detection ?? null);
       this.ghost?.bones.show(this.ghost.clip, moment, floor);
+      this.trails?.show(moment, floor);
       const seconds = this.moment / clip.rate;
       labels?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
       for (const { figure, beside, lowest } of this.companions) {
@@ -346,6 +363,7 @@ export class Stage {
     cancelAnimationFrame(this.due);
     this.haunt(null);
     this.accompany([]);
+    this.trace(false);
     cancelAnimationFrame(this.due);
     this.strike(this.cast);
     for (const part of this.retired) part.dispose();
