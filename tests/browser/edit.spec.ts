@@ -172,3 +172,15 @@ test("full storage is said, and edits last as long as the page", async ({ app, p
   await expect(app.panel.getByText("The storage of this browser is full")).toBeVisible();
   expect(spans(await saved(app))[1]?.[0]).toBe((second?.[0] ?? 0) + 4);
 });
+
+test("names of actions are kept with the clip", async ({ app, page }) => {
+  await app.sample("limp-to-run");
+  await app.segments();
+  await app.panel.getByRole("textbox", { name: "Name of segment 2" }).fill("run");
+  await app.sample("bowling");
+  await app.sample("limp-to-run");
+  await page.reload();
+  await app.opened("limp-to-run.bvh");
+  await app.tab("Segment");
+  await expect(app.panel.getByRole("textbox", { name: "Name of segment 2" })).toHaveValue("run");
+});
