@@ -6,12 +6,14 @@ import { join } from "node:path";
 import { brotliCompressSync, constants } from "node:zlib";
 import { browser } from "./browser.mjs";
 import { buildSite } from "./build.mjs";
+import { figure } from "./figure.mjs";
 import { ask, main, root, run, step } from "./run.mjs";
 import { CRATES, setup } from "./setup.mjs";
 
 const clips = join(root, "target/bench");
-/** Frames of the generated clips at 120 Hz: ten thousand, about ten megabytes, and an hour. */
-const LENGTHS = [10_000, 26_000, 432_000];
+const figures = "docs/results";
+/** Frames of the generated clips at 120 Hz, from ten thousand to an hour; 26,000 are about ten megabytes. */
+const LENGTHS = [10_000, 26_000, 50_000, 100_000, 200_000, 432_000];
 const METHODS = ["auto", "pca", "pca-tail", "ppca", "lsd", "mvu"];
 
 await main(async () => {
@@ -44,16 +46,20 @@ await main(async () => {
     const call = (name, ...args) =>
       page.evaluate(([name, args]) => globalThis.bench[name](...args), [name, args]);
     await short(call, measured);
-    await hour(call, measured);
-    // A page of its own: its heap must not have been grown by others.
-    await page.reload();
-    await page.waitForFunction(() => document.title === "ready");
+    // Pages of their own: memory must not have been grown by others.
+    const anew = async () => {
+      await page.reload();
+      await page.waitForFunction(() => document.title === "ready");
+    };
+    await growth(call, anew, measured);
+    await anew();
     measured.loader = await call("loader", "/26000/long.bvh", 3);
     measured.drop = await drop(engine);
   } finally {
     await engine.close();
     await server.close();
   }
+  draw(measured.growth);
   const text = report(measured, others, sizes());
   writeFileSync(join(root, "BENCHMARKS.md"), text);
   console.log(`\n${text}\nBENCHMARKS.md is written.`);
@@ -85,6 +91,7 @@ async function short(call, measured) {
   measured.positions = await call("positions", 3);
   measured.detect = { 10000: await call("detect", 5, false) };
   measured.exact = { 10000: await call("detect", 1, true) };
+  measured.relabel = { w: await call("relabel", 5, "w"), r: await call("relabel", 5, "r") };
   measured.segment = {};
   for (const method of METHODS) {
     measured.segment[method] = await call("segment", method, method === "mvu" ? 1 : 3);
@@ -96,16 +103,60 @@ async function short(call, measured) {
   }
 }
 
-/** The long clip, and how time grows up to it. */
-async function hour(call, measured) {
-  measured.hour = await call("parse", "/432000/long.bvh", 1);
-  measured.detect[432000] = await call("detect", 2, false);
-  measured.hourAuto = await call("segment", "auto", 1);
-  measured.hourPositions = await call("positions", 1);
-  for (const frames of [200000, 100000, 50000, 20000]) {
-    await call("cut", frames);
-    measured.detect[frames] = await call("detect", 2, false);
+/** How time and memory grow with the length of a clip, up to an hour. */
+async function growth(call, anew, measured) {
+  measured.growth = [];
+  for (const frames of LENGTHS) {
+    await anew();
+    const read = await call("parse", `/${frames}/long.bvh`, 1);
+    const placed = await call("positions", 1);
+    const shown = await call("memory");
+    const detected = await call("detect", 2, false);
+    const labelled = await call("memory");
+    const { time, bytes, before } = read;
+    const memory = { read: read.memory, shown, labelled };
+    measured.growth.push({ frames, bytes, before, read: time, placed, detected, memory });
+    measured.detect[frames] = Math.min(
+      detected,
+      measured.detect[frames] ?? Number.POSITIVE_INFINITY,
+    );
   }
+  measured.hourAuto = await call("segment", "auto", 1);
+}
+
+/** The figures of growth. */
+function draw(growth) {
+  const thousands = { title: "frames", text: (value) => value.toLocaleString("en") };
+  const series = (label, value) => ({
+    label,
+    points: growth.map((row) => [row.frames, value(row)]),
+  });
+  const seconds = {
+    title: "time",
+    text: (value) => (value < 1000 ? `${value} ms` : `${value / 1000} s`),
+  };
+  const megabytes = { title: "memory", text: (value) => `${value} MB` };
+  const save = (name, drawn) => writeFileSync(join(root, figures, name), figure(drawn));
+  save("growth-time.svg", {
+    title: "Time over the length of a clip",
+    x: thousands,
+    y: seconds,
+    series: [
+      series("all parts labelled", (row) => row.detected),
+      series("read", (row) => row.read),
+      series("all joints placed", (row) => row.placed),
+    ],
+  });
+  save("growth-memory.svg", {
+    title: "WebAssembly memory over the length of a clip",
+    x: thousands,
+    y: megabytes,
+    series: [
+      series("most, once labelled", (row) => row.memory.labelled / 1e6),
+      series("once read and shown", (row) => row.memory.shown / 1e6),
+      series("the file", (row) => row.bytes / 1e6),
+    ],
+  });
 }
 
 /** From the moment that the page is given ten megabytes to labels on the timeline, in milliseconds. */
@@ -154,7 +205,8 @@ function sizes() {
 /** The page: every target with what was measured. */
 function report(m, others, size) {
   const rate = (parsed) => parsed.bytes / 1e3 / parsed.time;
-  const grown = (parsed) => (parsed.memory - parsed.before) / parsed.bytes;
+  const hour = m.growth.at(-1);
+  const grown = (memory) => (memory - hour.before) / hour.bytes;
   const ms = (value) =>
     value >= 1000 ? `${(value / 1000).toFixed(2)} s` : `${value.toPrecision(3)} ms`;
   const times = (value) => `${value.toPrecision(3)} ×`;
@@ -171,14 +223,16 @@ function report(m, others, size) {
     rate(m.parse) >= 250 && faster >= 40,
   );
   const heap = m.loader.grown / m.loader.bytes;
-  const hourMemory = grown(m.hour);
+  const hourMemory = grown(hour.memory.shown);
   row(
-    "memory to read an hour, of the file",
+    "memory to read and show an hour, of the file",
     times(hourMemory),
     `BVHLoader ${times(heap)} (${megabytes} MB)`,
     "2 ×, an eighth of BVHLoader's",
     hourMemory <= 2 && hourMemory * 8 <= heap,
   );
+  const most = grown(hour.memory.labelled);
+  row("memory to label it too, of the file", times(most), "-", "2 ×", most <= 2);
   const targets = { 300: 2, 1000: 10, 10000: 100, 432000: 2000 };
   for (const [frames, target] of Object.entries(targets)) {
     const known = ["sklearn", "dense"]
@@ -197,6 +251,7 @@ function report(m, others, size) {
       m.detect[frames] < target,
     );
   }
+  row("label 10,000 frames anew, another r", ms(m.relabel.r), "-", "16.7 ms", m.relabel.r < 16.7);
   for (const method of METHODS) {
     const target = method === "mvu" ? 4000 : 300;
     const ours = m.segment[method];
@@ -217,6 +272,14 @@ function report(m, others, size) {
     ([frames, time]) =>
       `| ${Number(frames).toLocaleString("en")} | ${ms(time)} | ${((time / frames) * 1000).toFixed(1)} µs |`,
   );
+  const whole = m.detect[10000];
+  const share = (time) =>
+    `${ms(Math.max(time, 0))} | ${((100 * Math.max(time, 0)) / whole).toFixed(0)} %`;
+  const stages = [
+    ["joints placed, heights and speeds", "anything but parameters changes", whole - m.relabel.w],
+    ["samples, norms and cells", "w changes", m.relabel.w - m.relabel.r],
+    ["degrees, thresholds and labels", "r changes", m.relabel.r],
+  ].map(([stage, when, time]) => `| ${stage} | ${when} | ${share(time)} |`);
   return `# Benchmarks
 
 Measured in Chromium's WebAssembly, one thread, on ${cpus().length} × ${cpus()[0]?.model.trim()};
@@ -228,14 +291,27 @@ between machines, absolute figures do not. References run in the same page
 |---|---:|---:|---:|---|
 ${rows.join("\n")}
 
-An hour (432,000 frames, ${(m.hour.bytes / 1e6).toFixed(0)} MB): read in ${ms(m.hour.time)},
+An hour (432,000 frames, ${(hour.bytes / 1e6).toFixed(0)} MB): read in ${ms(hour.read)},
 labelled in ${ms(m.detect[432000])}, cut into actions in ${ms(m.hourAuto)}, all joints placed
-in ${ms(m.hourPositions)}.
+in ${ms(hour.placed)}.
 
-## How detection grows
+## Where the time goes
+
+Labelling 10,000 frames takes ${ms(whole)} the first time. What does not depend on a slider is
+kept while it moves:
+
+| stage | done when | time | share |
+|---|---|---:|---:|
+${stages.join("\n")}
+
+## How time and memory grow
 
 | frames | time | per frame |
 |---:|---:|---:|
 ${growth.join("\n")}
+
+![Time over frames: labelling, reading and placing joints](${figures}/growth-time.svg)
+
+![Memory over frames: labelled, read and shown, and the file](${figures}/growth-memory.svg)
 `;
 }

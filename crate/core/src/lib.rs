@@ -44,6 +44,7 @@ pub mod labels;
 pub mod motion;
 mod named;
 pub mod notice;
+mod order;
 pub mod plants;
 pub mod score;
 pub mod segments;

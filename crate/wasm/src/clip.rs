@@ -1,14 +1,21 @@
 //! Reading a clip and holding it.
 
+use std::cell::OnceCell;
+
+use js_sys::Float32Array;
 use plantigrade::bvh::{Clip, Options, Parsed, Reader};
 use plantigrade::notice::Notice;
-use plantigrade::plants::{self, Feet, Params};
+use plantigrade::plants::{self, Detector, Feet, Params};
 use plantigrade::skeleton::{self, Role, Skeleton};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::detection::RawDetection;
+use crate::positions;
 use crate::records::{ClipFacts, DetectOptions, Failure, Overrides, from_js, to_js};
+
+/// Feet of longer clips are not kept for another detection: those of so many frames take 27 MB.
+const MOST_KEPT: usize = 100_000;
 
 /// Reads a file chunk by chunk.
 #[wasm_bindgen]
@@ -38,7 +45,13 @@ impl RawReader {
     pub fn finish(self) -> Result<RawClip, Failure> {
         let Parsed { clip, notices } = self.0.finish()?;
         let skeleton = Skeleton::main(&clip, &skeleton::Overrides::default());
-        Ok(RawClip { found_frame_time: clip.frame_time(), clip, notices, skeleton })
+        Ok(RawClip {
+            found_frame_time: clip.frame_time(),
+            clip,
+            notices,
+            skeleton,
+            detector: OnceCell::new(),
+        })
     }
 }
 
@@ -69,6 +82,8 @@ pub struct RawClip {
     found_frame_time: f64,
     notices: Vec<Notice>,
     skeleton: Skeleton,
+    /// What detection keeps for the next time, as the skeleton stands.
+    detector: OnceCell<Detector>,
 }
 
 #[wasm_bindgen]
@@ -94,8 +109,8 @@ impl RawClip {
     }
 
     /// All poses: frames (or one rest pose) × joints × 3 in metres, Y up.
-    pub fn positions(&self) -> Vec<f32> {
-        self.skeleton.positions(&self.clip)
+    pub fn positions(&self) -> Float32Array {
+        positions::all(&self.skeleton, &self.clip)
     }
 
     /// Puts overrides in place of those before.
@@ -109,6 +124,7 @@ impl RawClip {
         let frame_time = overrides.rate.map_or(self.found_frame_time, |rate| 1.0 / rate);
         self.clip.set_frame_time(frame_time);
         self.skeleton = Skeleton::main(&self.clip, &checked);
+        self.detector = OnceCell::new();
         Ok(())
     }
 
@@ -118,8 +134,17 @@ impl RawClip {
     /// If there is no motion, there are no feet, or an option breaks its rule.
     pub fn detect(&self, options: Ts<DetectOptions>) -> Result<RawDetection, Failure> {
         let params = Params::try_from(&from_js(&options)?)?.check()?;
-        let feet = Feet::of(&self.clip, &self.skeleton)?;
-        let found = plants::detect(&feet, params);
+        let found = match self.detector.get() {
+            Some(detector) => detector.detect(params),
+            None => {
+                let feet = Feet::of(&self.clip, &self.skeleton)?;
+                if feet.frame_count() > MOST_KEPT {
+                    plants::detect(&feet, params)
+                } else {
+                    self.detector.get_or_init(|| Detector::new(feet)).detect(params)
+                }
+            }
+        };
         Ok(RawDetection::new(found, self.skeleton.metres_per_unit, self.clip.frame_time()))
     }
 

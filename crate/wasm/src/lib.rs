@@ -8,6 +8,7 @@ mod compare;
 mod detection;
 mod evidence;
 mod gait;
+mod positions;
 mod records;
 mod segmentation;
 mod skate;

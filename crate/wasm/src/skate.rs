@@ -1,5 +1,6 @@
 //! Foot skate, measured and removed.
 
+use js_sys::Float32Array;
 use plantigrade::bvh::{self, Clip};
 use plantigrade::skate::{self, Cleaned, Contacts, Options, Slide};
 use plantigrade::skeleton::Skeleton;
@@ -7,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::positions;
 use crate::records::{Failure, NoticeText, to_js};
 use crate::{RawClip, RawDetection};
 
@@ -98,8 +100,8 @@ impl RawCleaned {
     }
 
     /// All poses: frames × joints × 3 in metres, Y up.
-    pub fn positions(&self) -> Vec<f32> {
-        self.skeleton.positions(self.clip())
+    pub fn positions(&self) -> Float32Array {
+        positions::all(&self.skeleton, self.clip())
     }
 
     /// The clip as a BVH file.

@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::{Vector2, Vector3};
 
 use crate::labels::{Side, intervals};
+use crate::order;
 use crate::plants::Feet;
 
 /// One plant of one foot, with its place on the ground in metres: (x, z) of axes with Y up.
@@ -21,10 +22,9 @@ pub(super) struct Footfall {
 ///
 /// Of two feet that are down when the clip begins, the one that leaves first came first.
 pub(super) fn footfalls(feet: &Feet, planted: [&[bool]; 2]) -> Vec<Footfall> {
-    let mut found: Vec<Footfall> =
+    let found: Vec<Footfall> =
         Side::BOTH.into_iter().flat_map(|side| of_foot(feet, side, planted[side as usize])).collect();
-    found.sort_by_key(|footfall| (footfall.frames.start, footfall.frames.end));
-    found
+    order::by_frames(found, |footfall| (footfall.frames.start, footfall.frames.end))
 }
 
 /// The plants of one foot.

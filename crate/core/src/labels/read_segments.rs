@@ -8,6 +8,7 @@ use serde_json::{Map, Value};
 use super::babel::{self, Sequence};
 use super::read::document;
 use super::{LabelsError, SEGMENTS_FORMAT, SegmentsDocument, csv};
+use crate::order;
 use crate::score::TrueCut;
 use crate::segments::{Kind, Segment};
 
@@ -234,11 +235,10 @@ fn tiles(pieces: Vec<Piece>, frames: usize) -> Result<Vec<Piece>, LabelsError> {
 }
 
 /// Tiles the clip with pieces: of two that overlap the first goes on to its end.
-fn filled(mut pieces: Vec<Piece>, frames: usize, rate: f64) -> Vec<Piece> {
+fn filled(pieces: Vec<Piece>, frames: usize, rate: f64) -> Vec<Piece> {
     let slack = (SLACK * rate).round() as usize;
-    pieces.sort_by_key(|piece| piece.segment.frames.start);
     let mut tiles: Vec<Piece> = Vec::new();
-    for mut piece in pieces {
+    for mut piece in order::by_frames(pieces, |piece| (piece.segment.frames.start, 0)) {
         let range = &mut piece.segment.frames;
         range.start = range.start.max(tiles.last().map_or(0, |tile| tile.segment.frames.end));
         if range.start >= range.end {

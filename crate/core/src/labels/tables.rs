@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Part, SegmentsDocument, Side, csv, intervals};
+use crate::order;
 use crate::plants::Detection;
 
 /// What was detected in one skeleton of a clip.
@@ -116,8 +117,7 @@ pub(super) fn events(detection: &Detection) -> Vec<(usize, &'static str, &'stati
             events.extend((range.end < labels.len()).then_some((range.end, context, "Foot Off")));
         }
     }
-    events.sort_unstable();
-    events
+    order::by_frames(events, |event| (event.0, 0))
 }
 
 /// Feet and parts in the order of the columns: left before right, contact, heel, toe.

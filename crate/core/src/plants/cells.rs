@@ -1,5 +1,6 @@
 //! Samples in cells of those that lie close together.
 
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::ops::Range;
@@ -8,10 +9,16 @@ use nalgebra::{DMatrix, DVector};
 
 use super::samples::Samples;
 
+use crate::order;
+
 /// Coordinates that are kept: those of a window of three frames.
 pub(super) const DIMS: usize = 6;
+/// Cells for each root of the number of samples: fewer are faster, more are closer ...
+const CELLS: f64 = 7.0;
+/// ... and at most this many.
+const MOST_CELLS: usize = 4096;
 
-/// A sample in units of the kernel's scale, turned so that coordinates vary most first.
+/// A sample, turned so that coordinates vary most first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
     pub place: [f32; DIMS],
@@ -28,8 +35,8 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    /// The principal axes of samples, in units of `sigma`.
-    pub fn of(samples: &Samples, sigma: f64) -> Axes {
+    /// The principal axes of samples.
+    pub fn of(samples: &Samples) -> Axes {
         let dimension = samples.dimension;
         let count = samples.len() as f64;
         let points = samples.points.chunks_exact(dimension);
@@ -43,22 +50,20 @@ impl Axes {
             scatter.syger(1.0, &off, &off, 1.0);
         }
         let eigen = scatter.symmetric_eigen();
-        let mut order: Vec<usize> = (0..dimension).collect();
-        order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+        let mut order = order::descending(eigen.eigenvalues.as_slice());
         order.truncate(DIMS);
-        let rows: Vec<_> =
-            order.iter().map(|&axis| eigen.eigenvectors.column(axis).transpose() / sigma).collect();
+        let rows: Vec<_> = order.iter().map(|&axis| eigen.eigenvectors.column(axis).transpose()).collect();
         Axes { mean, axes: DMatrix::from_rows(&rows) }
     }
 
     /// The samples as points.
-    pub fn points(&self, samples: &Samples, sigma: f64) -> Vec<Point> {
+    pub fn points(&self, samples: &Samples) -> Vec<Point> {
         let point = |(index, values): (usize, &[f64])| {
             let mut place = [0.0; DIMS];
             let mut whole = 0.0;
             for (axis, (value, mean)) in values.iter().zip(self.mean.iter()).enumerate() {
                 let off = value - mean;
-                whole += (off / sigma).powi(2);
+                whole += off * off;
                 for (place, along) in place.iter_mut().zip(self.axes.column(axis).iter()) {
                     *place += along * off;
                 }
@@ -71,6 +76,35 @@ impl Axes {
             }
         };
         samples.points.chunks_exact(samples.dimension).enumerate().map(point).collect()
+    }
+}
+
+/// Samples with their cells, which are made when first asked for and serve any scale.
+pub(super) struct Grouped {
+    pub samples: Samples,
+    axes: OnceCell<Axes>,
+    cells: OnceCell<Cells>,
+}
+
+impl Grouped {
+    /// The axes along which the samples vary most.
+    pub fn axes(&self) -> &Axes {
+        self.axes.get_or_init(|| Axes::of(&self.samples))
+    }
+
+    /// The cells along `axes`: those that are asked for first, as samples are only ever compared
+    /// with the same others.
+    pub fn cells(&self, axes: &Axes) -> &Cells {
+        self.cells.get_or_init(|| {
+            let most = (CELLS * (self.samples.len() as f64).sqrt()) as usize;
+            Cells::of(axes.points(&self.samples), most.min(MOST_CELLS))
+        })
+    }
+}
+
+impl From<Samples> for Grouped {
+    fn from(samples: Samples) -> Grouped {
+        Grouped { samples, axes: OnceCell::new(), cells: OnceCell::new() }
     }
 }
 
@@ -179,11 +213,11 @@ mod tests {
             dimension in prop_oneof![Just(2_usize), Just(5), Just(10)],
         ) {
             let samples = Samples::new(dimension, values);
-            let points = Axes::of(&samples, 0.5).points(&samples, 0.5);
+            let points = Axes::of(&samples).points(&samples);
             for (i, a) in points.iter().enumerate() {
                 for (j, b) in points.iter().enumerate() {
                     let own: f64 =
-                        samples.point(i).iter().zip(samples.point(j)).map(|(a, b)| ((a - b) / 0.5).powi(2)).sum();
+                        samples.point(i).iter().zip(samples.point(j)).map(|(a, b)| (a - b).powi(2)).sum();
                     let kept: f64 =
                         a.place.iter().zip(b.place).map(|(a, b)| f64::from(a - b).powi(2)).sum();
                     prop_assert!(kept <= own + 1e-4);
@@ -198,7 +232,7 @@ mod tests {
         #[test]
         fn every_point_has_one_cell(values in prop::collection::vec(-1.0..1.0_f64, 2..120), most in 1_usize..40) {
             let samples = Samples::new(2, values[..values.len() / 2 * 2].to_vec());
-            let cells = Cells::of(Axes::of(&samples, 1.0).points(&samples, 1.0), most);
+            let cells = Cells::of(Axes::of(&samples).points(&samples), most);
             prop_assert!(cells.cells.len() <= most);
             let mut indices: Vec<u32> = cells.points.iter().map(|point| point.index).collect();
             indices.sort_unstable();
@@ -213,7 +247,7 @@ mod tests {
     #[test]
     fn equal_points_stay_together() {
         let samples = Samples::new(2, [0.25, 0.75].repeat(50));
-        let cells = Cells::of(Axes::of(&samples, 1.0).points(&samples, 1.0), 10);
+        let cells = Cells::of(Axes::of(&samples).points(&samples), 10);
         assert_eq!(cells.cells.len(), 1);
     }
 }

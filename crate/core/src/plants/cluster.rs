@@ -4,7 +4,7 @@ use super::field::Field;
 use super::roots::Roots;
 use super::samples::Samples;
 use super::scale::Scale;
-use super::two_means;
+use super::two_means::{self, Classes};
 
 /// How a clustering came about, for showing why a frame is planted.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,8 +74,8 @@ pub(super) fn divide<'a>(
     let evidence = Evidence {
         frames,
         norms: samples.norms.clone(),
-        sorted_norms: scale.sorted_norms,
-        running_variance: scale.running_variance,
+        sorted_norms: scale.norms.sorted,
+        running_variance: scale.norms.running_variance,
         knee: scale.knee,
         tolerance: scale.tolerance,
         sigma,
@@ -100,14 +100,12 @@ struct Parting {
 impl Parting {
     /// By two-means; none where all values are equal.
     fn of(values: &[f64], norms: &[f64], between: Between) -> Option<Parting> {
-        let gap = two_means::threshold(values)?;
-        let (high, low): (Vec<usize>, Vec<usize>) =
-            (0..values.len()).partition(|&sample| values[sample] > gap);
-        let mean_norm =
-            |class: &[usize]| class.iter().map(|&sample| norms[sample]).sum::<f64>() / class.len() as f64;
-        let middle = |class: &[usize]| median(class.iter().map(|&sample| values[sample]).collect());
-        let (low_middle, high_middle) = (middle(&low), middle(&high));
-        let planted_is_high = mean_norm(&high) < mean_norm(&low);
+        let Classes { threshold: gap, medians: [low_middle, high_middle] } = two_means::classes(values)?;
+        let mean_norm = |is_high: bool| {
+            let class = || values.iter().zip(norms).filter(|&(&value, _)| (value > gap) == is_high);
+            class().map(|(_, norm)| norm).sum::<f64>() / class().count() as f64
+        };
+        let planted_is_high = mean_norm(true) < mean_norm(false);
         let threshold = match between {
             Between::Gap => gap,
             Between::Medians => (low_middle + high_middle) / 2.0,
@@ -115,11 +113,4 @@ impl Parting {
         let planted_middle = if planted_is_high { high_middle } else { low_middle };
         Some(Parting { threshold, planted_is_high, planted_middle })
     }
-}
-
-/// The middle value, or the mean of the two middle ones.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    let upper = values.len() / 2;
-    if values.len() % 2 == 1 { values[upper] } else { (values[upper - 1] + values[upper]) / 2.0 }
 }

@@ -81,10 +81,12 @@ impl Stand {
         };
         let ways = feet.tracks.each_ref().map(|foot| [way(&foot.ankle), way(&foot.toe)]);
         let [left, right] = &ways;
-        let step = |a: &Track, b: &Track, to: usize| ((a[to] - a[to - 1]) - (b[to] - b[to - 1])).norm();
+        let step =
+            |a: &Track, b: &Track, to: usize| ((a[to] - a[to - 1]) - (b[to] - b[to - 1])).norm_squared();
         let fastest = (1..shared.len())
             .flat_map(|to| left.iter().flat_map(move |a| right.iter().map(move |b| step(a, b, to))))
-            .fold(0.0, f64::max);
+            .fold(0.0, |most, step| if step > most { step } else { most })
+            .sqrt();
         Stand { ways, fastest }
     }
 
@@ -132,14 +134,20 @@ impl Stand {
         let [left, right] = &self.ways;
         let pairs = left.iter().flat_map(|left| right.iter().map(move |right| (left, right)));
         pairs
-            .map(|(left, right)| ((left[to] - left[from]) - (right[to] - right[from])).norm())
-            .fold(f64::INFINITY, f64::min)
+            .map(|(left, right)| ((left[to] - left[from]) - (right[to] - right[from])).norm_squared())
+            .fold(f64::INFINITY, lesser)
+            .sqrt()
     }
 
     /// How far a foot moves between two places.
     fn moved(&self, foot: usize, from: usize, to: usize) -> f64 {
-        self.ways[foot].iter().map(|way| (way[to] - way[from]).norm()).fold(f64::INFINITY, f64::min)
+        self.ways[foot].iter().map(|way| (way[to] - way[from]).norm()).fold(f64::INFINITY, lesser)
     }
+}
+
+/// The smaller of two; a call to `min` costs more than the comparison on wasm.
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
 #[cfg(test)]

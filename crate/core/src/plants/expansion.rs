@@ -38,18 +38,27 @@ struct Local {
 }
 
 /// For each sample of `targets`, the weighted sum of its likenesses to all of `sources`;
-/// weights are by sample.
-pub(super) fn sums(kernel: Kernel, sources: &Cells, weights: &[f64], targets: &Cells) -> Vec<f64> {
-    let sources = gathered(sources, weights);
+/// weights are by sample, and `sigma` is the kernel's scale in the units of the cells.
+pub(super) fn sums(
+    kernel: Kernel,
+    sigma: f64,
+    sources: &Cells,
+    weights: &[f64],
+    targets: &Cells,
+) -> Vec<f64> {
+    let sources = gathered(sources, weights, 1.0 / sigma);
+    let scale = (1.0 / sigma) as f32;
     let mut sums = vec![0.0; targets.points.len()];
     for (range, centre) in &targets.cells {
+        let place = centre.map(|place| place * scale);
         let local = match kernel {
-            Kernel::Gaussian => Local::about(centre, &sources, gaussian),
-            Kernel::Cauchy => Local::about(centre, &sources, cauchy),
+            Kernel::Gaussian => Local::about(&place, &sources, gaussian),
+            Kernel::Cauchy => Local::about(&place, &sources, cauchy),
         };
         for point in &targets.points[range.clone()] {
-            let off = std::array::from_fn(|axis| point.place[axis] - centre[axis]);
-            sums[point.index as usize] = f64::from(local.at(off, point.rest)).max(0.0);
+            let off = std::array::from_fn(|axis| (point.place[axis] - centre[axis]) * scale);
+            let rest = point.rest * scale * scale;
+            sums[point.index as usize] = f64::from(local.at(off, rest)).max(0.0);
         }
     }
     sums
@@ -73,8 +82,8 @@ fn cauchy(squares: Lanes) -> [Lanes; 4] {
     [value, first, second, third]
 }
 
-/// The moments of all cells; lanes that are left over weigh nothing.
-fn gathered(cells: &Cells, weights: &[f64]) -> Vec<Sources> {
+/// The moments of all cells, lengths times `scale`; lanes that are left over weigh nothing.
+fn gathered(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
     let gather = |chunk: &[(std::ops::Range<usize>, [f32; DIMS])]| {
         let mut sources =
             Sources { weight: NONE, centre: [NONE; DIMS], moments: [NONE; TRIANGLE], trace: NONE };
@@ -98,12 +107,12 @@ fn gathered(cells: &Cells, weights: &[f64]) -> Vec<Sources> {
                 }
             }
             sources.weight[lane] = whole as f32;
-            sources.trace[lane] = trace as f32;
+            sources.trace[lane] = (trace * scale * scale) as f32;
             for (lanes, value) in sources.centre.iter_mut().zip(centre) {
-                lanes[lane] = value as f32;
+                lanes[lane] = (value * scale) as f32;
             }
             for (lanes, value) in sources.moments.iter_mut().zip(moments) {
-                lanes[lane] = value as f32;
+                lanes[lane] = (value * scale * scale) as f32;
             }
         }
         sources
@@ -229,8 +238,8 @@ mod tests {
     }
 
     fn close(kernel: Kernel, samples: &Samples, weights: &[f64], sigma: f64, most: usize) -> Vec<f64> {
-        let cells = Cells::of(Axes::of(samples, sigma).points(samples, sigma), most);
-        sums(kernel, &cells, weights, &cells)
+        let cells = Cells::of(Axes::of(samples).points(samples), most);
+        sums(kernel, sigma, &cells, weights, &cells)
     }
 
     proptest! {

@@ -24,7 +24,8 @@ pub struct Field {
 impl Field {
     /// The field of samples whose heights and speeds were divided by `ranges`.
     pub(super) fn of(among: Among, ranges: Ranges) -> Field {
-        let Among { samples, weights, sigma, kernel, .. } = among;
+        let Among { weights, sigma, kernel, .. } = among;
+        let samples = &among.samples.samples;
         let stride = samples.len().div_ceil(MOST).max(1);
         let kept = || (0..samples.len()).step_by(stride);
         let share = samples.len() as f64 / kept().count().max(1) as f64;
@@ -45,18 +46,21 @@ impl Field {
     ///
     /// Takes about 1 ns for each pair of such a foot and a sample that is kept.
     pub fn roots(&self, heights: &[f64], speeds: &[f64]) -> Vec<f64> {
-        let held = Samples::held(heights, speeds, self.ranges, self.samples.dimension);
-        let &Field { ref samples, ref weights, sigma, kernel, .. } = self;
-        Among { samples, weights, sigma, kernel, pairs: Pairs::All }.of(&held).values
+        let held = Samples::held(heights, speeds, self.ranges, self.samples.dimension).into();
+        let &Field { ref weights, sigma, kernel, .. } = self;
+        Among { samples: &self.samples.clone().into(), weights, sigma, kernel, pairs: Pairs::All }
+            .of(&held)
+            .values
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plants::cells::Grouped;
 
     /// Feet that stand and swing in turn: without a window, so that every frame holds what it is.
-    fn swinging(count: usize) -> (Vec<[f64; 2]>, Samples) {
+    fn swinging(count: usize) -> (Vec<[f64; 2]>, Grouped) {
         let places: Vec<[f64; 2]> = (0..count)
             .map(|index| {
                 let swing = (index as f64 * 0.0611).sin().max(0.0);
@@ -64,11 +68,11 @@ mod tests {
             })
             .collect();
         let points = places.iter().flat_map(|[height, speed]| [height / 0.4, speed / 3.0]).collect();
-        (places, Samples::new(2, points))
+        (places, Samples::new(2, points).into())
     }
 
-    fn field(samples: &Samples, kernel: Kernel) -> Field {
-        let weights = vec![1.0; samples.len()];
+    fn field(samples: &Grouped, kernel: Kernel) -> Field {
+        let weights = vec![1.0; samples.samples.len()];
         let among = Among { samples, weights: &weights, sigma: 0.15, kernel, pairs: Pairs::All };
         Field::of(among, Ranges { height: 0.4, speed: 3.0 })
     }
@@ -97,9 +101,9 @@ mod tests {
         for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
             let some = field(&samples, kernel);
             assert!(some.samples.len() <= MOST);
-            let weights = vec![1.0; samples.len()];
+            let weights = vec![1.0; samples.samples.len()];
             let all = Among { samples: &samples, weights: &weights, sigma: 0.15, kernel, pairs: Pairs::All };
-            let held = Samples::held(&heights, &speeds, some.ranges, 2);
+            let held = Samples::held(&heights, &speeds, some.ranges, 2).into();
             let most = some.roots(&[0.0], &[0.0])[0];
             for (some, all) in some.roots(&heights, &speeds).iter().zip(all.of(&held).values) {
                 assert!((some - all).abs() < 0.005 * most, "{some} {all}");

@@ -17,6 +17,7 @@ mod cluster;
 mod confidence;
 mod degree;
 mod derivative;
+mod detector;
 mod drag;
 mod expansion;
 mod feet;
@@ -36,6 +37,7 @@ mod two_means;
 
 pub use cluster::Evidence;
 pub use degree::Kernel;
+pub use detector::Detector;
 pub use feet::{DetectError, Feet, FootTracks};
 pub use field::Field;
 pub use methods::{Family, Method};
@@ -110,7 +112,7 @@ impl PartLabels {
 /// on them. Takes time proportional to the number of frames, but for some of the methods
 /// that stand beside, whose time grows with its square.
 pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
-    run(Task { feet, still: None, params })
+    run(Task { feet, still: None, params, kept: None })
 }
 
 /// As [`detect`], with the feet of the same character standing still clustered along,
@@ -118,7 +120,7 @@ pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
 ///
 /// Methods that do not build on the published samples leave the standing clip aside.
 pub fn detect_along(feet: &Feet, still: &Feet, params: ValidParams) -> Detection {
-    run(Task { feet, still: Some(still), params })
+    run(Task { feet, still: Some(still), params, kept: None })
 }
 
 fn run(task: Task) -> Detection {

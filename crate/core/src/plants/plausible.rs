@@ -22,10 +22,13 @@ fn rate(feet: &Feet) -> Option<Notice> {
         |pair: &[nalgebra::Vector3<f64>]| (pair[1] - pair[0]).norm() / (feet.frame_time * feet.leg);
     let mut speeds: Vec<f64> =
         feet.tracks.iter().flat_map(|foot| foot.ankle.windows(2).map(legs_per_second)).collect();
-    speeds.sort_unstable_by(f64::total_cmp);
-    // A stuck-on pose is one fast step and says nothing about the rate.
-    let fastest = *speeds.get((speeds.len() as f64 * 0.98) as usize)?;
     let start = feet.hips.first()?;
+    if speeds.is_empty() {
+        return None;
+    }
+    // A stuck-on pose is one fast step and says nothing about the rate.
+    let most = (speeds.len() as f64 * 0.98) as usize;
+    let fastest = *speeds.select_nth_unstable_by(most, f64::total_cmp).1;
     let travel = feet.hips.iter().map(|hips| (hips - start).norm()).fold(0.0, f64::max) / feet.leg;
     let doubt = if fastest > FASTEST {
         "faster than feet can be"

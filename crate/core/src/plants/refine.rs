@@ -1,5 +1,6 @@
 //! Positions between frames, so that clips of low rates are measured as those of high ones.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use super::{Feet, FootTracks};
@@ -10,19 +11,22 @@ use crate::spline;
 const RATE: f64 = 120.0;
 
 /// Feet with `stride` times as many frames, and the pieces of their motion.
-pub(super) struct Refined {
-    pub feet: Feet,
+pub(super) struct Refined<'a> {
+    pub feet: Cow<'a, Feet>,
     pub pieces: Vec<Range<usize>>,
     /// Frame n of the clip is frame n × stride here.
     pub stride: usize,
 }
 
 /// Brings feet to about 120 Hz, piece by piece; faster ones stay as they are.
-pub(super) fn refined(feet: &Feet, pieces: &[Range<usize>]) -> Refined {
+pub(super) fn refined<'a>(feet: &'a Feet, pieces: &[Range<usize>]) -> Refined<'a> {
     let stride = (RATE * feet.frame_time).round().max(1.0) as usize;
+    if stride == 1 {
+        return Refined { feet: Cow::Borrowed(feet), pieces: pieces.to_vec(), stride };
+    }
     let fine = |track: &Track| between(track, pieces, stride);
     Refined {
-        feet: Feet {
+        feet: Cow::Owned(Feet {
             tracks: feet.tracks.each_ref().map(|foot| FootTracks {
                 ankle: fine(&foot.ankle),
                 toe: fine(&foot.toe),
@@ -31,7 +35,7 @@ pub(super) fn refined(feet: &Feet, pieces: &[Range<usize>]) -> Refined {
             hips: Track::new(),
             frame_time: feet.frame_time / stride as f64,
             ..*feet
-        },
+        }),
         pieces: pieces.iter().map(|piece| piece.start * stride..(piece.end - 1) * stride + 1).collect(),
         stride,
     }
@@ -39,9 +43,6 @@ pub(super) fn refined(feet: &Feet, pieces: &[Range<usize>]) -> Refined {
 
 /// A track with cubics between its frames that pass through them.
 fn between(track: &Track, pieces: &[Range<usize>], stride: usize) -> Track {
-    if stride == 1 {
-        return track.clone();
-    }
     let last = track.len() - 1;
     let mut fine = Track::with_capacity(last * stride + 1);
     for frame in 0..last {

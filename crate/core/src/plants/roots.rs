@@ -1,6 +1,6 @@
 //! The roots of the degrees of samples: exact for few samples, and for many wherever it matters.
 
-use super::cells::{Axes, Cells};
+use super::cells::Grouped;
 use super::degree::{Graph, Kernel};
 use super::expansion;
 use super::samples::Samples;
@@ -9,10 +9,6 @@ use super::samples::Samples;
 const AT_REST: f64 = 1e-30;
 /// Up to this many samples, all pairs are looked at.
 const FEW: usize = 3000;
-/// Cells for each root of the number of samples: fewer are faster, more are closer ...
-const CELLS: f64 = 7.0;
-/// ... and at most this many.
-const MOST_CELLS: usize = 4096;
 /// Samples that are made exact at first; then twice as many, and so on.
 const FIRST: usize = 64;
 /// How many times the largest correction so far a sample has to be from the threshold to stay as it is.
@@ -49,7 +45,7 @@ struct Close<'a> {
 /// Samples, weighted, among which others have degrees.
 #[derive(Clone, Copy)]
 pub(super) struct Among<'a> {
-    pub samples: &'a Samples,
+    pub samples: &'a Grouped,
     pub weights: &'a [f64],
     pub sigma: f64,
     pub kernel: Kernel,
@@ -63,34 +59,30 @@ impl<'a> Among<'a> {
     }
 
     /// The roots of what others would have for degrees; all 0 where the scale is none.
-    pub fn of(self, others: &'a Samples) -> Roots<'a> {
+    pub fn of(self, others: &'a Grouped) -> Roots<'a> {
         self.roots(others, false)
     }
 
-    fn roots(self, of: &'a Samples, meets_itself: bool) -> Roots<'a> {
-        let Among { samples, weights, sigma, kernel, pairs } = self;
+    fn roots(self, of: &'a Grouped, meets_itself: bool) -> Roots<'a> {
+        let Among { samples: among, weights, sigma, kernel, pairs } = self;
         if sigma <= AT_REST {
-            return vec![0.0; of.len()].into();
+            return vec![0.0; of.samples.len()].into();
         }
+        let samples = &among.samples;
         let graph = Graph::new(samples, sigma, kernel);
         if pairs == Pairs::All || samples.len() <= FEW {
-            let sums = if meets_itself { graph.times(weights) } else { graph.towards(of, weights) };
+            let sums = if meets_itself { graph.times(weights) } else { graph.towards(&of.samples, weights) };
             return root(sums).into();
         }
-        let axes = Axes::of(samples, sigma);
-        let sources = cells(&axes, samples, sigma);
-        let mut sums = if meets_itself {
-            expansion::sums(kernel, &sources, weights, &sources)
-        } else {
-            expansion::sums(kernel, &sources, weights, &cells(&axes, of, sigma))
-        };
+        let axes = among.axes();
+        let mut sums = expansion::sums(kernel, sigma, among.cells(axes), weights, of.cells(axes));
         if meets_itself {
             for (sum, weight) in sums.iter_mut().zip(weights) {
                 *sum = (*sum - weight).max(0.0);
             }
         }
         let is_exact = vec![false; sums.len()];
-        let close = Close { graph, weights, of, meets_itself, is_exact, worst: 0.0 };
+        let close = Close { graph, weights, of: &of.samples, meets_itself, is_exact, worst: 0.0 };
         Roots { values: root(sums), close: Some(close) }
     }
 }
@@ -150,11 +142,6 @@ impl Close<'_> {
     }
 }
 
-fn cells(axes: &Axes, samples: &Samples, sigma: f64) -> Cells {
-    let most = (CELLS * (samples.len() as f64).sqrt()) as usize;
-    Cells::of(axes.points(samples, sigma), most.min(MOST_CELLS))
-}
-
 fn root(mut sums: Vec<f64>) -> Vec<f64> {
     sums.iter_mut().for_each(|sum| *sum = sum.sqrt());
     sums
@@ -165,7 +152,7 @@ mod tests {
     use super::*;
 
     /// Samples of feet that stand and swing in turn, never twice the same.
-    fn gait(count: usize) -> Samples {
+    fn gait(count: usize) -> Grouped {
         let points: Vec<f64> = (0..count)
             .flat_map(|index| {
                 let time = index as f64 * 0.06;
@@ -177,13 +164,13 @@ mod tests {
                 })
             })
             .collect();
-        Samples::new(6, points)
+        Samples::new(6, points).into()
     }
 
     #[test]
     fn what_decides_is_exact() {
         let (samples, others) = (gait(4000), gait(4100));
-        let weights: Vec<f64> = samples.norms.iter().map(|norm| (-norm * norm).exp()).collect();
+        let weights: Vec<f64> = samples.samples.norms.iter().map(|norm| (-norm * norm).exp()).collect();
         for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
             let among = |pairs| Among { samples: &samples, weights: &weights, sigma: 0.15, kernel, pairs };
             let own = |pairs| among(pairs).own();
@@ -209,7 +196,7 @@ mod tests {
                     }
                 }
                 let exact = few.close.as_ref().unwrap().is_exact.iter().filter(|exact| **exact).count();
-                assert!(exact < samples.len(), "not all had to be made exact");
+                assert!(exact < samples.samples.len(), "not all had to be made exact");
             }
         }
     }

@@ -6,7 +6,7 @@ use super::signal::{self, Signals};
 
 /// Points in a space of `dimension` coordinates: all kept frames of the left
 /// foot, then those of the right (paper, section 2.3, steps 2 to 4).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Samples {
     pub dimension: usize,
     /// Samples × dimension.

@@ -1,31 +1,43 @@
 //! The scale σ of the kernel, from the knee of the sorted norms (paper, section 2.2).
 
+/// The norms of samples, as the knee is looked for in them.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Norms {
+    /// In ascending order.
+    pub sorted: Vec<f64>,
+    /// Sample variance of the first norms up to each one.
+    pub running_variance: Vec<f64>,
+}
+
 /// How σ was found.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Scale {
-    /// Norms in ascending order.
-    pub sorted_norms: Vec<f64>,
-    /// Sample variance of the first norms up to each one.
-    pub running_variance: Vec<f64>,
+    pub norms: Norms,
     /// Index of the knee: the last norm up to which the variance keeps to r.
     pub knee: usize,
     /// r: what the variance was compared with.
     pub tolerance: f64,
 }
 
+impl Norms {
+    /// Of norms in any order.
+    pub fn of(norms: &[f64]) -> Norms {
+        let mut sorted = norms.to_vec();
+        sorted.sort_unstable_by(f64::total_cmp);
+        Norms { running_variance: running_variance(&sorted), sorted }
+    }
+}
+
 impl Scale {
     /// Finds the knee for variance threshold r.
-    pub fn find(norms: &[f64], r: f64) -> Scale {
-        let mut sorted_norms = norms.to_vec();
-        sorted_norms.sort_unstable_by(f64::total_cmp);
-        let running_variance = running_variance(&sorted_norms);
-        let knee = running_variance.iter().rposition(|&variance| variance <= r).unwrap_or(0);
-        Scale { sorted_norms, running_variance, knee, tolerance: r }
+    pub fn find(norms: Norms, r: f64) -> Scale {
+        let knee = norms.running_variance.iter().rposition(|&variance| variance <= r).unwrap_or(0);
+        Scale { norms, knee, tolerance: r }
     }
 
     /// σ: the norm at the knee.
     pub fn sigma(&self) -> f64 {
-        self.sorted_norms.get(self.knee).copied().unwrap_or(0.0)
+        self.norms.sorted.get(self.knee).copied().unwrap_or(0.0)
     }
 }
 
@@ -65,8 +77,8 @@ mod tests {
 
     #[test]
     fn the_last_norm_within_r_is_the_knee() {
-        let scale = Scale::find(&[5.0, 0.0, 0.0, 0.0, 0.1], 0.01);
+        let scale = Scale::find(Norms::of(&[5.0, 0.0, 0.0, 0.0, 0.1]), 0.01);
         assert_eq!((scale.knee, scale.sigma()), (3, 0.1));
-        assert_eq!(Scale::find(&[1.0, 1.0], 0.01).sigma(), 1.0);
+        assert_eq!(Scale::find(Norms::of(&[1.0, 1.0]), 0.01).sigma(), 1.0);
     }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::{Feet, derivative};
+use super::{Feet, FootTracks, derivative};
 use crate::motion::Track;
 use crate::skeleton::Up;
 
@@ -52,22 +52,27 @@ impl Signal {
 }
 
 /// Signals of one effector by central differences over the whole clip (paper, section 2.1).
-pub(super) fn plain(feet: &Feet, effector: impl Fn(usize) -> Track) -> Signals {
+pub(super) fn plain(feet: &Feet, effector: impl Fn(&FootTracks) -> &Track) -> Signals {
     let pieces = [0..feet.frame_count()];
     let velocity = |track: &[Vector3<f64>]| derivative::central_difference(track, feet.frame_time);
-    let mut signals = [0, 1].map(|foot| Signal::of(&effector(foot), feet.up, &pieces, velocity));
+    let mut signals =
+        feet.tracks.each_ref().map(|foot| Signal::of(effector(foot), feet.up, &pieces, velocity));
     ground(&mut signals, &pieces);
     signals
 }
 
 /// Signals of one effector without spikes, their speed smoothed over a window of time.
-pub(super) fn smooth(feet: &Feet, pieces: &[Range<usize>], effector: impl Fn(usize) -> Track) -> Signals {
+pub(super) fn smooth(
+    feet: &Feet,
+    pieces: &[Range<usize>],
+    effector: impl Fn(&FootTracks) -> &Track,
+) -> Signals {
     // Rates such as 0.033333 and 0.033334 s must give the same window.
     let half = |seconds: f64| (seconds / feet.frame_time + 0.55).floor() as usize;
     let velocity =
         |track: &[Vector3<f64>]| derivative::edge_preserving(track, half(SPEED_WINDOW), feet.frame_time);
-    let mut signals = [0, 1].map(|foot| {
-        let track = without_spikes(&effector(foot), pieces, feet.leg);
+    let mut signals = feet.tracks.each_ref().map(|foot| {
+        let track = without_spikes(effector(foot), pieces, feet.leg);
         Signal::of(&track, feet.up, pieces, velocity)
     });
     local_ground(&mut signals, pieces, half(GROUND_WINDOW));

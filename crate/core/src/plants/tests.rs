@@ -251,3 +251,28 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_detector_labels_as_if_it_had_kept_nothing() {
+    // Long enough for the degrees to be summed by cells.
+    let feet = walk(4500, 120.0);
+    let detector = Detector::new(feet.clone());
+    let default = Params::default();
+    let changes = [
+        default,
+        Params { tolerance: 0.002, ..default },
+        Params { window: 3, ..default },
+        Params { method: Method::Paper, window: 3, ..default },
+        Params { tolerance: 0.0005, window: 3, ..default },
+        Params { scale: Some(0.2), window: 3, ..default },
+        Params { exact: true, ..default },
+        Params { tolerance: 0.002, ..default },
+        // Too many coordinates to be kept.
+        Params { window: 16, ..default },
+        Params { window: 16, tolerance: 0.01, ..default },
+        default,
+    ];
+    for params in changes.map(|params| params.check().unwrap()) {
+        assert_eq!(detector.detect(params), detect(&feet, params), "{params:?}");
+    }
+}

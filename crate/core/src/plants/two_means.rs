@@ -1,11 +1,20 @@
 //! Exact two-means of numbers.
 
-/// The threshold that splits `values` into the two classes with the least
-/// squared distances to their means; `None` if all are equal.
+/// Two classes of numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Classes {
+    /// Halfway between them.
+    pub threshold: f64,
+    /// The middle value of the lower and of the higher one.
+    pub medians: [f64; 2],
+}
+
+/// Splits `values` into the two classes with the least squared distances to their
+/// means; `None` if all are equal.
 ///
 /// Every split of the sorted values is tried, so the answer is the best there
-/// is. It lies halfway between the classes; among equally good splits it is the lowest.
-pub(super) fn threshold(values: &[f64]) -> Option<f64> {
+/// is; among equally good splits it is the lowest.
+pub(super) fn classes(values: &[f64]) -> Option<Classes> {
     let count = values.len();
     let mean = values.iter().sum::<f64>() / count as f64;
     let mut sorted = values.to_vec();
@@ -22,7 +31,15 @@ pub(super) fn threshold(values: &[f64]) -> Option<f64> {
             }
         }
     }
-    best.map(|(_, threshold)| threshold)
+    let (_, threshold) = best?;
+    let (low, high) = sorted.split_at(sorted.partition_point(|&value| value <= threshold));
+    Some(Classes { threshold, medians: [median(low), median(high)] })
+}
+
+/// The middle one of ascending values, or the mean of the two middle ones.
+fn median(sorted: &[f64]) -> f64 {
+    let upper = sorted.len() / 2;
+    if sorted.len() % 2 == 1 { sorted[upper] } else { (sorted[upper - 1] + sorted[upper]) / 2.0 }
 }
 
 #[cfg(test)]
@@ -39,9 +56,9 @@ mod tests {
         /// Against every way to put the values into two classes, contiguous or not.
         #[test]
         fn no_other_classes_are_better(values in prop::collection::vec(-1e3..1e3_f64, 2..11)) {
-            let threshold = threshold(&values);
-            prop_assume!(threshold.is_some());
-            let threshold = threshold.unwrap();
+            let found = classes(&values);
+            prop_assume!(found.is_some());
+            let threshold = found.unwrap().threshold;
             let classes = |in_high: &dyn Fn(usize) -> bool| {
                 let (high, low): (Vec<_>, Vec<_>) = (0..values.len()).partition(|&index| in_high(index));
                 [low, high].map(|class| class.into_iter().map(|index| values[index]).collect::<Vec<_>>())
@@ -56,8 +73,9 @@ mod tests {
 
     #[test]
     fn equal_values_have_no_threshold() {
-        assert_eq!(threshold(&[2.0; 5]), None);
-        assert_eq!(threshold(&[]), None);
-        assert_eq!(threshold(&[1.0, 1.0, 1.0, 3.0]), Some(2.0));
+        assert_eq!(classes(&[2.0; 5]), None);
+        assert_eq!(classes(&[]), None);
+        let found = Classes { threshold: 2.0, medians: [1.0, 3.5] };
+        assert_eq!(classes(&[1.0, 4.0, 1.0, 1.0, 3.0]), Some(found));
     }
 }

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::{EventScore, Events, Tally, events, lenient, strict};
 use crate::labels::{Labelling, Part, Side, intervals};
+use crate::order;
 use crate::plants::Detection;
 
 /// The fuzzy periods that accuracy is reported for, in seconds.
@@ -103,7 +104,7 @@ pub fn compare(detection: &Detection, other: &Labelling, frame_time: f64) -> Vec
                 }));
             }
         }
-        disagreements.sort_by_key(|run| (run.start, run.end));
+        let disagreements = order::by_frames(disagreements, |run| (run.start, run.end));
         Some(PartScore { part: *part, rows: rows.to_vec(), events: all.score(), disagreements })
     };
     other.parts.iter().filter_map(score).collect()

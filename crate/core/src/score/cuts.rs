@@ -2,6 +2,8 @@
 
 use std::ops::AddAssign;
 
+use crate::order;
+
 /// A true cut: somewhere in a range of frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrueCut {
@@ -97,10 +99,10 @@ pub fn cuts(found: &[usize], truth: &[TrueCut], frame_time: f64, tolerance: Tole
             }
         }
     }
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let distances: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
     let (mut is_used, mut is_met) = (vec![false; found.len()], vec![false; truth.len()]);
     let mut right = 0;
-    for (_, f, t) in pairs {
+    for (_, f, t) in order::ascending(&distances).into_iter().map(|place| pairs[place]) {
         if !is_used[f] && !is_met[t] {
             (is_used[f], is_met[t]) = (true, true);
             right += 1;

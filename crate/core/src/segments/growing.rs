@@ -45,7 +45,8 @@ impl Moments {
 /// What eigenvalues beyond the first `dims` amount to; order does not matter.
 pub(super) fn residual(eigenvalues: &[f64], dims: usize, kind: Residual) -> f64 {
     let mut sorted: Vec<f64> = eigenvalues.iter().map(|value| value.max(0.0)).collect();
-    sorted.sort_unstable_by(|a, b| b.total_cmp(a));
+    sorted.sort_unstable_by(f64::total_cmp);
+    sorted.reverse();
     let rest: f64 = sorted.iter().skip(dims).sum();
     match kind {
         Residual::Absolute => rest,

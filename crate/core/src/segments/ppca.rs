@@ -15,6 +15,8 @@ use super::pose::Poses;
 use super::task::{Found, Task};
 use super::{Curve, Residual, SegmentError};
 
+use crate::order;
+
 pub(super) const METHOD: Entry = Entry {
     name: "ppca",
     title: "Probabilistic PCA",
@@ -86,8 +88,7 @@ fn distance(moments: &Moments, count: usize, ahead: DMatrixView<f64>) -> f64 {
         .unwrap_or(values.len());
     let rest = residual(values, kept, Residual::Absolute);
     let noise = (rest / (values.len() - kept).max(1) as f64).max(LEAST_NOISE);
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_unstable_by(|&a, &b| values[b].total_cmp(&values[a]));
+    let order = order::descending(values);
     let mean = moments.mean();
     let mut sum = 0.0;
     for pose in ahead.column_iter() {

@@ -7,6 +7,7 @@ use super::{LegRoles, Role, Roles};
 use crate::bvh::{Clip, JointKind};
 use crate::labels::Side;
 use crate::motion;
+use crate::order;
 
 /// Finds the roles in the skeleton that hangs from `root`.
 pub(super) fn roles(clip: &Clip, root: usize) -> Roles {
@@ -165,7 +166,8 @@ impl<'a> Tree<'a> {
                 }
             }
         }
-        pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let reaches: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
+        let pairs: Vec<_> = order::descending(&reaches).into_iter().map(|place| pairs[place]).collect();
         let &(reach, a, b) = pairs.first()?;
         let own = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
         // A rival is a pair of other limbs that reaches nearly as far.

@@ -8,6 +8,8 @@ mod world;
 pub use roles::{LegRoles, Role, Roles};
 pub use world::{Up, unit_name};
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use crate::bvh::Clip;
@@ -108,9 +110,17 @@ impl Skeleton {
     ///
     /// A clip without motion gives its rest pose.
     pub fn positions(&self, clip: &Clip) -> Vec<f32> {
+        self.positions_in(clip, 0..motion::pose_count(clip))
+    }
+
+    /// As [`Skeleton::positions`], of some of the poses.
+    ///
+    /// # Panics
+    /// If there are no such poses.
+    pub fn positions_in(&self, clip: &Clip, poses: Range<usize>) -> Vec<f32> {
         let mut kinematics = motion::Kinematics::of(clip);
-        let mut positions = Vec::with_capacity(motion::pose_count(clip) * clip.joints().len() * 3);
-        for frame in 0..motion::pose_count(clip) {
+        let mut positions = Vec::with_capacity(poses.len() * clip.joints().len() * 3);
+        for frame in poses {
             for position in kinematics.pose(frame) {
                 let [x, y, z] = (self.up.to_y_up(*position) * self.metres_per_unit).into();
                 positions.extend([x as f32, y as f32, z as f32]);

@@ -43,7 +43,7 @@ fn a_clip_comes_with_its_facts() {
     let facts = facts(&clip);
     assert_eq!((facts.frames, facts.rate.round()), (245, 120.0));
     assert!(facts.roles.contains_key("left_toe") && facts.roles.contains_key("right_toe"));
-    assert_eq!(clip.positions().len(), facts.frames * facts.joints.len() * 3);
+    assert_eq!(clip.positions().length() as usize, facts.frames * facts.joints.len() * 3);
 }
 
 #[wasm_bindgen_test]
@@ -160,7 +160,7 @@ fn planted_feet_are_held_still() {
         assert_eq!((plant.before, plant.why_not), (before, None));
         assert!(plant.after < 1e-3, "{}", plant.after);
     }
-    assert_eq!(cleaned.positions().len(), clip.positions().len());
+    assert_eq!(cleaned.positions().length() as usize, clip.positions().length() as usize);
     let read = bvh::parse(cleaned.bvh().as_bytes(), bvh::Options::default()).unwrap().clip;
     assert_eq!(read.frame_count(), 245);
     assert!(cleaned.notices().unwrap().is_empty());

@@ -16,10 +16,7 @@ pub(super) const METHOD: Entry = Entry {
 
 fn detect(task: &Task) -> Found {
     let feet = task.feet;
-    let [toe, ankle] = [
-        signal::plain(feet, |foot| feet.tracks[foot].toe.clone()),
-        signal::plain(feet, |foot| feet.tracks[foot].ankle.clone()),
-    ];
+    let [toe, ankle] = [signal::plain(feet, |foot| &foot.toe), signal::plain(feet, |foot| &foot.ankle)];
     let mut toes = Toes::of(task);
     toes.signals = signal::bearing(&ankle, &toe, 0.0);
     let most = task.params.speed() / feet.metres_per_unit;

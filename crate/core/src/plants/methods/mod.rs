@@ -20,11 +20,13 @@ mod sparse;
 mod thresholds;
 mod toes;
 
+use std::cell::Cell;
 use std::fmt;
 use std::str::FromStr;
 
 pub(super) use height_speed::LIMITS as HEIGHT_SPEED;
 pub(super) use median_speed::LIMITS as MEDIAN_SPEED;
+pub(super) use robust::Kept;
 
 use super::{Feet, PartLabels, ValidParams};
 use crate::labels::Part;
@@ -86,6 +88,8 @@ pub(super) struct Task<'a> {
     /// The feet of the same character standing still, to be clustered along.
     pub still: Option<&'a Feet>,
     pub params: ValidParams,
+    /// What was kept from one detection of these feet to the next, where there may be one.
+    pub kept: Option<&'a Cell<Option<Kept>>>,
 }
 
 /// What a method finds.

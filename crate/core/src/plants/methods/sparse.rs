@@ -3,6 +3,7 @@
 use super::toes::Toes;
 use super::{Entry, Family, Found, Task};
 use crate::labels::Part;
+use crate::order;
 use crate::plants::samples::Samples;
 
 pub(super) const METHOD: Entry = Entry {
@@ -28,8 +29,7 @@ fn detect(task: &Task) -> Found {
 fn roots(samples: &Samples, sigma: f64) -> Vec<f64> {
     let count = samples.len();
     let mut degrees = vec![0.0; count];
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|&a, &b| samples.norms[a].total_cmp(&samples.norms[b]));
+    let order = order::ascending(&samples.norms);
     for (place, &i) in order.iter().enumerate() {
         let near = |&&j: &&usize| samples.norms[j] - samples.norms[i] <= REACH * sigma;
         for &j in order[place + 1..].iter().take_while(near) {

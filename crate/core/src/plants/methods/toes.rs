@@ -2,12 +2,13 @@
 
 use super::{Found, Task};
 use crate::labels::Part;
+use crate::plants::cells::Grouped;
 use crate::plants::cluster::{self, Between, Evidence};
 use crate::plants::degree::Kernel;
 use crate::plants::field::Field;
 use crate::plants::roots::{Among, Pairs};
 use crate::plants::samples::{Ranges, Samples};
-use crate::plants::scale::Scale;
+use crate::plants::scale::{Norms, Scale};
 use crate::plants::signal::{self, Signal, Signals};
 use crate::plants::{Feet, FootLabels, PartLabels, confidence};
 
@@ -51,7 +52,7 @@ impl<'a> Toes<'a> {
 
     /// σ by the knee of the norms, unless set by hand.
     pub fn scale(&self, task: &Task) -> (Scale, f64) {
-        let scale = Scale::find(&self.samples.norms, task.params.tolerance());
+        let scale = Scale::find(Norms::of(&self.samples.norms), task.params.tolerance());
         let sigma = task.params.scale().unwrap_or(scale.sigma());
         (scale, sigma)
     }
@@ -64,13 +65,14 @@ impl<'a> Toes<'a> {
     }
 
     /// Labels by the roots of the degrees (paper, section 2.3, steps 6 to 12).
-    pub fn parted_by_degree(self, scale: Scale, sigma: f64, pairs: Pairs) -> Found {
+    pub fn parted_by_degree(mut self, scale: Scale, sigma: f64, pairs: Pairs) -> Found {
         let frames = (0..self.feet.frame_count()).collect();
         let weights = vec![1.0; self.samples.len()];
         let kernel = Kernel::Gaussian;
-        let among = Among { samples: &self.samples, weights: &weights, sigma, kernel, pairs };
+        let grouped = Grouped::from(std::mem::take(&mut self.samples));
+        let among = Among { samples: &grouped, weights: &weights, sigma, kernel, pairs };
         let (mut evidence, planted) =
-            cluster::divide(frames, &self.samples, scale, sigma, among.own(), Between::Gap);
+            cluster::divide(frames, &grouped.samples, scale, sigma, among.own(), Between::Gap);
         evidence.field = Some(Field::of(among, self.ranges));
         self.parted((evidence, planted))
     }
@@ -131,5 +133,5 @@ impl<'a> Toes<'a> {
 }
 
 fn toe_signals(feet: &Feet) -> Signals {
-    signal::plain(feet, |foot| feet.tracks[foot].toe.clone())
+    signal::plain(feet, |foot| &foot.toe)
 }

@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 
+use crate::order;
+
 /// Dimensions that are kept of the poses.
 pub(super) const DIMS: usize = 6;
 /// Added to every variance, of a total of 1 for the clip: what recording makes of a pose that is held.
@@ -25,8 +27,7 @@ impl Gaussians {
             poses.column_iter().map(|pose| pose - &mean).collect::<Vec<_>>()
         });
         let eigen = (&centred * centred.transpose() / count as f64).symmetric_eigen();
-        let mut order: Vec<usize> = (0..eigen.eigenvalues.len()).collect();
-        order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+        let mut order = order::descending(eigen.eigenvalues.as_slice());
         order.truncate(DIMS);
         let total: f64 = order.iter().map(|&index| eigen.eigenvalues[index].max(0.0)).sum();
         let scale = if total > 1e-12 { total.sqrt().recip() } else { 0.0 };

@@ -4,6 +4,8 @@ use std::ops::{Range, RangeInclusive};
 
 use super::actions::Action;
 
+use crate::order;
+
 /// Motifs in a period.
 const PERIODS: RangeInclusive<usize> = 2..=8;
 
@@ -21,8 +23,7 @@ pub(super) fn repeats(classes: &[usize]) -> Vec<Action> {
         open.extend([range.start..motifs.start, motifs.end..range.end]);
         found.push(Action { cycle: cycle(&classes[motifs.clone()], period), motifs });
     }
-    found.sort_by_key(|action| action.motifs.start);
-    found
+    order::by_frames(found, |action| (action.motifs.start, 0))
 }
 
 /// The first of the longest stretches in which each motif is like the one a period later.
