@@ -1,9 +1,9 @@
 /** A figure of lines over two logarithmic axes, as SVG: on those, what grows in proportion is straight. */
 
-const WIDTH = 760;
+const WIDTH = 780;
 const HEIGHT = 380;
 const LEFT = 90;
-const RIGHT = 20;
+const RIGHT = 40;
 const TOP = 44;
 const BOTTOM = 48;
 /** Colours that differ for everyone, in order; those of the results' figures. */
