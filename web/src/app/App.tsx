@@ -55,7 +55,7 @@ export function App() {
           multiple
           onChange={(event) => {
             const input = event.currentTarget;
-            void openFiles([...(input.files ?? [])]);
+            void openFiles({ files: [...(input.files ?? [])] });
             // The same file may be chosen again after it was changed.
             input.value = "";
           }}

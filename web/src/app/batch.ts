@@ -6,6 +6,7 @@ import { stemOf, unique } from "../lib/names";
 import { tableCsv } from "../lib/table";
 import { archivist, type Orders, type Stoppable, type Survey, surveyors } from "../worker";
 import type { Failure } from "../worker/types";
+import { compareWith } from "./compare";
 import { messageOf } from "./failing";
 import { handOver } from "./handOver";
 import { keptOf } from "./keep";
@@ -131,7 +132,9 @@ export function stopSurvey() {
 
 /** Opens a clip of the table. */
 export async function openRow({ source }: Row): Promise<void> {
-  if (await openSource(source)) tableShown.value = false;
+  if (!(await openSource(source))) return;
+  tableShown.value = false;
+  for (const { name, data } of source.labels ?? []) await compareWith(name, data);
 }
 
 const everything = {
@@ -155,7 +158,8 @@ export async function saveAll(): Promise<void> {
           (survey) => survey.survey(data, name, orders, Comlink.proxy(keptOf)),
           stoppable.signal,
         );
-        for (const { ending, data } of surveyed.ok ? surveyed.documents : []) {
+        if (!surveyed.ok) throw new Error(`${name}: ${surveyed.failure.message}`);
+        for (const { ending, data } of surveyed.documents) {
           await calls.add(`${names[i]}${ending}`, data);
         }
         stoppable.onProgress?.(++count / done.length);

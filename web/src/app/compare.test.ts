@@ -13,13 +13,13 @@ const labels = (frames: number) => {
 };
 
 beforeEach(async () => {
-  await openFiles([clip()]);
+  await openFiles({ files: [clip()] });
   state.tab.value = "detect";
 });
 
 describe("comparing", () => {
   it("shows labels dropped beside a clip, which opens first", async () => {
-    await openFiles([labels(720), clip()]);
+    await openFiles({ files: [labels(720), clip()] });
     expect(state.openClip.value?.name).toBe("walk.bvh");
     expect(state.other.value?.name).toBe("truth.json");
     expect(state.score.value?.part).toBe("toe");
@@ -54,7 +54,7 @@ describe("comparing", () => {
     expect(state.score.value).toBeUndefined();
     expect(state.tab.value).toBe("labels");
     await compareWith("truth.json", labels(720));
-    await openFiles([clip()]);
+    await openFiles({ files: [clip()] });
     expect(state.other.value).toBeNull();
     expect(state.scores.value).toEqual([]);
   });

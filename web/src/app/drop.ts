@@ -1,3 +1,4 @@
+import { fail, messageOf } from "./failing";
 import { filesOf } from "./gather";
 import { openFiles } from "./open";
 import { dragging } from "./state";
@@ -43,7 +44,10 @@ export function listenForDrops(signal: AbortSignal) {
       event.preventDefault();
       inside.clear();
       settle();
-      if (event.dataTransfer) void filesOf(event.dataTransfer).then(openFiles);
+      if (!event.dataTransfer) return;
+      void filesOf(event.dataTransfer).then(openFiles, (error) =>
+        fail("What was dropped", { message: messageOf(error) }),
+      );
     },
     { signal },
   );
@@ -53,7 +57,7 @@ export function listenForDrops(signal: AbortSignal) {
       const files = [...(event.clipboardData?.files ?? [])];
       if (!files.length) return;
       event.preventDefault();
-      void openFiles(files);
+      void openFiles({ files });
     },
     { signal },
   );

@@ -1,5 +1,6 @@
 /** From what a person drops, picks or pastes to the files in it: folders are walked, archives unpacked. */
 
+import { stemOf } from "../lib/names";
 import { sniff } from "../lib/sniff";
 import { archivist } from "../worker";
 import { messageOf } from "./failing";
@@ -28,14 +29,22 @@ const limitsOf = (archive: File) => ({
   files: most,
 });
 
+/** Files of a drop; `isCut` where there are more than are taken. */
+export interface Files {
+  files: File[];
+  isCut?: boolean;
+}
+
 /** The files of a drop: it has to be asked at once, before it is gone. */
-export function filesOf(transfer: DataTransfer): Promise<File[]> {
+export function filesOf(transfer: DataTransfer): Promise<Files> {
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
-  if (!entries.some((entry) => entry?.isDirectory)) return Promise.resolve([...transfer.files]);
+  if (!entries.some((entry) => entry?.isDirectory)) {
+    return Promise.resolve({ files: [...transfer.files] });
+  }
   return walk(entries.filter((entry) => entry !== null));
 }
 
-async function walk(entries: readonly FileSystemEntry[]): Promise<File[]> {
+async function walk(entries: readonly FileSystemEntry[]): Promise<Files> {
   const found: File[] = [];
   const waiting = [...entries].map((entry) => ({ entry, isAsked: true }));
   while (waiting.length && found.length < most) {
@@ -50,7 +59,7 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<File[]> {
       found.push(await fileOf(entry as FileSystemFileEntry));
     }
   }
-  return found;
+  return { files: found, isCut: waiting.length > 0 };
 }
 
 const isKnown = (name: string) =>
@@ -74,8 +83,9 @@ async function list(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]
 }
 
 /** Tells clips from labels, and takes archives apart; nothing comes back where a person has stopped it. */
-export async function gather(files: readonly File[]): Promise<Gathered | undefined> {
+export async function gather({ files, isCut }: Files): Promise<Gathered | undefined> {
   const gathered: Gathered = { clips: [], labels: [], refusals: [] };
+  if (isCut) gathered.refusals.push(tooMany);
   for (const file of files) {
     const kind = await sniff(file);
     if (kind !== "archive") put(gathered, kind, file);
@@ -88,6 +98,35 @@ export async function gather(files: readonly File[]): Promise<Gathered | undefin
     }
   }
   return gathered;
+}
+
+/** Stands in the table for all that was left out. */
+const tooMany: Refusal = {
+  name: "More files",
+  failure: {
+    message: `the folder has more than ${most} files: the others were left out`,
+    hint: "Drop its folders one by one.",
+  },
+};
+
+/** Clips with the labels that bear their names; labels of none of them are refused. */
+export function withLabels(
+  clips: readonly Source[],
+  labels: readonly Source[],
+): Pick<Gathered, "clips" | "refusals"> {
+  const isOf = (clip: Source) => (label: Source) =>
+    label.name.toLowerCase().startsWith(`${stemOf(clip.name).toLowerCase()}.`);
+  const orphans = labels.filter((label) => !clips.some((clip) => isOf(clip)(label)));
+  return {
+    clips: clips.map((clip) => ({ ...clip, labels: labels.filter(isOf(clip)) })),
+    refusals: orphans.map(({ name }) => ({
+      name,
+      failure: {
+        message: "no clip of this drop bears the name of these labels",
+        hint: "Open their clip, and drop them on it.",
+      },
+    })),
+  };
 }
 
 /** An archive in an archive is not opened. */

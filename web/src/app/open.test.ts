@@ -18,7 +18,7 @@ beforeEach(() => {
 
 describe("opening", () => {
   it("shows the clip and its plants", async () => {
-    await openFiles([file("walk.bvh")]);
+    await openFiles({ files: [file("walk.bvh")] });
     expect(state.phase.value).toBe("ready");
     expect(state.openClip.value?.name).toBe("walk.bvh");
     expect(state.plants.value.length).toBeGreaterThan(10);
@@ -26,16 +26,16 @@ describe("opening", () => {
   });
 
   it("says what is wrong and keeps the clip before", async () => {
-    await openFiles([file("walk.bvh")]);
-    await openFiles([file("bad.bvh")]);
+    await openFiles({ files: [file("walk.bvh")] });
+    await openFiles({ files: [file("bad.bvh")] });
     expect(state.phase.value).toBe("error");
     expect(state.failure.value?.failure.line).toBe(466);
     expect(state.openClip.value?.name).toBe("walk.bvh");
   });
 
   it("lays several clips on a table", async () => {
-    await openFiles([file("walk.bvh")]);
-    await openFiles([file("bad.bvh"), file("walk.bvh"), file("second.bvh")]);
+    await openFiles({ files: [file("walk.bvh")] });
+    await openFiles({ files: [file("bad.bvh"), file("walk.bvh"), file("second.bvh")] });
     expect(tableShown.value).toBe(true);
     expect(rows.value.map(({ source }) => source.name)).toEqual([
       "bad.bvh",
@@ -57,8 +57,8 @@ describe("opening", () => {
   });
 
   it("can be cancelled", async () => {
-    await openFiles([file("walk.bvh")]);
-    const opening = openFiles([file("slow.bvh")]);
+    await openFiles({ files: [file("walk.bvh")] });
+    const opening = openFiles({ files: [file("slow.bvh")] });
     await vi.waitFor(() => expect(state.phase.value).toBe("loading"));
     cancelOpening();
     await opening;
@@ -74,7 +74,7 @@ describe("opening", () => {
 
 describe("a clip without labels", () => {
   it("still shows where no feet are found", async () => {
-    await openFiles([file("crab.bvh")]);
+    await openFiles({ files: [file("crab.bvh")] });
     expect(state.openClip.value?.name).toBe("crab.bvh");
     expect(state.detection.value).toBeNull();
     expect(state.detectFailure.value?.message).toContain("no feet");
@@ -82,7 +82,7 @@ describe("a clip without labels", () => {
 });
 
 it("labels anew when a setting changes", async () => {
-  await openFiles([file("walk.bvh")]);
+  await openFiles({ files: [file("walk.bvh")] });
   setOptions({ method: "paper" });
   await vi.waitFor(() => expect(state.detection.value?.options.method).toBe("paper"));
   expect(state.detection.value?.parts.heel).toBeUndefined();

@@ -10,7 +10,7 @@ import { type Enclosed, enclosed, enclosedSource } from "./enclosed";
 import { engine } from "./engine";
 import { fail, messageOf } from "./failing";
 import { fetchBlob } from "./fetch";
-import { gather } from "./gather";
+import { type Files, gather, withLabels } from "./gather";
 import { recall } from "./keep";
 import { sizeLimit, tooLarge } from "./limits";
 import { pause, play, prefersStill } from "./playback";
@@ -47,15 +47,16 @@ export function cancelOpening() {
 let drops = 0;
 
 /** Opens what was dropped: one clip with the labels that belong beside it, or many in a table. */
-export async function openFiles(files: readonly File[]): Promise<void> {
+export async function openFiles(dropped: Files): Promise<void> {
   const mine = ++drops;
-  const gathered = await gather(files);
+  const gathered = await gather(dropped);
   // Whoever has dropped something else meanwhile wants that.
   if (mine !== drops || !gathered) return;
   const { clips, labels, refusals } = gathered;
   const [only, ...others] = clips;
   if (others.length || (refusals.length && only) || refusals.length > 1) {
-    await survey(clips, refusals);
+    const matched = withLabels(clips, labels);
+    await survey(matched.clips, [...refusals, ...matched.refusals]);
     return;
   }
   const [refused] = refusals;

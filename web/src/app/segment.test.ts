@@ -18,14 +18,14 @@ const starts = () => state.actions.value.map(({ start }) => start);
 
 beforeEach(async () => {
   state.segmentOptions.value = { method: "auto" };
-  await openFiles([clip()]);
+  await openFiles({ files: [clip()] });
 });
 
 it("comes with the clip, also where there are no feet", async () => {
   expect(state.phase.value).toBe("ready");
   expect(starts()).toEqual([0, 240, 480]);
   expect(state.cuts.value).toEqual([240, 480]);
-  await openFiles([clip("crab.bvh")]);
+  await openFiles({ files: [clip("crab.bvh")] });
   expect(state.detection.value).toBeNull();
   expect(starts()).toEqual([0, 240, 480]);
 });
@@ -40,7 +40,7 @@ it("cuts anew when a setting changes, and keeps names where they still hold", as
   expect(first().name).toBe("");
   setSegmentOptions({ method: "auto" });
   await vi.waitFor(() => expect(first().name).toBe("walk"));
-  await openFiles([clip()]);
+  await openFiles({ files: [clip()] });
   expect(first().name).toBe("");
 });
 
@@ -66,17 +66,17 @@ it("can be stopped, and what was there stays", async () => {
 
 it("makes way for a clip that is opened, and says so where nothing was found before", async () => {
   state.segmentOptions.value = { method: "mvu" };
-  const opening = openFiles([clip()]);
+  const opening = openFiles({ files: [clip()] });
   await vi.waitFor(() => expect(state.work.value).toHaveLength(1));
   expect(state.phase.value).toBe("loading");
   state.work.value[0]?.stop();
   await opening;
   expect(state.phase.value).toBe("ready");
   expect(state.segmentFailure.value?.message).toContain("cancelled");
-  const again = openFiles([clip()]);
+  const again = openFiles({ files: [clip()] });
   await vi.waitFor(() => expect(state.work.value).toHaveLength(1));
   state.segmentOptions.value = { method: "auto" };
-  await Promise.all([again, openFiles([clip("other.bvh")])]);
+  await Promise.all([again, openFiles({ files: [clip("other.bvh")] })]);
   expect(state.openClip.value?.name).toBe("other.bvh");
   expect(starts()).toEqual([0, 240, 480]);
 });
@@ -92,7 +92,7 @@ it("steps from cut to cut and to the ends", () => {
 it("shows segments of someone else beside ours", async () => {
   const segments = [{ start: 0, end: 720, kind: "action", label: "walk" }];
   const file = new File([JSON.stringify({ segments })], "truth.json");
-  await openFiles([file, clip()]);
+  await openFiles({ files: [file, clip()] });
   expect(state.otherSegments.value?.name).toBe("truth.json");
   expect(state.other.value).toBeNull();
   expect(state.tab.value).toBe("segment");
@@ -100,7 +100,7 @@ it("shows segments of someone else beside ours", async () => {
   dropOtherSegments();
   expect(state.cutScores.value).toEqual([]);
   await compareWith("truth.json", file);
-  await openFiles([clip()]);
+  await openFiles({ files: [clip()] });
   expect(state.otherSegments.value).toBeNull();
 });
 

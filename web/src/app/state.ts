@@ -37,6 +37,8 @@ export interface Source {
   showing?: Showing;
   /** What was changed in it by whoever shared it; by `id` it is told from the same clip shared again. */
   shared?: { id: string; edits: readonly Edit[]; names: readonly Named[] };
+  /** Labels and segments that were dropped with it and bear its name. */
+  labels?: readonly Source[];
 }
 
 /** Another clip that stands beside the one on show. */

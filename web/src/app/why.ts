@@ -2,8 +2,10 @@ import { computed, effect, signal } from "@preact/signals";
 import { reachOf } from "../lib/evidence";
 import { latest } from "../lib/latest";
 import { principalPart } from "../lib/plants";
+import { Cancelled } from "../worker";
 import type { Part, Side, Why } from "../worker/types";
 import { engine } from "./engine";
+import { failTo } from "./failing";
 import { clip, detection, openClip, playhead, playing, tab } from "./state";
 
 /** A frame that a pointer or a key rests on. */
@@ -59,8 +61,10 @@ const ask = latest(async ({ part, about }: { part: Part; about: unknown }) => {
     const found = await engine.why(part, reachOf(tracks));
     // What is asked while a slider moves may be of the next labels already: those are on their way.
     if (clip.value === about && found) why.value = found;
-  } catch {
-    // A worker that fails says so where the labels are.
+  } catch (error) {
+    if (clip.value === about && !(error instanceof Cancelled)) {
+      failTo("explained", clip.value?.name ?? "", error);
+    }
   }
 });
 

@@ -1,4 +1,4 @@
-import { eachInSight, firstAfter } from "../lib/crowd";
+import { eachInSight } from "../lib/crowd";
 import { doubtful, type Plant, plantsWithin } from "../lib/plants";
 import { toX } from "../lib/timeView";
 import type { Track } from "../worker/types";
@@ -10,6 +10,7 @@ import { font, type Scene } from "./scene";
 const leastRoom = 20;
 
 const doubts = new WeakMap<Track, Uint32Array>();
+const edits = new WeakMap<Track, Uint32Array>();
 
 export function bracket(
   pen: CanvasRenderingContext2D,
@@ -95,17 +96,11 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
 
 /** Bars as a person wants them have a line along their foot. */
 function markEdited(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
-  const { view, ink } = scene;
-  const { intervals, edited } = lane.track;
-  pen.fillStyle = ink.text;
-  for (let i = firstAfter(intervals, view.start); i < intervals.length; i += 2) {
-    const start = intervals[i] as number;
-    if (start > view.end) break;
-    if (!edited[i / 2]) continue;
-    const from = toX(view, start, inner);
-    const to = toX(view, intervals[i + 1] as number, inner);
-    pen.fillRect(from, lane.y + lane.height - 1.5, Math.max(2, to - from - 1), 2);
-  }
+  pen.fillStyle = scene.ink.text;
+  eachInSight(editedOf(lane.track), scene.view, inner, (from, to, isCrowd) => {
+    // From afar one could not tell which.
+    if (!isCrowd) pen.fillRect(from, lane.y + lane.height - 1.5, Math.max(2, to - from - 1), 2);
+  });
 }
 
 /** The bar that is edited: a frame around it, with a handle at each end. */
@@ -168,6 +163,15 @@ function numberPlants(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, i
     } else pen.fillStyle = ink.onSide;
     pen.fillText(String(plant.number), x, middle + 0.5);
   }
+}
+
+function editedOf(track: Track): Uint32Array {
+  let held = edits.get(track);
+  if (!held) {
+    held = track.intervals.filter((_, i) => track.edited[i >> 1] === 1);
+    edits.set(track, held);
+  }
+  return held;
 }
 
 function doubtsOf(track: Track): Uint32Array {
