@@ -61,6 +61,8 @@ async function wasm() {
   ];
   const output = await cargo(args, {
     CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: tool("wasm-test"),
+    // The first start of a browser on a busy machine takes longer than the default of 20 s.
+    WASM_BINDGEN_TEST_TIMEOUT: "180",
     CHROMEDRIVER: driver,
     CHROMIUM_PATH: chromium,
   });

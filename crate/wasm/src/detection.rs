@@ -59,8 +59,12 @@ impl RawDetection {
     }
 
     pub(crate) fn part(&self, part: &str) -> Result<&PartLabels, Failure> {
-        let labels = self.core().parts.iter().find(|labels| labels.part.name() == part);
-        labels.ok_or_else(|| Failure::from(format!("this method does not label {part:?}")))
+        part_of(self.core(), part)
+    }
+
+    /// The same as it was found, whatever a person says.
+    pub(crate) fn part_found(&self, part: &str) -> Result<&PartLabels, Failure> {
+        part_of(&self.found, part)
     }
 
     pub(crate) fn foot(&self, part: &str, of: &str) -> Result<&FootLabels, Failure> {
@@ -139,4 +143,9 @@ impl RawDetection {
         let ranges = labels::intervals(&labels.foot(side).planted);
         Ok(ranges.iter().map(|range| u8::from(shown.is_edited(side, labels.part, range))).collect())
     }
+}
+
+fn part_of<'a>(detection: &'a Detection, part: &str) -> Result<&'a PartLabels, Failure> {
+    let labels = detection.parts.iter().find(|labels| labels.part.name() == part);
+    labels.ok_or_else(|| Failure::from(format!("this method does not label {part:?}")))
 }

@@ -45,7 +45,7 @@ pub struct LimitFacts {
 
 impl RawDetection {
     fn evidence_of(&self, part: &str) -> Result<&Evidence, Failure> {
-        let evidence = self.part(part)?.evidence.as_ref();
+        let evidence = self.part_found(part)?.evidence.as_ref();
         evidence.ok_or_else(|| Failure::from("nothing was clustered".to_owned()))
     }
 
@@ -67,7 +67,7 @@ impl RawDetection {
     /// Whether there was anything to cluster; without, there is no evidence.
     #[wasm_bindgen(js_name = hasEvidence)]
     pub fn has_evidence(&self, part: &str) -> Result<bool, Failure> {
-        Ok(self.part(part)?.evidence.is_some())
+        Ok(self.part_found(part)?.evidence.is_some())
     }
 
     /// How the samples were parted.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Part, Side, intervals};
-use crate::plants::{Detection, FootLabels};
+use crate::plants::{Detection, FootLabels, PartLabels};
 
 /// A plant is not shorter, in seconds: what an edit leaves of a detected one that is, is no plant.
 const SHORTEST: f64 = 0.1;
@@ -30,18 +30,23 @@ pub struct Edit {
 /// along as far as that demands. What is left of a detected plant beside a stretch that was
 /// set free is dropped where it lasts less than 0.1 s, so that edits hold when the clip is
 /// detected anew with other parameters. Edits of parts that were not detected have no effect.
-/// `frame_time` is in seconds.
+/// `frame_time` is in seconds. The evidence stays with what was found: it speaks of nothing else.
 pub fn edited(found: &Detection, edits: &[Edit], frame_time: f64) -> Detection {
-    let mut detection = found.clone();
-    detection.edits = edits.to_vec();
-    for labels in &mut detection.parts {
-        for side in Side::BOTH {
-            let foot = &mut labels.feet[side as usize];
+    let parts = found.parts.iter().map(|labels| {
+        let mut feet = labels.feet.clone();
+        for (side, foot) in Side::BOTH.into_iter().zip(&mut feet) {
             let by_hand = lay(foot, edits, side, labels.part);
             drop_fragments(foot, &by_hand, SHORTEST / frame_time);
         }
+        PartLabels { part: labels.part, feet, evidence: None }
+    });
+    Detection {
+        params: found.params,
+        parts: parts.collect(),
+        floor: found.floor,
+        notices: found.notices.clone(),
+        edits: edits.to_vec(),
     }
-    detection
 }
 
 /// What an edit of one part says of another; `None` where it leaves that open.
@@ -96,7 +101,7 @@ impl Detection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plants::{PartLabels, ValidParams};
+    use crate::plants::ValidParams;
 
     const FRAME_TIME: f64 = 0.05;
 

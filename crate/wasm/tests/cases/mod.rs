@@ -122,6 +122,7 @@ fn edits_lie_over_what_was_found_until_they_are_taken_back() {
     };
     found.edit(vec![moved.into_ts().unwrap()]).unwrap();
     assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
+    assert!(found.has_evidence("contact").unwrap(), "the evidence is that of what was found");
     let mut marks = vec![0; before.len() / 2];
     marks[1] = 1;
     assert_eq!(found.edited("contact", "left").unwrap(), marks);
