@@ -5,16 +5,14 @@ import init, { type RawClip, RawReader } from "../../web/src/wasm/plantigrade";
 
 const { memory } = await init();
 
-/** Bytes read at a time, as the app's worker reads a file. */
-const CHUNK = 1 << 20;
-
 let clip: RawClip | undefined;
 
-/** Reads a file as the app does: chunk by chunk. */
+/** Reads a file as the app's worker does: chunk by chunk as they come. */
 async function read(file: Blob): Promise<RawClip> {
   const reader = new RawReader(false, file.size);
-  for (let at = 0; at < file.size; at += CHUNK) {
-    reader.push(new Uint8Array(await file.slice(at, at + CHUNK).arrayBuffer()));
+  const chunks = file.stream().getReader();
+  for (let next = await chunks.read(); !next.done; next = await chunks.read()) {
+    reader.push(next.value);
   }
   return reader.finish();
 }

@@ -7,9 +7,6 @@ use crate::character::{Character, Positions, Rig, Up};
 use crate::maths::{Rot, Vec3, turn};
 use crate::pose::Pose;
 
-/// Decimals of rotation channels, in degrees.
-const ANGLE_DECIMALS: usize = 4;
-
 /// The clip in which `character` goes through `poses`, `frame_time` seconds apart.
 ///
 /// Values are rounded as they will be written, so that the clip equals its file.
@@ -29,7 +26,7 @@ pub fn clip(character: &Character, poses: &[Pose], frame_time: f64) -> Clip {
                 Channel::Position(axis) => place[axis.index()],
                 Channel::Rotation(axis) => {
                     let slot = axes.iter().position(|&a| a == axis.index()).expect("one of three axes");
-                    rounded(angles[slot].to_degrees(), ANGLE_DECIMALS)
+                    rounded(angles[slot].to_degrees(), character.decimals.of_angles())
                 }
             }));
         }
@@ -61,7 +58,7 @@ fn length(character: &Character, vector: Vec3) -> Vec3 {
         Up::Y => scaled,
         Up::Z => Vec3::new(scaled.x, -scaled.z, scaled.y),
     };
-    turned.map(|value| rounded(value, character.unit.decimals()))
+    turned.map(|value| rounded(value, character.decimals.of_lengths(character.unit)))
 }
 
 /// A rotation in the axes of the file.

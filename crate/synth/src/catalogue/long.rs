@@ -1,6 +1,7 @@
 //! A long mix of everyday motion.
 
 use crate::act::{Action, Actor};
+use crate::character::Decimals;
 use crate::motion::Motion;
 use crate::recipe::Recipe;
 
@@ -19,14 +20,17 @@ const DAY: [(Action, f64, [f64; 2]); 10] = [
 ];
 
 /// A long recording at 120 Hz: walking, standing, turning, jogging, now and then something
-/// else; an hour has 432,000 frames.
+/// else. It is written as recording software does, with positions in all joints and six
+/// decimals: an hour has 432,000 frames and about 400 MB.
 pub fn long(frames: usize, noise_level: f64) -> Recipe {
     let motion = Motion::acted(1.0, |actor, seconds| {
         while actor.now() < seconds + 2.0 {
             something(actor);
         }
     });
-    Recipe::new("long", "ben", motion, frames, 120, noise_level)
+    let mut recipe = Recipe::new("long", "hana", motion, frames, 120, noise_level);
+    recipe.character.decimals = Decimals::Six;
+    recipe
 }
 
 fn something(actor: &mut Actor) {

@@ -2,7 +2,7 @@
 
 use plantigrade::bvh::Axis::{X, Y, Z};
 
-use super::{Build, Character, Naming, Positions, Unit, Up};
+use super::{Build, Character, Decimals, Naming, Positions, Unit, Up};
 use crate::noise::Noise;
 
 /// The names of the performers.
@@ -54,6 +54,7 @@ fn make(name: &'static str, build: Build, naming: Naming, spine_joints: usize, u
         up: Up::Y,
         rotation_order: [Z, X, Y],
         positions: Positions::Root,
+        decimals: Decimals::Enough,
         noise: Noise::default(),
     }
 }

@@ -34,6 +34,8 @@ pub struct Character {
     pub rotation_order: [Axis; 3],
     /// Which joints have position channels.
     pub positions: Positions,
+    /// How many decimals are written.
+    pub decimals: Decimals,
     /// Noise of this character's feet.
     pub noise: Noise,
 }
@@ -61,13 +63,33 @@ impl Unit {
             Unit::Asf => 1.0 / 0.0564,
         }
     }
+}
 
-    /// Decimals that resolve about a hundredth of a millimetre.
-    pub fn decimals(self) -> usize {
+/// Decimals of the numbers in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decimals {
+    /// As many as resolve about a hundredth of a millimetre: small files.
+    Enough,
+    /// Six, as recording software writes them.
+    Six,
+}
+
+impl Decimals {
+    /// Of lengths in `unit`.
+    pub fn of_lengths(self, unit: Unit) -> usize {
+        match (self, unit) {
+            (Decimals::Six, _) => 6,
+            (Decimals::Enough, Unit::Metre) => 5,
+            (Decimals::Enough, Unit::Asf) => 4,
+            (Decimals::Enough, Unit::Centimetre | Unit::Inch) => 3,
+        }
+    }
+
+    /// Of angles in degrees.
+    pub fn of_angles(self) -> usize {
         match self {
-            Unit::Metre => 5,
-            Unit::Centimetre | Unit::Inch => 3,
-            Unit::Asf => 4,
+            Decimals::Enough => 4,
+            Decimals::Six => 6,
         }
     }
 }
