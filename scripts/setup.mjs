@@ -112,6 +112,6 @@ export function tool(name) {
   return join(targetFolder(), "tool", process.platform === "win32" ? `${name}.exe` : name);
 }
 
-function targetFolder() {
+export function targetFolder() {
   return process.env.CARGO_TARGET_DIR ?? join(root, "target");
 }

@@ -1,6 +1,7 @@
 /** What all workers do with a file and the module, whatever they read it for. */
 
 import init, { type RawClip, RawReader } from "../wasm/plantigrade";
+import { pieces } from "./pieces";
 import type { Failure } from "./types";
 
 /** Least time between two reports of progress, in milliseconds. */
@@ -46,11 +47,10 @@ export async function read(
 ): Promise<RawClip> {
   const reader = new RawReader(lenient, file.size);
   let done = 0;
-  const chunks = file.stream().getReader();
   try {
-    for (let next = await chunks.read(); !next.done; next = await chunks.read()) {
-      reader.push(next.value);
-      done += next.value.length;
+    for await (const piece of pieces(file)) {
+      reader.push(piece);
+      done += piece.length;
       report(done / file.size);
     }
   } catch (refusal) {

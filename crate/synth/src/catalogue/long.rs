@@ -20,15 +20,15 @@ const DAY: [(Action, f64, [f64; 2]); 10] = [
 ];
 
 /// A long recording at 120 Hz: walking, standing, turning, jogging, now and then something
-/// else. It is written as recording software does, with positions in all joints and six
-/// decimals: an hour has 432,000 frames and about 400 MB.
+/// else. It is written with six decimals, as recording software does: an hour has 432,000 frames
+/// and more than 200 MB.
 pub fn long(frames: usize, noise_level: f64) -> Recipe {
     let motion = Motion::acted(1.0, |actor, seconds| {
         while actor.now() < seconds + 2.0 {
             something(actor);
         }
     });
-    let mut recipe = Recipe::new("long", "hana", motion, frames, 120, noise_level);
+    let mut recipe = Recipe::new("long", "emil", motion, frames, 120, noise_level);
     recipe.character.decimals = Decimals::Six;
     recipe
 }

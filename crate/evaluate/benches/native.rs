@@ -1,0 +1,54 @@
+//! The core on this machine itself: reading, labelling, cutting into actions.
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use plantigrade::bvh::{self, Clip};
+use plantigrade::plants::{self, Feet, Params};
+use plantigrade::segments;
+use plantigrade::skeleton::{Overrides, Skeleton};
+use plantigrade_synth::{generate, long};
+
+fn clip(frames: usize) -> Clip {
+    generate(&long(frames, 1.0), 0).clip
+}
+
+/// About ten megabytes of text.
+fn read(criterion: &mut Criterion) {
+    let bytes = bvh::write(&clip(19_500)).into_bytes();
+    let mut group = criterion.benchmark_group("read");
+    group.throughput(Throughput::Bytes(bytes.len() as u64));
+    group.bench_function("ten-megabytes", |bencher| {
+        bencher.iter_batched(
+            || (),
+            |()| bvh::parse(&bytes, Default::default()).expect("what we wrote"),
+            // What comes out is large: dropping it is not part of reading.
+            BatchSize::PerIteration,
+        );
+    });
+}
+
+/// From a clip to the labels of all parts of both feet.
+fn detect(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("detect");
+    for frames in [300, 1_000, 10_000] {
+        let clip = clip(frames);
+        let skeleton = Skeleton::main(&clip, &Overrides::default());
+        let params = Params::default().check().expect("the defaults");
+        group.bench_function(frames.to_string(), |bencher| {
+            bencher.iter(|| plants::detect(&Feet::of(&clip, &skeleton).expect("feet"), params));
+        });
+    }
+}
+
+/// From a clip to its actions, by the default method.
+fn cut(criterion: &mut Criterion) {
+    let clip = clip(10_000);
+    let skeleton = Skeleton::main(&clip, &Overrides::default());
+    let params = segments::Params::default().check().expect("the defaults");
+    let mut group = criterion.benchmark_group("cut");
+    group.bench_function("10000", |bencher| {
+        bencher.iter(|| segments::segment(&clip, &skeleton, params, &mut |_| Ok(())).expect("a body"));
+    });
+}
+
+criterion_group!(benches, read, detect, cut);
+criterion_main!(benches);

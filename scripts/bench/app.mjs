@@ -1,0 +1,205 @@
+/** The built app as a person meets it: how soon things appear, and whether it ever stutters. */
+
+import { join } from "node:path";
+import { root, step } from "../run.mjs";
+import { FOLDER, files, HOUR, path, TEN_MEGABYTES } from "./clips.mjs";
+
+/** @param {() => Promise<import("playwright").Browser>} launch */
+export async function app(launch) {
+  step("Measuring the app");
+  const { preview } = await import("vite");
+  const site = await preview({ root: join(root, "web"), logLevel: "warn" });
+  /** Runs some work with the empty page, and watches its main thread meanwhile. */
+  const alone = async (work) => {
+    const engine = await launch();
+    try {
+      const page = await engine.newPage({ viewport: { width: 1440, height: 900 } });
+      page.setDefaultTimeout(120_000);
+      await page.addInitScript(() => localStorage.setItem("plantigrade:tour", "done"));
+      await page.goto(site.resolvedUrls.local[0], { waitUntil: "networkidle" });
+      return await work(page, (during) => watched(engine, page, during));
+    } finally {
+      await engine.close();
+    }
+  };
+  try {
+    const drops = [];
+    for (let run = 0; run < 3; run++) {
+      drops.push(await alone((page) => opened(page, path(TEN_MEGABYTES))));
+    }
+    const middle = (values) => values.sort((a, b) => a - b)[1];
+    return {
+      drop: {
+        moving: middle(drops.map(({ moving }) => moving)),
+        labelled: middle(drops.map(({ labelled }) => labelled)),
+      },
+      hour: await alone(hour),
+      six: await alone(six),
+      folder: await alone(folder),
+    };
+  } finally {
+    await site.close();
+  }
+}
+
+/** Milliseconds from the moment the page is given a file to its first pose and to its labels. */
+async function opened(page, file) {
+  // Timed in the page: handing the file over takes the browser's driver longer than the app.
+  const appeared = page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        let start;
+        let moving;
+        const begin = () => {
+          start = performance.now();
+        };
+        addEventListener("change", begin, { capture: true, once: true });
+        const look = () => {
+          if (start && !moving && document.title.startsWith("long.bvh")) {
+            // The frame after the next shows what the page has been told by now.
+            requestAnimationFrame(() =>
+              requestAnimationFrame(() => {
+                moving = performance.now() - start;
+                look();
+              }),
+            );
+          }
+          if (moving && document.querySelector(".pills")) {
+            resolve({ moving, labelled: Math.max(moving, performance.now() - start) });
+          }
+        };
+        new MutationObserver(look).observe(document, {
+          childList: true,
+          characterData: true,
+          subtree: true,
+        });
+      }),
+  );
+  await page.setInputFiles("input[type=file]", file);
+  return await appeared;
+}
+
+/** An hour is opened, looked through and played. */
+async function hour(page, watch) {
+  let times;
+  const opening = await watch(async () => {
+    times = await opened(page, path(HOUR));
+  });
+  const box = await page.locator(".tracks canvas, canvas.tracks").first().boundingBox();
+  const scrubbing = await watch(async () => {
+    const y = box.y + 8;
+    await page.mouse.move(box.x + 20, y);
+    await page.mouse.down();
+    for (let step = 0; step < 120; step++) {
+      await page.mouse.move(box.x + 20 + ((box.width - 40) * step) / 120, y);
+      await frame(page);
+    }
+    await page.mouse.up();
+  });
+  const playing = await watch(async () => {
+    await page.keyboard.press("Space");
+    await page.waitForTimeout(3000);
+    await page.keyboard.press("Space");
+  });
+  return { times, opening, scrubbing, playing };
+}
+
+/** Six characters side by side. */
+async function six(page, watch) {
+  const chosen = files().slice(0, 6);
+  await page.setInputFiles("input[type=file]", chosen);
+  await page.getByText(/^All labelled/).waitFor();
+  const name = (file) => file.split(/[\\/]/).at(-1);
+  const [first, ...others] = chosen.map(name);
+  await page.getByRole("button", { name: first, exact: true }).click();
+  await page.getByRole("button", { name: "6 clips" }).click();
+  for (const other of others) {
+    await page.getByRole("button", { name: `${other} beside ${first}`, exact: true }).click();
+  }
+  await page.getByRole("button", { name: `Back to ${first}` }).click();
+  return await watch(() => page.waitForTimeout(4000));
+}
+
+/** A folder is labelled. */
+async function folder(page, watch) {
+  let time;
+  const seen = await watch(async () => {
+    const labelled = page.evaluate(
+      (clips) =>
+        new Promise((resolve) => {
+          let start;
+          const begin = () => {
+            start = performance.now();
+          };
+          addEventListener("change", begin, { capture: true, once: true });
+          new MutationObserver(() => {
+            const text = document.body.textContent;
+            if (start && text.includes("All labelled") && text.includes(`${clips} clips`)) {
+              resolve(performance.now() - start);
+            }
+          }).observe(document.body, { childList: true, characterData: true, subtree: true });
+        }),
+      FOLDER.clips,
+    );
+    await page.setInputFiles("input[type=file]", files());
+    time = await labelled;
+  });
+  return { time, ...seen };
+}
+
+const frame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
+
+const CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline"];
+/** What is the page's own script, in the browser's words. */
+const SCRIPT = new Set([
+  "FunctionCall",
+  "FireAnimationFrame",
+  "EventDispatch",
+  "TimerFire",
+  "EvaluateScript",
+]);
+
+/**
+ * What the page's main thread does during some work: milliseconds of its own script per frame
+ * (the 95th percentile), and its longest task. Both are of the processor's time: a browser
+ * without a graphics card draws on the same processors.
+ */
+async function watched(engine, page, work) {
+  await engine.startTracing(page, { categories: CATEGORIES });
+  await work();
+  const { traceEvents } = JSON.parse((await engine.stopTracing()).toString());
+  const main = busiest(traceEvents, "FireAnimationFrame");
+  const own = traceEvents
+    .filter(({ ph, pid, tid }) => ph === "X" && `${pid} ${tid}` === main)
+    .sort((a, b) => a.ts - b.ts || b.dur - a.dur);
+  const frames = [];
+  let until = 0;
+  for (const { name, ts, dur = 0, tdur = dur } of own) {
+    if (!SCRIPT.has(name)) continue;
+    if (name === "FireAnimationFrame") frames.push(0);
+    // What runs inside of another is counted with it.
+    if (ts < until || !frames.length) continue;
+    until = ts + dur;
+    frames[frames.length - 1] += tdur / 1e3;
+  }
+  frames.sort((a, b) => a - b);
+  const tasks = own
+    .filter(({ name }) => name === "RunTask")
+    .map(({ dur, tdur = dur }) => tdur / 1e3);
+  return {
+    script: frames[Math.floor(frames.length * 0.95)] ?? 0,
+    longest: tasks.reduce((a, b) => Math.max(a, b), 0),
+    frames: frames.length,
+  };
+}
+
+/** The thread with most events of this name. */
+function busiest(events, wanted) {
+  const counts = new Map();
+  for (const { name, pid, tid } of events) {
+    if (name !== wanted) continue;
+    const thread = `${pid} ${tid}`;
+    counts.set(thread, (counts.get(thread) ?? 0) + 1);
+  }
+  return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0];
+}
