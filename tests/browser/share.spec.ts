@@ -1,6 +1,6 @@
-import { existsSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
-import { type Browser, firefox, type TestInfo } from "@playwright/test";
+import type { Browser, TestInfo } from "@playwright/test";
 import { App, expect, type Saved, test } from "./app";
 import { file, good, sample } from "./clips";
 
@@ -227,19 +227,6 @@ test("a page in one file opens other clips, one and many", async ({ app, browser
   await expect(there.app.page.getByText(/^All labelled/)).toBeVisible();
   expectSound(there);
   await there.context.close();
-});
-
-test("a page in one file opens in Firefox too", async ({ app }, info) => {
-  const executablePath = firefox.executablePath();
-  test.skip(!existsSync(executablePath), "`npx playwright install firefox` gets one.");
-  const browser = await firefox.launch({ executablePath });
-  await app.sample("bowling");
-  const labels = (await app.save("Labels")).text;
-  const there = await openPage(browser, await app.sharePage(), info);
-  await there.app.opened("bowling.bvh");
-  expect((await there.app.save("Labels")).text).toBe(labels);
-  expect(there.elsewhere()).toEqual([]);
-  await browser.close();
 });
 
 test("no name gets out of its place in the page", async ({ app, browser }, info) => {
