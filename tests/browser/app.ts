@@ -99,7 +99,8 @@ export class App {
   async empty() {
     await this.page.goto(this.site.home);
     await expect(this.state).toHaveAttribute("data-state", "empty");
-    // By then the page listens: a person is not faster.
+    // By then the page listens: a person is not faster, and comes with a pointer.
+    await this.page.mouse.move(2, 2);
     await expect(this.stage.locator("canvas")).toBeVisible();
   }
 

@@ -14,6 +14,7 @@ import { type Files, gather, withLabels } from "./gather";
 import { recall } from "./keep";
 import { sizeLimit, tooLarge } from "./limits";
 import { pause, play, prefersStill } from "./playback";
+import { somebody } from "./presence";
 import { remark } from "./remarks";
 import { heroSample, samples } from "./samples";
 import { segmentNow } from "./segment";
@@ -246,6 +247,8 @@ async function follow({ origin, showing: text }: Link): Promise<boolean> {
 async function showHero(): Promise<void> {
   if (!heroSample) return;
   const mine = turn;
+  await somebody;
+  if (mine !== turn) return;
   try {
     const data = await (await fetch(heroSample.url)).blob();
     const source = { name: `${heroSample.name}.bvh`, data };

@@ -1,3 +1,6 @@
+// The picture stands for the sample that moves behind the empty page, until it does.
+import "../styles/poster.css";
+
 /** The clips shipped with the app: generated motion, so free of anyone's rights. */
 export interface Sample {
   name: string;

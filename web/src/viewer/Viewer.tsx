@@ -2,6 +2,7 @@ import { effect, signal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { cleaned, shown } from "../app/fix";
 import { prefersStill } from "../app/playback";
+import { somebody } from "../app/presence";
 import {
   besides,
   type CameraView,
@@ -109,7 +110,9 @@ const troubleText = {
 function direct(host: HTMLElement): () => void {
   let ended = false;
   let end = () => {};
-  void import("./stage").then(({ Stage }) => {
+  const opened = opening();
+  const coming = Promise.race([somebody, opened]).then(() => import("./stage"));
+  void Promise.all([coming, opened]).then(([{ Stage }]) => {
     if (ended) return;
     let stage: Stage;
     try {
@@ -136,6 +139,17 @@ function direct(host: HTMLElement): () => void {
     ended = true;
     end();
   };
+}
+
+/** Settles when there is a clip to show. */
+function opening(): Promise<void> {
+  return new Promise((resolve) => {
+    const stop = effect(() => {
+      if (!clip.value) return;
+      resolve();
+      queueMicrotask(() => stop());
+    });
+  });
 }
 
 function connect(stage: Stage): (() => void)[] {
