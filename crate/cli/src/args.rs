@@ -79,12 +79,9 @@ pub struct DetectArgs {
     /// The clips.
     #[command(flatten)]
     pub read: ReadArgs,
-    /// The method; robust labels contact, toe and heel
-    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name))]
-    pub method: plants::Method,
-    /// Its parameters.
+    /// How to find plants.
     #[command(flatten)]
-    pub plants: PlantArgs,
+    pub find: FindArgs,
     /// A clip of the same character standing still, to be clustered along (spectral methods of toes)
     #[arg(long, value_name = "CLIP")]
     pub still: Option<PathBuf>,
@@ -102,12 +99,9 @@ pub struct GaitArgs {
     /// The clips.
     #[command(flatten)]
     pub read: ReadArgs,
-    /// The method; robust labels contact, toe and heel
-    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name))]
-    pub method: plants::Method,
-    /// Its parameters.
+    /// How to find plants.
     #[command(flatten)]
-    pub plants: PlantArgs,
+    pub find: FindArgs,
     /// How to write it
     #[arg(long, value_enum, default_value_t = GaitFormat::Text)]
     pub format: GaitFormat,
@@ -134,6 +128,25 @@ pub struct SegmentArgs {
     /// Where to.
     #[command(flatten)]
     pub write: WriteArgs,
+}
+
+/// How to find plants.
+#[derive(ClapArgs)]
+#[group(id = "find")]
+pub struct FindArgs {
+    /// The method; robust labels contact, toe and heel
+    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name))]
+    pub method: plants::Method,
+    /// Its parameters.
+    #[command(flatten)]
+    pub plants: PlantArgs,
+}
+
+impl FindArgs {
+    /// The parameters, or what is wrong with them.
+    pub fn params(&self) -> Result<plants::ValidParams, String> {
+        self.plants.params(self.method)
+    }
 }
 
 /// Parameters of the methods that find plants.
@@ -253,12 +266,9 @@ pub struct CleanArgs {
     /// Labels to go by: a document of detect, a table per frame, or a truth file [default: detected]
     #[arg(long, value_name = "LABELS", conflicts_with_all = ["plants", "method"])]
     pub labels: Option<PathBuf>,
-    /// The method that detects plants
-    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name))]
-    pub method: plants::Method,
-    /// Its parameters.
+    /// How to find plants.
     #[command(flatten)]
-    pub plants: PlantArgs,
+    pub find: FindArgs,
 }
 
 /// What to say of which clips.

@@ -16,7 +16,7 @@ use crate::output;
 
 /// Cleans up one clip and counts it if it failed; an error is one of the command line.
 pub fn run(args: &CleanArgs) -> Result<usize, String> {
-    let params = args.plants.params(args.method)?;
+    let params = args.find.params()?;
     let [input] = <[Input; 1]>::try_from(inputs::collect(&args.read)?)
         .map_err(|inputs| format!("there are {} inputs: name one clip to clean up", inputs.len()))?;
     if args.labels.as_deref() == Some(Path::new("-")) && input.path == Path::new("-") {

@@ -14,7 +14,7 @@ use crate::results::Results;
 
 /// Detects in all inputs and counts those that failed; an error is one of the command line.
 pub fn run(args: &DetectArgs) -> Result<usize, String> {
-    let params = args.plants.params(args.method)?;
+    let params = args.find.params()?;
     let still = args.still.as_deref().map(|path| standing(path, args)).transpose()?;
     let results = Results {
         read: &args.read,

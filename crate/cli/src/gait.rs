@@ -30,7 +30,7 @@ struct Record {
 
 /// Measures all inputs and counts those that failed; an error is one of the command line.
 pub fn run(args: &GaitArgs) -> Result<usize, String> {
-    args.plants.params(args.method)?;
+    args.find.params()?;
     let inputs = inputs::collect(&args.read)?;
     let found = Mutex::new(Vec::new());
     let numbered: Vec<(usize, &Input)> = inputs.iter().enumerate().collect();
@@ -60,7 +60,7 @@ fn print_json(value: &impl Serialize) {
 
 /// The measures of each skeleton of a clip that has feet.
 fn measure(input: &Input, args: &GaitArgs) -> Result<Vec<Record>, Failure> {
-    let params = args.plants.params(args.method).expect("they were checked before");
+    let params = args.find.params().expect("they were checked before");
     let loaded = inputs::load(input, &args.read)?;
     let clip = &loaded.parsed.clip;
     let found = detect::all(input, &loaded, params, None, &args.read)?;
@@ -70,7 +70,7 @@ fn measure(input: &Input, args: &GaitArgs) -> Result<Vec<Record>, Failure> {
         root: several.then(|| clip.joints()[skeleton.root].name.clone()),
         frames: clip.frame_count(),
         rate: clip.rate(),
-        method: args.method.name(),
+        method: args.find.method.name(),
         gait: Gait::of(feet, detection),
     };
     Ok(found.iter().map(record).collect())

@@ -72,41 +72,18 @@ impl From<Error> for Failure {
     }
 }
 
-impl From<DetectError> for Failure {
-    fn from(error: DetectError) -> Failure {
-        Failure { message: error.to_string(), ..Failure::default() }
-    }
+/// Errors that say everything in their text.
+macro_rules! told_by_their_text {
+    ($($error:ty),+) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Failure {
+                error.to_string().into()
+            }
+        }
+    )+};
 }
 
-impl From<SkateError> for Failure {
-    fn from(error: SkateError) -> Failure {
-        Failure { message: error.to_string(), ..Failure::default() }
-    }
-}
-
-impl From<ParamError> for Failure {
-    fn from(error: ParamError) -> Failure {
-        Failure { message: error.to_string(), ..Failure::default() }
-    }
-}
-
-impl From<SegmentError> for Failure {
-    fn from(error: SegmentError) -> Failure {
-        Failure { message: error.to_string(), ..Failure::default() }
-    }
-}
-
-impl From<segments::ParamError> for Failure {
-    fn from(error: segments::ParamError) -> Failure {
-        Failure { message: error.to_string(), ..Failure::default() }
-    }
-}
-
-impl From<LabelsError> for Failure {
-    fn from(error: LabelsError) -> Failure {
-        Failure { message: error.to_string(), ..Failure::default() }
-    }
-}
+told_by_their_text!(DetectError, SkateError, ParamError, SegmentError, segments::ParamError, LabelsError);
 
 impl From<String> for Failure {
     fn from(message: String) -> Failure {

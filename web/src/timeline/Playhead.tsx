@@ -1,36 +1,16 @@
-import { effect, type ReadonlySignal, useComputed } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useComputed } from "@preact/signals";
 import { pause, seek, segmentHere } from "../app/playback";
 import { clip, detection, frame, plants, playhead, timeView } from "../app/state";
 import { plantAt } from "../lib/plants";
 import { titleOf } from "../lib/segments";
-import { toFrame, toX } from "../lib/timeView";
-import type { Layout } from "./layout";
+import { toFrame } from "../lib/timeView";
+import { type Room, useMark } from "./mark";
 import { margin } from "./scene";
 
-/** The line over everything: an element of its own, so that playing repaints no lane. */
-export function Playhead({
-  layout,
-  width,
-}: {
-  layout: ReadonlySignal<Layout>;
-  width: ReadonlySignal<number>;
-}) {
-  const mark = useRef<HTMLDivElement>(null);
-  useEffect(
-    () =>
-      effect(() => {
-        const { labels, minimap } = layout.value;
-        const inner = width.value - labels - margin;
-        const x = toX(timeView.value, playhead.value, inner);
-        const { style } = mark.current ?? {};
-        if (!style) return;
-        style.transform = `translateX(${labels + x}px)`;
-        style.visibility = x < -1 || x > inner + 1 ? "hidden" : "visible";
-        style.height = `${minimap.y - 4}px`;
-      }),
-    [layout, width],
-  );
+/** The line over everything, and what is to be heard of its moment. */
+export function Playhead(room: Room) {
+  const { layout, width } = room;
+  const mark = useMark(room, () => playhead.value);
   const text = useComputed(() => {
     const at = frame.value;
     const rate = clip.value?.rate ?? 1;
