@@ -110,7 +110,8 @@ pub fn tracks(clip: &Clip, joints: &[usize]) -> Vec<Track> {
 /// The track of each of `joints` over some frames.
 pub fn tracks_at(clip: &Clip, joints: &[usize], frames: impl ExactSizeIterator<Item = usize>) -> Vec<Track> {
     let mut kinematics = Kinematics::of_joints(clip, joints);
-    let mut tracks = vec![Track::with_capacity(frames.len()); joints.len()];
+    // A copy of an empty vector would have no capacity.
+    let mut tracks: Vec<Track> = joints.iter().map(|_| Track::with_capacity(frames.len())).collect();
     for frame in frames {
         let pose = kinematics.pose(frame);
         for (track, &joint) in tracks.iter_mut().zip(joints) {

@@ -22,6 +22,7 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
             let labels = detection.principal().foot(side);
             let truth = &trial.truth(Part::Contact)[side as usize];
             for ((label, truth), p) in labels.planted.iter().zip(truth).zip(&labels.confidence) {
+                let p = f64::from(*p);
                 let place = (((p - 0.5) * 2.0 * BINS as f64) as usize).min(BINS - 1);
                 bins[place].0 += 1;
                 bins[place].1 += usize::from(Some(*label) == *truth);

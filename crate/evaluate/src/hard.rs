@@ -65,7 +65,7 @@ fn dragged(report: &mut Report) -> anyhow::Result<()> {
     let series = |name: &str, foot: usize| {
         let track = &trial.feet.tracks[foot].toe;
         [
-            Series::line(name, over_time(&|frame| toe.feet[foot].speed[frame])),
+            Series::line(name, over_time(&|frame| f64::from(toe.feet[foot].speed[frame]))),
             Series::line(name, over_time(&|frame| (track[frame] - track[0]).norm())),
         ]
     };

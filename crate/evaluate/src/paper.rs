@@ -228,7 +228,9 @@ fn heights(report: &mut Report, all: &[Trial]) -> anyhow::Result<()> {
         let points = |foot: usize, planted: bool| {
             (0..frames)
                 .filter(|&frame| toes[foot].planted[frame] == planted)
-                .map(|frame| (frame as f64 * trial.frame_time(), toes[foot].height[frame] * metres))
+                .map(|frame| {
+                    (frame as f64 * trial.frame_time(), f64::from(toes[foot].height[frame]) * metres)
+                })
                 .collect::<Vec<_>>()
         };
         panels.push(Panel {

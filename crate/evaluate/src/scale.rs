@@ -30,7 +30,7 @@ fn jitter(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
         let points = |planted: bool| {
             (0..frames)
                 .filter(|&frame| toe.planted[frame] == planted)
-                .map(|frame| (frame as f64 * trial.frame_time(), toe.height[frame] * metres))
+                .map(|frame| (frame as f64 * trial.frame_time(), f64::from(toe.height[frame]) * metres))
                 .collect::<Vec<_>>()
         };
         Panel {
@@ -54,11 +54,12 @@ fn jitter(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
 fn knee(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
     let detection = trial.detect(of(Method::Paper));
     let Some(evidence) = &detection.principal().evidence else { return Ok(()) };
-    let numbered =
-        |values: &[f64]| values.iter().enumerate().map(|(j, value)| (j as f64, *value)).collect::<Vec<_>>();
+    let numbered = |values: &mut dyn Iterator<Item = f64>| {
+        values.enumerate().map(|(j, value)| (j as f64, value)).collect::<Vec<_>>()
+    };
     let knee = evidence.knee as f64;
     let count = evidence.sorted_norms.len() as f64;
-    let variance = numbered(&evidence.running_variance).into_iter().take_while(|point| point.1 <= 0.01);
+    let variance = numbered(&mut evidence.running_variance().take_while(|variance| *variance <= 0.01));
     let path = report
         .figure("figure-4-5", "Norms of a walk's samples, sorted, and their running variance, with the knee");
     draw(
@@ -68,14 +69,17 @@ fn knee(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
                 title: "Norms of the samples of a walk (figure 4a)",
                 x: ("sample: left foot, then right", 0.0..count),
                 y: ("norm", 0.0..2.0),
-                series: vec![Series::dots("", numbered(&evidence.norms))],
+                series: vec![Series::dots(
+                    "",
+                    numbered(&mut evidence.norms.iter().map(|&norm| f64::from(norm))),
+                )],
             },
             Panel {
                 title: "The same, sorted (figure 4b)",
                 x: ("sample", 0.0..count),
                 y: ("norm", 0.0..2.0),
                 series: vec![
-                    Series::line("norms", numbered(&evidence.sorted_norms)),
+                    Series::line("norms", numbered(&mut evidence.sorted_norms.iter().copied())),
                     Series::line(format!("σ = {:.3}", evidence.sigma), vec![(knee, 0.0), (knee, 2.0)]),
                 ],
             },
@@ -84,7 +88,7 @@ fn knee(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
                 x: ("sample", 0.0..count),
                 y: ("variance", 0.0..0.01),
                 series: vec![
-                    Series::line("variance", variance.collect()),
+                    Series::line("variance", variance),
                     Series::line("r = 0.001", vec![(0.0, 0.001), (count, 0.001)]),
                 ],
             },

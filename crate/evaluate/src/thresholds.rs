@@ -17,7 +17,7 @@ pub struct Signals {
 pub fn signals(trial: &Trial, method: Method, unit: f64) -> Signals {
     let detection = trial.detect(of(method));
     let feet = &detection.principal().feet;
-    let times = |values: &[f64]| values.iter().map(|value| value * unit).collect();
+    let times = |values: &[f32]| values.iter().map(|&value| f64::from(value) * unit).collect();
     Signals {
         height: [times(&feet[0].height), times(&feet[1].height)],
         speed: [times(&feet[0].speed), times(&feet[1].speed)],

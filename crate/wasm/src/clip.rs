@@ -14,7 +14,7 @@ use crate::detection::RawDetection;
 use crate::positions;
 use crate::records::{ClipFacts, DetectOptions, Failure, Overrides, from_js, to_js};
 
-/// Feet of longer clips are not kept for another detection: those of so many frames take 27 MB.
+/// Feet of longer clips are not kept for another detection: those of so many frames take 24 MB.
 const MOST_KEPT: usize = 100_000;
 
 /// Reads a file chunk by chunk.
@@ -139,7 +139,7 @@ impl RawClip {
             None => {
                 let feet = Feet::of(&self.clip, &self.skeleton)?;
                 if feet.frame_count() > MOST_KEPT {
-                    plants::detect(&feet, params)
+                    plants::detect_once(feet, params)
                 } else {
                     self.detector.get_or_init(|| Detector::new(feet)).detect(params)
                 }

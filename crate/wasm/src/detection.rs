@@ -71,8 +71,8 @@ impl RawDetection {
         Ok(self.part(part)?.foot(side(of)?))
     }
 
-    fn metres(&self, values: &[f64]) -> Vec<f32> {
-        values.iter().map(|value| (value * self.metres_per_unit) as f32).collect()
+    fn metres(&self, values: &[f32]) -> Vec<f32> {
+        values.iter().map(|&value| (f64::from(value) * self.metres_per_unit) as f32).collect()
     }
 }
 
@@ -118,7 +118,7 @@ impl RawDetection {
 
     /// Probability that the label is right, per frame.
     pub fn confidence(&self, part: &str, side: &str) -> Result<Vec<f32>, Failure> {
-        Ok(self.foot(part, side)?.confidence.iter().map(|&confidence| confidence as f32).collect())
+        Ok(self.foot(part, side)?.confidence.clone())
     }
 
     /// Height above the ground in metres, per frame.

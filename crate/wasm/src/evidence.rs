@@ -50,13 +50,13 @@ impl RawDetection {
     }
 
     /// Values of the samples of one foot, per frame of the clip; no number where a frame was not clustered.
-    fn by_frame(&self, part: &str, of: &str, values: fn(&Evidence) -> &[f64]) -> Result<Vec<f32>, Failure> {
+    fn by_frame(&self, part: &str, of: &str, values: fn(&Evidence) -> &[f32]) -> Result<Vec<f32>, Failure> {
         let evidence = self.evidence_of(part)?;
         let mut series = vec![f32::NAN; self.foot(part, of)?.planted.len()];
         let count = evidence.frames.len();
         let own = &values(evidence)[side(of)? as usize * count..][..count];
         for (&frame, &value) in evidence.frames.iter().zip(own) {
-            series[frame] = value as f32;
+            series[frame] = value;
         }
         Ok(series)
     }
@@ -97,7 +97,7 @@ impl RawDetection {
     /// Variance of the first norms up to each one.
     #[wasm_bindgen(js_name = runningVariance)]
     pub fn running_variance(&self, part: &str) -> Result<Vec<f32>, Failure> {
-        Ok(single(&self.evidence_of(part)?.running_variance))
+        Ok(self.evidence_of(part)?.running_variance().map(|variance| variance as f32).collect())
     }
 
     /// Norm of each frame's sample; no number where a frame was not clustered.

@@ -1,5 +1,6 @@
 //! Samples in cells of those that lie close together.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -13,10 +14,13 @@ use crate::order;
 
 /// Coordinates that are kept: those of a window of three frames.
 pub(super) const DIMS: usize = 6;
-/// Cells for each root of the number of samples: fewer are faster, more are closer ...
-const CELLS: f64 = 7.0;
-/// ... and at most this many.
-const MOST_CELLS: usize = 4096;
+/// Cells of targets for each root of the number of samples, at least and at most: fewer are faster,
+/// more are closer.
+const TARGETS: (f64, usize, usize) = (5.0, 640, 4096);
+/// Cells of sources: they can be fewer, as their errors are of either sign and hardly add up.
+const SOURCES: (f64, usize, usize) = (3.0, 500, 2048);
+/// More samples than about this would turn the axes by nothing that matters.
+const AXES_FROM: usize = 16_384;
 
 /// A sample, turned so that coordinates vary most first.
 #[derive(Clone, Copy, Debug)]
@@ -38,15 +42,18 @@ impl Axes {
     /// The principal axes of samples.
     pub fn of(samples: &Samples) -> Axes {
         let dimension = samples.dimension;
-        let count = samples.len() as f64;
-        let points = samples.points.chunks_exact(dimension);
-        let mean = points.clone().fold(DVector::zeros(dimension), |mut sum, point| {
-            sum.iter_mut().zip(point).for_each(|(sum, value)| *sum += value);
-            sum
-        }) / count;
+        let points = samples.points().step_by(samples.len().div_ceil(AXES_FROM).max(1));
+        let count = points.len() as f64;
+        let mut mean = DVector::zeros(dimension);
+        for point in points.clone() {
+            mean.iter_mut().zip(point).for_each(|(sum, value)| *sum += f64::from(*value) / count);
+        }
         let mut scatter = DMatrix::zeros(dimension, dimension);
+        let mut off = DVector::zeros(dimension);
         for point in points {
-            let off = DVector::from_column_slice(point) - &mean;
+            for (off, (value, mean)) in off.iter_mut().zip(point.iter().zip(&mean)) {
+                *off = f64::from(*value) - mean;
+            }
             scatter.syger(1.0, &off, &off, 1.0);
         }
         let eigen = scatter.symmetric_eigen();
@@ -58,69 +65,96 @@ impl Axes {
 
     /// The samples as points.
     pub fn points(&self, samples: &Samples) -> Vec<Point> {
-        let point = |(index, values): (usize, &[f64])| {
-            let mut place = [0.0; DIMS];
-            let mut whole = 0.0;
-            for (axis, (value, mean)) in values.iter().zip(self.mean.iter()).enumerate() {
-                let off = value - mean;
-                whole += off * off;
-                for (place, along) in place.iter_mut().zip(self.axes.column(axis).iter()) {
-                    *place += along * off;
-                }
+        samples.points().enumerate().map(|(index, values)| self.point(index, values)).collect()
+    }
+
+    /// One sample as a point.
+    pub fn point(&self, index: usize, values: &[f32]) -> Point {
+        let mut place = [0.0; DIMS];
+        let mut whole = 0.0;
+        for (axis, (value, mean)) in values.iter().zip(self.mean.iter()).enumerate() {
+            let off = f64::from(*value) - mean;
+            whole += off * off;
+            for (place, along) in place.iter_mut().zip(self.axes.column(axis).iter()) {
+                *place += along * off;
             }
-            let kept: f64 = place.iter().map(|place| place * place).sum();
-            Point {
-                place: place.map(|place| place as f32),
-                rest: (whole - kept).max(0.0) as f32,
-                index: index as u32,
-            }
-        };
-        samples.points.chunks_exact(samples.dimension).enumerate().map(point).collect()
+        }
+        let kept: f64 = place.iter().map(|place| place * place).sum();
+        Point {
+            place: place.map(|place| place as f32),
+            rest: (whole - kept).max(0.0) as f32,
+            index: index as u32,
+        }
     }
 }
 
-/// Samples with their cells, which are made when first asked for and serve any scale.
+/// Samples with their cells, which serve any scale.
 pub(super) struct Grouped {
     pub samples: Samples,
     axes: OnceCell<Axes>,
-    cells: OnceCell<Cells>,
+    /// Only where they are to be kept: they take more memory than the samples.
+    cells: Option<OnceCell<Cells>>,
 }
 
 impl Grouped {
+    /// Samples whose cells are made when first asked for, or each time.
+    pub fn new(samples: Samples, keeps_cells: bool) -> Grouped {
+        Grouped { samples, axes: OnceCell::new(), cells: keeps_cells.then(OnceCell::new) }
+    }
+
     /// The axes along which the samples vary most.
     pub fn axes(&self) -> &Axes {
         self.axes.get_or_init(|| Axes::of(&self.samples))
     }
 
-    /// The cells along `axes`: those that are asked for first, as samples are only ever compared
-    /// with the same others.
-    pub fn cells(&self, axes: &Axes) -> &Cells {
-        self.cells.get_or_init(|| {
-            let most = (CELLS * (self.samples.len() as f64).sqrt()) as usize;
-            Cells::of(axes.points(&self.samples), most.min(MOST_CELLS))
-        })
+    /// The cells along `axes`: where they are kept, those that are asked for first, as samples are
+    /// only ever compared with the same others.
+    pub fn cells(&self, axes: &Axes) -> Cow<'_, Cells> {
+        let cells = || {
+            let root = (self.samples.len() as f64).sqrt();
+            let [targets, sources] =
+                [TARGETS, SOURCES].map(|(each, least, most)| ((each * root) as usize).clamp(least, most));
+            Cells::of(axes.points(&self.samples), targets, sources)
+        };
+        match &self.cells {
+            Some(kept) => Cow::Borrowed(kept.get_or_init(cells)),
+            None => Cow::Owned(cells()),
+        }
     }
 }
 
 impl From<Samples> for Grouped {
     fn from(samples: Samples) -> Grouped {
-        Grouped { samples, axes: OnceCell::new(), cells: OnceCell::new() }
+        Grouped::new(samples, false)
     }
 }
 
 /// Points in the order of their cells.
+#[derive(Clone)]
 pub(super) struct Cells {
     pub points: Vec<Point>,
-    /// The places of each cell among the points, and their mean.
-    pub cells: Vec<(Range<usize>, [f32; DIMS])>,
+    /// Those on whose side sums are expanded.
+    pub targets: Vec<Group>,
+    /// Fewer and larger ones, that are summed over: their errors are of either sign.
+    pub sources: Vec<Group>,
 }
 
+/// The places of a cell's points among all, and their mean.
+pub(super) type Group = (Range<usize>, [f32; DIMS]);
+
 impl Cells {
-    /// Parts points into at most `most` cells, the most spread and most filled ones first.
-    pub fn of(mut points: Vec<Point>, most: usize) -> Cells {
+    /// Parts points into at most so many cells, the most spread and most filled ones first.
+    pub fn of(mut points: Vec<Point>, most_targets: usize, most_sources: usize) -> Cells {
         let mut open = BinaryHeap::from([Cell::of(&points, 0..points.len())]);
-        let mut closed = Vec::new();
-        while open.len() + closed.len() < most {
+        let mut closed: Vec<Cell> = Vec::new();
+        let groups = |open: &BinaryHeap<Cell>, closed: &[Cell]| -> Vec<Group> {
+            open.iter().chain(closed).map(|cell| (cell.range.clone(), cell.mean)).collect()
+        };
+        let mut sources = None;
+        while open.len() + closed.len() < most_targets {
+            if open.len() + closed.len() == most_sources {
+                sources = Some(groups(&open, &closed));
+            }
             let Some(cell) = open.pop() else { break };
             let Cell { range, mean, axis, .. } = &cell;
             let middle =
@@ -132,8 +166,8 @@ impl Cells {
             }
             open.extend([range.start..middle, middle..range.end].map(|range| Cell::of(&points, range)));
         }
-        let cells = open.into_iter().chain(closed).map(|cell| (cell.range, cell.mean)).collect();
-        Cells { points, cells }
+        let targets = groups(&open, &closed);
+        Cells { points, sources: sources.unwrap_or_else(|| targets.clone()), targets }
     }
 }
 
@@ -216,8 +250,7 @@ mod tests {
             let points = Axes::of(&samples).points(&samples);
             for (i, a) in points.iter().enumerate() {
                 for (j, b) in points.iter().enumerate() {
-                    let own: f64 =
-                        samples.point(i).iter().zip(samples.point(j)).map(|(a, b)| (a - b).powi(2)).sum();
+                    let own = samples.square(i, j);
                     let kept: f64 =
                         a.place.iter().zip(b.place).map(|(a, b)| f64::from(a - b).powi(2)).sum();
                     prop_assert!(kept <= own + 1e-4);
@@ -232,12 +265,12 @@ mod tests {
         #[test]
         fn every_point_has_one_cell(values in prop::collection::vec(-1.0..1.0_f64, 2..120), most in 1_usize..40) {
             let samples = Samples::new(2, values[..values.len() / 2 * 2].to_vec());
-            let cells = Cells::of(Axes::of(&samples).points(&samples), most);
-            prop_assert!(cells.cells.len() <= most);
+            let cells = Cells::of(Axes::of(&samples).points(&samples), most, most);
+            prop_assert!(cells.targets.len() <= most);
             let mut indices: Vec<u32> = cells.points.iter().map(|point| point.index).collect();
             indices.sort_unstable();
             prop_assert!(indices.iter().copied().eq(0..samples.len() as u32));
-            let mut ranges: Vec<_> = cells.cells.iter().map(|(range, _)| range.clone()).collect();
+            let mut ranges: Vec<_> = cells.targets.iter().map(|(range, _)| range.clone()).collect();
             ranges.sort_by_key(|range| range.start);
             prop_assert!(ranges.iter().all(|range| !range.is_empty()));
             prop_assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start));
@@ -247,7 +280,7 @@ mod tests {
     #[test]
     fn equal_points_stay_together() {
         let samples = Samples::new(2, [0.25, 0.75].repeat(50));
-        let cells = Cells::of(Axes::of(&samples).points(&samples), 10);
-        assert_eq!(cells.cells.len(), 1);
+        let cells = Cells::of(Axes::of(&samples).points(&samples), 10, 5);
+        assert_eq!(cells.targets.len(), 1);
     }
 }

@@ -1,23 +1,23 @@
 //! From samples to two classes: the threshold.
 
+use std::sync::Arc;
+
 use super::field::Field;
 use super::roots::Roots;
 use super::samples::Samples;
-use super::scale::Scale;
+use super::scale::{self, Scale};
 use super::two_means::{self, Classes};
 
 /// How a clustering came about, for showing why a frame is planted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
     /// The frames that were clustered; others belong to no motion.
-    pub frames: Vec<usize>,
+    pub frames: Arc<[usize]>,
     /// Norm of each sample; the left foot's frames, then the right's (paper, figure 4a).
-    pub norms: Vec<f64>,
+    pub norms: Vec<f32>,
     /// Norms of all samples of both feet, ascending (paper, figure 4b).
-    pub sorted_norms: Vec<f64>,
-    /// Sample variance of the first norms up to each one (paper, figure 5).
-    pub running_variance: Vec<f64>,
-    /// Index into both of the knee.
+    pub sorted_norms: Arc<[f64]>,
+    /// Index into them of the knee.
     pub knee: usize,
     /// What the variance was compared with: r, or more of it for a wider window.
     pub tolerance: f64,
@@ -25,7 +25,7 @@ pub struct Evidence {
     pub sigma: f64,
     /// u: the value that parts the samples, the root of each one's degree unless the
     /// method has another; the left foot's frames, then the right's.
-    pub roots: Vec<f64>,
+    pub roots: Vec<f32>,
     /// Samples to either side of this value of u are alike in being planted or not.
     pub threshold: f64,
     /// Whether the planted ones are those above.
@@ -34,6 +34,13 @@ pub struct Evidence {
     pub planted_middle: f64,
     /// u of any foot, where it is the root of a degree with the same scale for all samples.
     pub field: Option<Field>,
+}
+
+impl Evidence {
+    /// Sample variance of the first norms up to each one (paper, figure 5).
+    pub fn running_variance(&self) -> impl Iterator<Item = f64> {
+        scale::running_variance(&self.sorted_norms)
+    }
 }
 
 /// Where the threshold lies between two classes.
@@ -51,7 +58,7 @@ pub(super) enum Between {
 /// Where all samples are at rest or alike, all are planted. Values that are only close are made
 /// exact where they decide.
 pub(super) fn divide<'a>(
-    frames: Vec<usize>,
+    frames: Arc<[usize]>,
     samples: &Samples,
     scale: Scale,
     sigma: f64,
@@ -59,12 +66,25 @@ pub(super) fn divide<'a>(
     between: Between,
 ) -> (Evidence, Vec<bool>) {
     let mut roots = values.into();
-    let mut parting = Parting::of(&roots.values, &samples.norms, between);
+    let mut sorted = two_means::sorted(&roots.values);
+    let mut classes = two_means::classes(&sorted);
+    // What is settled lies about the threshold, but medians where there are most samples.
+    let shortfall = match (&classes, between) {
+        (Some(found), Between::Medians) => found.medians.map(|median| roots.shortfall(median)),
+        _ => [0.0; 2],
+    };
+    let part = |classes: &Option<Classes>, values: &[f64]| {
+        classes.map(|classes| Parting::of(classes, shortfall, values, &samples.norms, between))
+    };
+    let mut parting = part(&classes, &roots.values);
     while let Some(found) = &parting
-        && roots.settle(found.threshold)
+        && let Some(band) = roots.settle(found.threshold)
     {
-        parting = Parting::of(&roots.values, &samples.norms, between);
+        two_means::sort_band(&mut sorted, &roots.values, band);
+        classes = two_means::classes(&sorted);
+        parting = part(&classes, &roots.values);
     }
+    drop(sorted);
     let planted = match &parting {
         Some(found) => {
             roots.values.iter().map(|&value| (value > found.threshold) == found.planted_is_high).collect()
@@ -73,19 +93,23 @@ pub(super) fn divide<'a>(
     };
     let evidence = Evidence {
         frames,
-        norms: samples.norms.clone(),
-        sorted_norms: scale.norms.sorted,
-        running_variance: scale.norms.running_variance,
+        norms: single(&samples.norms),
+        sorted_norms: scale.sorted,
         knee: scale.knee,
         tolerance: scale.tolerance,
         sigma,
-        roots: roots.values,
+        roots: single(&roots.values),
         threshold: parting.as_ref().map_or(f64::NEG_INFINITY, |found| found.threshold),
         planted_is_high: parting.as_ref().is_none_or(|found| found.planted_is_high),
         planted_middle: parting.map_or(0.0, |found| found.planted_middle),
         field: None,
     };
     (evidence, planted)
+}
+
+/// In single precision: close enough to show.
+pub(super) fn single(values: &[f64]) -> Vec<f32> {
+    values.iter().map(|&value| value as f32).collect()
 }
 
 /// Two classes of values.
@@ -98,9 +122,11 @@ struct Parting {
 }
 
 impl Parting {
-    /// By two-means; none where all values are equal.
-    fn of(values: &[f64], norms: &[f64], between: Between) -> Option<Parting> {
-        let Classes { threshold: gap, medians: [low_middle, high_middle] } = two_means::classes(values)?;
+    /// By two-means, with what the medians fall short of.
+    fn of(classes: Classes, shortfall: [f64; 2], values: &[f64], norms: &[f64], between: Between) -> Parting {
+        let Classes { threshold: gap, medians } = classes;
+        let low_middle = medians[0] + shortfall[0];
+        let high_middle = medians[1] + shortfall[1];
         let mean_norm = |is_high: bool| {
             let class = || values.iter().zip(norms).filter(|&(&value, _)| (value > gap) == is_high);
             class().map(|(_, norm)| norm).sum::<f64>() / class().count() as f64
@@ -111,6 +137,6 @@ impl Parting {
             Between::Medians => (low_middle + high_middle) / 2.0,
         };
         let planted_middle = if planted_is_high { high_middle } else { low_middle };
-        Some(Parting { threshold, planted_is_high, planted_middle })
+        Parting { threshold, planted_is_high, planted_middle }
     }
 }

@@ -10,14 +10,14 @@ const OFFSET: f64 = -5.2;
 ///
 /// `roots` are the samples' u; the margin to the threshold is averaged over
 /// `half` frames to either side.
-pub(super) fn planted_probability(roots: &[f64], evidence: &Evidence, half: usize) -> Vec<f64> {
+pub(super) fn planted_probability(roots: &[f32], evidence: &Evidence, half: usize) -> Vec<f64> {
     let span = evidence.planted_middle - evidence.threshold;
     // Samples that are all alike have no threshold: there is nothing to doubt.
     if !span.is_finite() {
         return vec![1.0; roots.len()];
     }
     let margins: Vec<f64> =
-        roots.iter().map(|root| ((root - evidence.threshold) / span).clamp(-1.0, 1.0)).collect();
+        roots.iter().map(|&root| ((f64::from(root) - evidence.threshold) / span).clamp(-1.0, 1.0)).collect();
     (0..margins.len())
         .map(|frame| {
             let window = &margins[frame.saturating_sub(half)..(frame + half + 1).min(margins.len())];
@@ -28,6 +28,6 @@ pub(super) fn planted_probability(roots: &[f64], evidence: &Evidence, half: usiz
 }
 
 /// Probability that a label is right, given that of being planted; never worse than a coin.
-pub(super) fn of_label(planted: bool, probability: f64) -> f64 {
-    if planted { probability } else { 1.0 - probability }.max(0.5)
+pub(super) fn of_label(planted: bool, probability: f64) -> f32 {
+    (if planted { probability } else { 1.0 - probability }).max(0.5) as f32
 }

@@ -29,22 +29,22 @@ const BLOCK: usize = 256;
 type Lanes = [f32; LANES];
 
 /// The graph of the likenesses of samples: its matrix A is never stored, only multiplied with.
-pub(super) struct Graph {
+pub(super) struct Graph<'a> {
     kernel: Kernel,
     /// What coordinates are multiplied by.
     factor: f64,
-    columns: Columns,
+    samples: &'a Samples,
 }
 
-impl Graph {
+impl<'a> Graph<'a> {
     /// The graph of `samples` for scale `sigma`.
-    pub fn new(samples: &Samples, sigma: f64, kernel: Kernel) -> Graph {
+    pub fn new(samples: &'a Samples, sigma: f64, kernel: Kernel) -> Graph<'a> {
         let factor = match kernel {
             // exp(−x²) = 2^(−x² log₂ e): the factor goes into the coordinates.
             Kernel::Gaussian => std::f64::consts::LOG2_E.sqrt() / sigma,
             Kernel::Cauchy => 1.0 / sigma,
         };
-        Graph { kernel, factor, columns: Columns::new(samples, factor) }
+        Graph { kernel, factor, samples }
     }
 
     /// A·`weights`: Σ over j ≠ i of `weights[j]` × likeness of samples i and j, for each i.
@@ -52,21 +52,26 @@ impl Graph {
     /// With weights of 1, these are the degrees. Takes time proportional to the
     /// square of the number of samples.
     pub fn times(&self, weights: &[f64]) -> Vec<f64> {
+        let columns = Columns::of(self.samples, self.factor, 0, self.samples.len());
         match self.kernel {
-            Kernel::Gaussian => self.columns.times(weights, power_of_two),
-            Kernel::Cauchy => self.columns.times(weights, cauchy),
+            Kernel::Gaussian => columns.times(weights, power_of_two),
+            Kernel::Cauchy => columns.times(weights, cauchy),
         }
     }
-}
 
-impl Graph {
     /// Σ over j of `weights[j]` × likeness of each of `others` and sample j of the graph.
     pub fn towards(&self, others: &Samples, weights: &[f64]) -> Vec<f64> {
-        let others = Columns::new(others, self.factor);
-        match self.kernel {
-            Kernel::Gaussian => self.columns.towards(&others, weights, power_of_two),
-            Kernel::Cauchy => self.columns.towards(&others, weights, cauchy),
+        let others = Columns::of(others, self.factor, 0, others.len());
+        let mut sums = vec![0.0; others.count];
+        // Block by block, so that what all others are compared with stays close at hand.
+        for (block, weights) in weights.chunks(BLOCK).enumerate() {
+            let columns = Columns::of(self.samples, self.factor, block * BLOCK, weights.len());
+            match self.kernel {
+                Kernel::Gaussian => columns.add_to(&mut sums, &others, weights, power_of_two),
+                Kernel::Cauchy => columns.add_to(&mut sums, &others, weights, cauchy),
+            }
         }
+        sums
     }
 }
 
@@ -105,13 +110,13 @@ struct Columns {
 }
 
 impl Columns {
-    fn new(samples: &Samples, factor: f64) -> Columns {
-        let count = samples.len();
+    /// Of `count` samples from `first` on.
+    fn of(samples: &Samples, factor: f64, first: usize, count: usize) -> Columns {
         let padded = count.next_multiple_of(BLOCK);
         let mut coordinates = vec![0.0; samples.dimension * padded];
-        for (axis, column) in coordinates.chunks_exact_mut(padded.max(1)).enumerate() {
-            for (sample, place) in column[..count].iter_mut().enumerate() {
-                *place = (samples.point(sample)[axis] * factor) as f32;
+        for place in 0..count {
+            for (axis, value) in samples.point(first + place).iter().enumerate() {
+                coordinates[axis * padded + place] = (f64::from(*value) * factor) as f32;
             }
         }
         Columns { count, coordinates, padded }
@@ -126,31 +131,19 @@ impl Columns {
         padded
     }
 
-    /// Likenesses of other samples to these, weighted and summed.
-    fn towards(
-        &self,
-        others: &Columns,
-        weights: &[f64],
-        likeness: impl Fn(Lanes) -> Lanes + Copy,
-    ) -> Vec<f64> {
+    /// Adds the likenesses of other samples to these of one block, weighted.
+    fn add_to(&self, sums: &mut [f64], others: &Columns, weights: &[f64], likeness: impl Fn(Lanes) -> Lanes) {
         let weights = self.padded(weights);
-        let mut sums = vec![0.0; others.count];
-        // Block by block, so that what all others are compared with stays close at hand.
-        for block in (0..self.padded).step_by(BLOCK) {
-            for (i, sum) in sums.iter_mut().enumerate() {
-                let mut lanes: Lanes = [0.0; LANES];
-                for j in (block..block + BLOCK).step_by(LANES) {
-                    let alike = likeness(self.squares(others, i, j));
-                    for (lane, (alike, weight)) in
-                        lanes.iter_mut().zip(alike.iter().zip(&weights[j..j + LANES]))
-                    {
-                        *lane += weight * alike;
-                    }
+        for (i, sum) in sums.iter_mut().enumerate() {
+            let mut lanes: Lanes = [0.0; LANES];
+            for (chunk, weights) in weights.chunks_exact(LANES).enumerate() {
+                let alike = likeness(self.squares(others, i, chunk * LANES));
+                for (lane, (alike, weight)) in lanes.iter_mut().zip(alike.iter().zip(weights)) {
+                    *lane += weight * alike;
                 }
-                *sum += f64::from(lanes.iter().sum::<f32>());
             }
+            *sum += f64::from(lanes.iter().sum::<f32>());
         }
-        sums
     }
 
     fn times(&self, weights: &[f64], likeness: impl Fn(Lanes) -> Lanes + Copy) -> Vec<f64> {
@@ -239,7 +232,8 @@ mod tests {
     fn affinity(samples: &Samples, sigma: f64, kernel: Kernel) -> DMatrix<f64> {
         DMatrix::from_fn(samples.len(), samples.len(), |i, j| {
             let between = samples.point(i).iter().zip(samples.point(j));
-            let square = between.map(|(a, b)| (a - b).powi(2)).sum::<f64>() / (sigma * sigma);
+            let square =
+                between.map(|(&a, &b)| (f64::from(a) - f64::from(b)).powi(2)).sum::<f64>() / (sigma * sigma);
             match kernel {
                 _ if i == j => 0.0,
                 Kernel::Gaussian => (-square).exp(),

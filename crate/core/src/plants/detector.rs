@@ -8,7 +8,7 @@ use super::{Detection, Feet, ValidParams};
 /// A clip's feet, with what need not be found anew when parameters change.
 ///
 /// Labels are those of [`detect`](super::detect). What depends on no parameter is kept, and so is what
-/// depends on the window alone: about 270 bytes for each frame with the feet, and at most
+/// depends on the window alone: about 240 bytes for each frame with the feet, and at most
 /// 20 MB for the samples of one window.
 pub struct Detector {
     feet: Feet,

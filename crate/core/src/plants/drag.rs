@@ -24,6 +24,9 @@ const LONGEST: f64 = 3.0;
 /// The least share of [`PARTED`] in either half of the time: a slip comes to rest, a dragged foot goes on.
 const STEADY: f64 = 0.25;
 
+/// What is left of [`PARTED`] where feet are far from parted, as a share: then places are passed over.
+const ROOM: f64 = 0.25;
+
 /// Takes the contact of dragged feet away, in one piece of the motion.
 pub(super) fn drop_dragged(feet: &Feet, piece: &Range<usize>, contact: &mut [FootLabels; 2]) {
     let both = |frame: &usize| contact.iter().all(|labels| labels.planted[*frame]);
@@ -49,7 +52,8 @@ pub(super) fn drop_dragged(feet: &Feet, piece: &Range<usize>, contact: &mut [Foo
 
 /// A number for each frame of the clip that is another one once a foot has taken a step.
 fn steps(labels: &FootLabels, fast: f64) -> Vec<usize> {
-    let is_step = labels.planted.iter().zip(&labels.speed).map(|(planted, speed)| !planted && *speed > fast);
+    let is_step =
+        labels.planted.iter().zip(&labels.speed).map(|(planted, speed)| !planted && f64::from(*speed) > fast);
     is_step
         .scan(0, |count, is_step| {
             *count += usize::from(is_step);
@@ -97,12 +101,26 @@ impl Stand {
         let (shortest, longest) = (feet.frames_in(SHORTEST), feet.frames_in(LONGEST));
         let parted = PARTED * feet.leg;
         let mut earliest = count;
+        let mut stay_end = count;
         let mut partings = Vec::new();
+        let mut room = 0.0;
         for from in (0..count).rev() {
+            if from + 1 < count && stay(from + 1) != stay(from) {
+                stay_end = from + 1;
+            }
             // One that holds a shorter one begins or ends at rest.
-            let end = earliest.min(from + longest + 1);
-            let Some(to) = self.first_parted(from, end, parted).filter(|&to| stay(to) == stay(from)) else {
+            let end = earliest.min(from + longest + 1).min(stay_end);
+            // From the place after this one they parted by so much less.
+            room -= self.fastest;
+            if room > 0.0 {
                 continue;
+            }
+            let to = match self.first_parted(from, end, parted) {
+                Ok(to) => to,
+                Err(left) => {
+                    room = left;
+                    continue;
+                }
             };
             earliest = to;
             let middle = usize::midpoint(from, to);
@@ -115,18 +133,21 @@ impl Stand {
         partings
     }
 
-    /// The first place after `from` and before `end` to which the feet part by more than `far`.
-    fn first_parted(&self, from: usize, end: usize, far: f64) -> Option<usize> {
+    /// The first place after `from` and before `end` to which the feet part by more than `far`; if
+    /// there is none, by how much less they part at least.
+    fn first_parted(&self, from: usize, end: usize, far: f64) -> Result<usize, f64> {
+        let mut least = ROOM * far;
         let mut to = from + 1;
         while to < end {
             let left = far - self.parted(from, to);
             if left < 0.0 {
-                return Some(to);
+                return Ok(to);
             }
-            // Sooner they cannot get there.
-            to = to.saturating_add((left / self.fastest) as usize).saturating_add(1);
+            least = lesser(least, left / 2.0);
+            // Sooner they cannot have less room than that.
+            to = to.saturating_add(((left - least) / self.fastest) as usize).saturating_add(1);
         }
-        None
+        Err(least)
     }
 
     /// How far the feet part between two places: by the joints that do least, as ankles turn about toes.
@@ -180,7 +201,7 @@ mod tests {
         };
         let mut contact = feet.tracks.each_ref().map(|foot| {
             let velocities = derivative::central_difference(&foot.toe, feet.frame_time);
-            let speed: Vec<f64> = velocities.iter().map(|velocity| velocity.norm()).collect();
+            let speed: Vec<f32> = velocities.iter().map(|velocity| velocity.norm() as f32).collect();
             let planted = speed.iter().map(|&speed| speed < 2.0).collect();
             FootLabels { planted, confidence: vec![1.0; frames], height: vec![0.0; frames], speed }
         });

@@ -4,13 +4,18 @@
 //! the centres of both cells. Of the cell of sources, weight, centre and second moments count;
 //! on the side of the targets, value, slope and curvature. What is left out is of the third order
 //! in the size of one cell, measured in units of the kernel's scale. The sum over all pairs of n
-//! samples takes time proportional to n and to the square of the number of cells.
+//! samples takes time proportional to n and to the product of the numbers of cells.
+//!
+//! What is left out on the side of the targets is wrong for each of them in its own way, while the
+//! errors of many cells of sources hardly add up: one sample that is no cell's is close to exact.
 
-use super::cells::{Cells, DIMS};
+use super::cells::{Cells, DIMS, Group, Point};
 use super::degree::Kernel;
 
-/// Entries of a symmetric matrix.
-const TRIANGLE: usize = DIMS * (DIMS + 1) / 2;
+/// Axes along which second moments and curvature count: along the others cells have next to no extent.
+const LEADING: usize = 4;
+/// Entries of a symmetric matrix over them.
+const TRIANGLE: usize = LEADING * (LEADING + 1) / 2;
 /// Cells that are looked at together, by the same instruction where the machine can.
 const LANES: usize = 8;
 
@@ -23,8 +28,74 @@ struct Sources {
     centre: [Lanes; DIMS],
     /// Second moments about the centre, lower triangle by rows.
     moments: [Lanes; TRIANGLE],
-    /// Trace of the second moments, with that of what coordinates do not keep.
+    /// Trace of the second moments along all axes.
     trace: Lanes,
+    /// Mean square of what coordinates do not keep.
+    rest: Lanes,
+}
+
+impl Sources {
+    /// The ways from the centres to a place, `rest` of whose square is not in its coordinates, and
+    /// their squares.
+    #[inline(always)]
+    fn off(&self, place: &[f32; DIMS], rest: f32) -> ([Lanes; DIMS], Lanes) {
+        let mut off = [NONE; DIMS];
+        let mut squares = self.rest.map(|own| own + rest);
+        for axis in 0..DIMS {
+            for lane in 0..LANES {
+                off[axis][lane] = place[axis] - self.centre[axis][lane];
+                squares[lane] += off[axis][lane] * off[axis][lane];
+            }
+        }
+        (off, squares)
+    }
+
+    /// The moments along the way between the centres.
+    #[inline(always)]
+    fn turned(&self, off: &[Lanes; DIMS]) -> [Lanes; LEADING] {
+        let mut turned = [NONE; LEADING];
+        let mut entry = 0;
+        for row in 0..LEADING {
+            for column in 0..=row {
+                let moments = &self.moments[entry];
+                entry += 1;
+                for lane in 0..LANES {
+                    turned[row][lane] += moments[lane] * off[column][lane];
+                }
+                if column < row {
+                    for lane in 0..LANES {
+                        turned[column][lane] += moments[lane] * off[row][lane];
+                    }
+                }
+            }
+        }
+        turned
+    }
+}
+
+/// What all sources add up to at a place, `rest` of whose square is not in its coordinates.
+#[inline(always)]
+fn value_at(
+    place: &[f32; DIMS],
+    rest: f32,
+    sources: &[Sources],
+    derivatives: impl Fn(Lanes) -> [Lanes; 4],
+) -> f32 {
+    let mut value = NONE;
+    for source in sources {
+        let (off, squares) = source.off(place, rest);
+        let [f, f1, f2, _] = derivatives(squares);
+        let turned = source.turned(&off);
+        for lane in 0..LANES {
+            let mut along = 0.0;
+            for axis in 0..LEADING {
+                along += off[axis][lane] * turned[axis][lane];
+            }
+            value[lane] +=
+                source.weight[lane] * f[lane] + f1[lane] * source.trace[lane] + 2.0 * f2[lane] * along;
+        }
+    }
+    value.iter().sum()
 }
 
 /// What all sources add up to about the centre of a cell of targets.
@@ -37,31 +108,57 @@ struct Local {
     isotropic: f32,
 }
 
-/// For each sample of `targets`, the weighted sum of its likenesses to all of `sources`;
-/// weights are by sample, and `sigma` is the kernel's scale in the units of the cells.
-pub(super) fn sums(
+/// Sources as they are seen from anywhere, at one scale.
+pub(super) struct Expansion {
     kernel: Kernel,
-    sigma: f64,
-    sources: &Cells,
-    weights: &[f64],
-    targets: &Cells,
-) -> Vec<f64> {
-    let sources = gathered(sources, weights, 1.0 / sigma);
-    let scale = (1.0 / sigma) as f32;
-    let mut sums = vec![0.0; targets.points.len()];
-    for (range, centre) in &targets.cells {
-        let place = centre.map(|place| place * scale);
-        let local = match kernel {
-            Kernel::Gaussian => Local::about(&place, &sources, gaussian),
-            Kernel::Cauchy => Local::about(&place, &sources, cauchy),
-        };
-        for point in &targets.points[range.clone()] {
-            let off = std::array::from_fn(|axis| (point.place[axis] - centre[axis]) * scale);
-            let rest = point.rest * scale * scale;
-            sums[point.index as usize] = f64::from(local.at(off, rest)).max(0.0);
-        }
+    /// What lengths are multiplied by.
+    scale: f32,
+    sources: Vec<Sources>,
+}
+
+impl Expansion {
+    /// Of samples with weights, by sample; `sigma` is the kernel's scale in the units of the cells.
+    pub fn of(kernel: Kernel, sigma: f64, cells: &Cells, weights: &[f64]) -> Expansion {
+        Expansion { kernel, scale: (1.0 / sigma) as f32, sources: gathered(cells, weights, 1.0 / sigma) }
     }
-    sums
+
+    /// Number of cells of sources, at least one.
+    pub fn cells(&self) -> usize {
+        LANES * self.sources.len().max(1)
+    }
+
+    /// For each sample of `targets`, the weighted sum of its likenesses to all sources.
+    pub fn sums(&self, targets: &Cells) -> Vec<f64> {
+        let scale = self.scale;
+        let mut sums = vec![0.0; targets.points.len()];
+        for (range, centre) in &targets.targets {
+            let points = &targets.points[range.clone()];
+            let place = centre.map(|place| place * scale);
+            let middle =
+                points.iter().map(|point| point.rest).sum::<f32>() / points.len() as f32 * scale * scale;
+            let local = match self.kernel {
+                Kernel::Gaussian => Local::about(&place, middle, &self.sources, gaussian),
+                Kernel::Cauchy => Local::about(&place, middle, &self.sources, cauchy),
+            };
+            for point in points {
+                let off = std::array::from_fn(|axis| (point.place[axis] - centre[axis]) * scale);
+                let rest = point.rest * scale * scale - middle;
+                sums[point.index as usize] = f64::from(local.at(off, rest)).max(0.0);
+            }
+        }
+        sums
+    }
+
+    /// The same for one sample, without an expansion on its own side.
+    pub fn at(&self, point: &Point) -> f64 {
+        let place = point.place.map(|place| place * self.scale);
+        let rest = point.rest * self.scale * self.scale;
+        let sum = match self.kernel {
+            Kernel::Gaussian => value_at(&place, rest, &self.sources, gaussian),
+            Kernel::Cauchy => value_at(&place, rest, &self.sources, cauchy),
+        };
+        f64::from(sum).max(0.0)
+    }
 }
 
 /// f, f′, f″ and f‴ of exp(−x) at squares x.
@@ -84,9 +181,14 @@ fn cauchy(squares: Lanes) -> [Lanes; 4] {
 
 /// The moments of all cells, lengths times `scale`; lanes that are left over weigh nothing.
 fn gathered(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
-    let gather = |chunk: &[(std::ops::Range<usize>, [f32; DIMS])]| {
-        let mut sources =
-            Sources { weight: NONE, centre: [NONE; DIMS], moments: [NONE; TRIANGLE], trace: NONE };
+    let gather = |chunk: &[Group]| {
+        let mut sources = Sources {
+            weight: NONE,
+            centre: [NONE; DIMS],
+            moments: [NONE; TRIANGLE],
+            trace: NONE,
+            rest: NONE,
+        };
         for (lane, (range, middle)) in chunk.iter().enumerate() {
             let points = &cells.points[range.clone()];
             let weighed = || points.iter().map(|point| (point, weights[point.index as usize]));
@@ -97,17 +199,19 @@ fn gathered(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
                 f64::from(middle[axis]) + if whole > 0.0 { sum / whole } else { 0.0 }
             });
             let mut moments = [0.0; TRIANGLE];
-            let mut trace = 0.0;
+            let (mut trace, mut rest) = (0.0, 0.0);
             for (point, weight) in weighed() {
                 let off: [f64; DIMS] =
                     std::array::from_fn(|axis| f64::from(point.place[axis]) - centre[axis]);
-                trace += weight * (f64::from(point.rest) + off.iter().map(|off| off * off).sum::<f64>());
+                trace += weight * off.iter().map(|off| off * off).sum::<f64>();
+                rest += weight * f64::from(point.rest);
                 for (moment, (row, column)) in moments.iter_mut().zip(entries()) {
                     *moment += weight * off[row] * off[column];
                 }
             }
             sources.weight[lane] = whole as f32;
             sources.trace[lane] = (trace * scale * scale) as f32;
+            sources.rest[lane] = if whole > 0.0 { (rest / whole * scale * scale) as f32 } else { 0.0 };
             for (lanes, value) in sources.centre.iter_mut().zip(centre) {
                 lanes[lane] = (value * scale) as f32;
             }
@@ -117,51 +221,33 @@ fn gathered(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
         }
         sources
     };
-    cells.cells.chunks(LANES).map(gather).collect()
+    cells.sources.chunks(LANES).map(gather).collect()
 }
 
 /// Row and column of each entry of a lower triangle.
 #[inline(always)]
 fn entries() -> impl Iterator<Item = (usize, usize)> {
-    (0..DIMS).flat_map(|row| (0..=row).map(move |column| (row, column)))
+    (0..LEADING).flat_map(|row| (0..=row).map(move |column| (row, column)))
 }
 
 impl Local {
     #[inline(always)]
-    fn about(centre: &[f32; DIMS], sources: &[Sources], derivatives: impl Fn(Lanes) -> [Lanes; 4]) -> Local {
+    fn about(
+        centre: &[f32; DIMS],
+        rest: f32,
+        sources: &[Sources],
+        derivatives: impl Fn(Lanes) -> [Lanes; 4],
+    ) -> Local {
         let mut value = NONE;
         let mut isotropic = NONE;
         let mut slope = [NONE; DIMS];
         let mut curvature = [NONE; TRIANGLE];
         for source in sources {
-            let mut off = [NONE; DIMS];
-            let mut squares = NONE;
-            for axis in 0..DIMS {
-                for lane in 0..LANES {
-                    off[axis][lane] = centre[axis] - source.centre[axis][lane];
-                    squares[lane] += off[axis][lane] * off[axis][lane];
-                }
-            }
+            let (off, squares) = source.off(centre, rest);
             let [f, f1, f2, f3] = derivatives(squares);
-            // The moments along the way between the centres.
-            let mut turned = [NONE; DIMS];
-            let mut entry = 0;
-            for row in 0..DIMS {
-                for column in 0..=row {
-                    let moments = &source.moments[entry];
-                    entry += 1;
-                    for lane in 0..LANES {
-                        turned[row][lane] += moments[lane] * off[column][lane];
-                    }
-                    if column < row {
-                        for lane in 0..LANES {
-                            turned[column][lane] += moments[lane] * off[row][lane];
-                        }
-                    }
-                }
-            }
+            let turned = source.turned(&off);
             let mut along = NONE;
-            for axis in 0..DIMS {
+            for axis in 0..LEADING {
                 for lane in 0..LANES {
                     along[lane] += off[axis][lane] * turned[axis][lane];
                 }
@@ -177,9 +263,14 @@ impl Local {
             }
             let mut entry = 0;
             for row in 0..DIMS {
+                for lane in 0..LANES {
+                    slope[row][lane] += pull[lane] * off[row][lane];
+                }
+            }
+            for row in 0..LEADING {
                 let mut bent = NONE;
                 for lane in 0..LANES {
-                    slope[row][lane] += pull[lane] * off[row][lane] + turn[lane] * turned[row][lane];
+                    slope[row][lane] += turn[lane] * turned[row][lane];
                     bent[lane] = bend[lane] * off[row][lane];
                 }
                 for along in &off[..=row] {
@@ -199,7 +290,7 @@ impl Local {
         }
     }
 
-    /// The sum at a point `off` the centre, `rest` of whose square is not in its coordinates.
+    /// The sum at a point `off` the centre, of whose square its coordinates leave out so much more.
     fn at(&self, off: [f32; DIMS], rest: f32) -> f32 {
         let square: f32 = off.iter().map(|off| off * off).sum();
         let mut sum = self.value + self.isotropic * (rest + square);
@@ -230,16 +321,13 @@ mod tests {
     }
 
     fn plain(kernel: Kernel, samples: &Samples, weights: &[f64], sigma: f64, of: usize) -> f64 {
-        let likeness = |other: usize| {
-            let pairs = samples.point(of).iter().zip(samples.point(other));
-            likeness(kernel, pairs.map(|(a, b)| ((a - b) / sigma).powi(2)).sum())
-        };
+        let likeness = |other: usize| likeness(kernel, samples.square(of, other) / (sigma * sigma));
         (0..samples.len()).map(|other| weights[other] * likeness(other)).sum()
     }
 
     fn close(kernel: Kernel, samples: &Samples, weights: &[f64], sigma: f64, most: usize) -> Vec<f64> {
-        let cells = Cells::of(Axes::of(samples).points(samples), most);
-        sums(kernel, sigma, &cells, weights, &cells)
+        let cells = Cells::of(Axes::of(samples).points(samples), most, most);
+        Expansion::of(kernel, sigma, &cells, weights).sums(&cells)
     }
 
     proptest! {

@@ -84,7 +84,7 @@ impl Feet {
 
     /// Number of frames.
     pub fn frame_count(&self) -> usize {
-        self.hips.len()
+        self.tracks[0].ankle.len()
     }
 
     /// Frames that last `seconds`, rounded down; the margin keeps 0.0333 and 1/30 s alike.

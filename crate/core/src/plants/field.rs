@@ -1,5 +1,7 @@
 //! What any foot would be taken for: the degree over the plane of height and speed.
 
+use std::cell::OnceCell;
+
 use super::degree::Kernel;
 use super::roots::{Among, Pairs};
 use super::samples::{Ranges, Samples};
@@ -23,18 +25,15 @@ pub struct Field {
 
 impl Field {
     /// The field of samples whose heights and speeds were divided by `ranges`.
-    pub(super) fn of(among: Among, ranges: Ranges) -> Field {
-        let Among { weights, sigma, kernel, .. } = among;
+    pub(super) fn of(among: &Among, ranges: Ranges) -> Field {
+        let &Among { weights, sigma, kernel, .. } = among;
         let samples = &among.samples.samples;
         let stride = samples.len().div_ceil(MOST).max(1);
         let kept = || (0..samples.len()).step_by(stride);
         let share = samples.len() as f64 / kept().count().max(1) as f64;
         Field {
             weights: kept().map(|sample| weights[sample] * share).collect(),
-            samples: Samples::new(
-                samples.dimension,
-                kept().flat_map(|sample| samples.point(sample)).copied().collect(),
-            ),
+            samples: samples.some(kept()),
             sigma,
             kernel,
             ranges,
@@ -48,9 +47,8 @@ impl Field {
     pub fn roots(&self, heights: &[f64], speeds: &[f64]) -> Vec<f64> {
         let held = Samples::held(heights, speeds, self.ranges, self.samples.dimension).into();
         let &Field { ref weights, sigma, kernel, .. } = self;
-        Among { samples: &self.samples.clone().into(), weights, sigma, kernel, pairs: Pairs::All }
-            .of(&held)
-            .values
+        let (samples, pairs, expansion) = (&self.samples.clone().into(), Pairs::All, OnceCell::new());
+        Among { samples, weights, sigma, kernel, pairs, expansion }.of(&held).values
     }
 }
 
@@ -71,10 +69,13 @@ mod tests {
         (places, Samples::new(2, points).into())
     }
 
+    fn among<'a>(samples: &'a Grouped, weights: &'a [f64], kernel: Kernel) -> Among<'a> {
+        Among { samples, weights, sigma: 0.15, kernel, pairs: Pairs::All, expansion: OnceCell::new() }
+    }
+
     fn field(samples: &Grouped, kernel: Kernel) -> Field {
         let weights = vec![1.0; samples.samples.len()];
-        let among = Among { samples, weights: &weights, sigma: 0.15, kernel, pairs: Pairs::All };
-        Field::of(among, Ranges { height: 0.4, speed: 3.0 })
+        Field::of(&among(samples, &weights, kernel), Ranges { height: 0.4, speed: 3.0 })
     }
 
     #[test]
@@ -82,9 +83,7 @@ mod tests {
         let (places, samples) = swinging(500);
         let weights = vec![1.0; 500];
         for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-            let among =
-                Among { samples: &samples, weights: &weights, sigma: 0.15, kernel, pairs: Pairs::All };
-            let own = among.own().values;
+            let own = among(&samples, &weights, kernel).own().values;
             for sample in [0, 20, 77, 499] {
                 let [height, speed] = places[sample];
                 let root = field(&samples, kernel).roots(&[height], &[speed])[0];
@@ -102,7 +101,7 @@ mod tests {
             let some = field(&samples, kernel);
             assert!(some.samples.len() <= MOST);
             let weights = vec![1.0; samples.samples.len()];
-            let all = Among { samples: &samples, weights: &weights, sigma: 0.15, kernel, pairs: Pairs::All };
+            let all = among(&samples, &weights, kernel);
             let held = Samples::held(&heights, &speeds, some.ranges, 2).into();
             let most = some.roots(&[0.0], &[0.0])[0];
             for (some, all) in some.roots(&heights, &speeds).iter().zip(all.of(&held).values) {

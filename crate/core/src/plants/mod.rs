@@ -46,6 +46,7 @@ pub use params::{Limits, ParamError, Params, ValidParams};
 use methods::{Found, Task};
 
 use crate::labels::{Edit, Part, Side};
+use crate::motion::Track;
 use crate::notice::Notice;
 
 /// The labels of a clip with how they came about.
@@ -80,11 +81,11 @@ pub struct FootLabels {
     /// Whether the foot is planted.
     pub planted: Vec<bool>,
     /// Probability that the label is right, from 0.5 to 1.
-    pub confidence: Vec<f64>,
+    pub confidence: Vec<f32>,
     /// Height above the lowest that the clip comes, in file units.
-    pub height: Vec<f64>,
+    pub height: Vec<f32>,
     /// Speed in file units per second.
-    pub speed: Vec<f64>,
+    pub speed: Vec<f32>,
 }
 
 impl Detection {
@@ -115,6 +116,16 @@ pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
     run(Task { feet, still: None, params, kept: None })
 }
 
+/// As [`detect`], of feet that nobody needs afterwards: in long clips it takes a sixth less memory.
+pub fn detect_once(mut feet: Feet, params: ValidParams) -> Detection {
+    let whole = Whole::of(&feet);
+    feet.hips = Track::new();
+    for foot in &mut feet.tracks {
+        foot.tip = None;
+    }
+    run_in(whole, Task { feet: &feet, still: None, params, kept: None })
+}
+
 /// As [`detect`], with the feet of the same character standing still clustered along,
 /// which helps where a clip is all small movement (paper, section 3.5).
 ///
@@ -124,9 +135,25 @@ pub fn detect_along(feet: &Feet, still: &Feet, params: ValidParams) -> Detection
 }
 
 fn run(task: Task) -> Detection {
+    run_in(Whole::of(task.feet), task)
+}
+
+/// What is asked of all tracks of the feet, where methods need but ankles and toes.
+struct Whole {
+    rate: Option<Notice>,
+    lowest: [Vec<f64>; 2],
+}
+
+impl Whole {
+    fn of(feet: &Feet) -> Whole {
+        Whole { rate: plausible::rate(feet), lowest: floor::lowest(feet) }
+    }
+}
+
+fn run_in(whole: Whole, task: Task) -> Detection {
     let Found { parts, mut notices } = task.params.method().detect(&task);
-    notices.extend(plausible::notices(task.feet, &parts));
-    let floor = floor::height(task.feet, &parts[0]);
+    notices.extend(whole.rate.into_iter().chain(plausible::airborne(&parts)));
+    let floor = floor::height(&whole.lowest, &parts[0]);
     Detection { params: task.params, floor, parts, notices, edits: Vec::new() }
 }
 

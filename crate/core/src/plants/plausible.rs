@@ -13,11 +13,8 @@ const TRAVEL: f64 = 2.0;
 /// No gait leaves both feet off the ground for longer than this share of the time; sprinting does for a third.
 const AIRBORNE: f64 = 0.5;
 
-pub(super) fn notices(feet: &Feet, parts: &[PartLabels]) -> Vec<Notice> {
-    [rate(feet), airborne(parts)].into_iter().flatten().collect()
-}
-
-fn rate(feet: &Feet) -> Option<Notice> {
+/// A rate at which nobody moves so.
+pub(super) fn rate(feet: &Feet) -> Option<Notice> {
     let legs_per_second =
         |pair: &[nalgebra::Vector3<f64>]| (pair[1] - pair[0]).norm() / (feet.frame_time * feet.leg);
     let mut speeds: Vec<f64> =
@@ -45,7 +42,8 @@ fn rate(feet: &Feet) -> Option<Notice> {
     Some(Notice::new(Code::ImplausibleRate, text))
 }
 
-fn airborne(parts: &[PartLabels]) -> Option<Notice> {
+/// Longer in the air than anybody is.
+pub(super) fn airborne(parts: &[PartLabels]) -> Option<Notice> {
     let contact = parts.iter().find(|labels| labels.part == Part::Contact)?;
     let [left, right] = [&contact.feet[0].planted, &contact.feet[1].planted];
     let in_air = left.iter().zip(right).filter(|(left, right)| !**left && !**right).count();

@@ -1,43 +1,42 @@
 //! Positions between frames, so that clips of low rates are measured as those of high ones.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
-use super::{Feet, FootTracks};
+use super::Feet;
 use crate::motion::Track;
 use crate::spline;
 
 /// The rate that clips are brought to at least, in frames per second.
 const RATE: f64 = 120.0;
 
-/// Feet with `stride` times as many frames, and the pieces of their motion.
-pub(super) struct Refined<'a> {
-    pub feet: Cow<'a, Feet>,
+/// How clips of low rates are brought to about 120 Hz, piece by piece; faster ones stay as they are.
+pub(super) struct Refined {
+    /// The pieces of the clip.
+    coarse: Vec<Range<usize>>,
+    /// The same pieces once refined.
     pub pieces: Vec<Range<usize>>,
-    /// Frame n of the clip is frame n × stride here.
+    /// Frame n of the clip is frame n × stride of what is refined.
     pub stride: usize,
+    /// Seconds from one frame of what is refined to the next.
+    pub frame_time: f64,
 }
 
-/// Brings feet to about 120 Hz, piece by piece; faster ones stay as they are.
-pub(super) fn refined<'a>(feet: &'a Feet, pieces: &[Range<usize>]) -> Refined<'a> {
-    let stride = (RATE * feet.frame_time).round().max(1.0) as usize;
-    if stride == 1 {
-        return Refined { feet: Cow::Borrowed(feet), pieces: pieces.to_vec(), stride };
-    }
-    let fine = |track: &Track| between(track, pieces, stride);
-    Refined {
-        feet: Cow::Owned(Feet {
-            tracks: feet.tracks.each_ref().map(|foot| FootTracks {
-                ankle: fine(&foot.ankle),
-                toe: fine(&foot.toe),
-                tip: None,
-            }),
-            hips: Track::new(),
+impl Refined {
+    /// The feet's motion in `pieces`.
+    pub fn of(feet: &Feet, pieces: &[Range<usize>]) -> Refined {
+        let stride = (RATE * feet.frame_time).round().max(1.0) as usize;
+        let fine = |piece: &Range<usize>| piece.start * stride..(piece.end - 1) * stride + 1;
+        Refined {
+            coarse: pieces.to_vec(),
+            pieces: pieces.iter().map(fine).collect(),
+            stride,
             frame_time: feet.frame_time / stride as f64,
-            ..*feet
-        }),
-        pieces: pieces.iter().map(|piece| piece.start * stride..(piece.end - 1) * stride + 1).collect(),
-        stride,
+        }
+    }
+
+    /// A track with what lies between its frames.
+    pub fn between(&self, track: &Track) -> Track {
+        if self.stride == 1 { track.clone() } else { between(track, &self.coarse, self.stride) }
     }
 }
 

@@ -1,16 +1,29 @@
 //! The roots of the degrees of samples: exact for few samples, and for many wherever it matters.
+//!
+//! Samples near the threshold are looked at one by one, at first against the cells of all others:
+//! that takes a fraction of the time, and leaves few that have to be compared with all.
 
-use super::cells::Grouped;
+use std::cell::OnceCell;
+use std::ops::RangeInclusive;
+
+use super::cells::{Axes, Grouped};
 use super::degree::{Graph, Kernel};
-use super::expansion;
+use super::expansion::Expansion;
 use super::samples::Samples;
 
 /// A scale no larger than this is none: so many samples are at rest that the knee is among them.
 const AT_REST: f64 = 1e-30;
 /// Up to this many samples, all pairs are looked at.
 const FEW: usize = 3000;
-/// Samples that are made exact at first; then twice as many, and so on.
+/// Samples that are found in a better way at first, and half as many exactly; then twice as many, and so on.
 const FIRST: usize = 64;
+/// Samples that tell how far others like them are off.
+const ALIKE: usize = 15;
+/// Coordinates of pairs that are looked at in either of the better ways at most, which takes half a
+/// second: reached by an hour with a scale too small or a window too wide for its cells.
+const MOST_WORK: usize = 4_000_000_000;
+/// Coordinates that take as long as a cell does.
+const CELL_WORK: usize = 24;
 /// How many times the largest correction so far a sample has to be from the threshold to stay as it is.
 const SAFETY: f64 = 2.0;
 
@@ -31,40 +44,58 @@ pub(super) struct Roots<'a> {
 }
 
 struct Close<'a> {
-    graph: Graph,
+    axes: &'a Axes,
+    expansion: &'a Expansion,
+    graph: Graph<'a>,
     weights: &'a [f64],
     /// The samples whose roots they are.
     of: &'a Samples,
     /// Whether each sample is among those that it is compared with, and so meets itself.
     meets_itself: bool,
-    is_exact: Vec<bool>,
-    /// The largest correction so far, relative to the value.
-    worst: f64,
+    /// What each sample's value is by now.
+    state: Vec<By>,
+    /// The largest correction so far by a better way, relative to the value: of those by cells, and
+    /// of those by themselves.
+    worst: [f64; 2],
+    /// Samples whose values may still be found in each of the better ways.
+    left: [usize; 2],
+}
+
+/// How a value was found, each way better than the one before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum By {
+    /// Expanded about the cell of the sample and those of all others.
+    Cells,
+    /// Expanded about the cells of the others alone.
+    Itself,
+    /// Summed over all pairs.
+    Pairs,
 }
 
 /// Samples, weighted, among which others have degrees.
-#[derive(Clone, Copy)]
 pub(super) struct Among<'a> {
     pub samples: &'a Grouped,
     pub weights: &'a [f64],
     pub sigma: f64,
     pub kernel: Kernel,
     pub pairs: Pairs,
+    /// What they add up to, once that has been asked for.
+    pub expansion: OnceCell<Expansion>,
 }
 
-impl<'a> Among<'a> {
+impl Among<'_> {
     /// The roots of the samples' own degrees; all 0 where the scale is none.
-    pub fn own(self) -> Roots<'a> {
+    pub fn own(&self) -> Roots<'_> {
         self.roots(self.samples, true)
     }
 
     /// The roots of what others would have for degrees; all 0 where the scale is none.
-    pub fn of(self, others: &'a Grouped) -> Roots<'a> {
+    pub fn of<'a>(&'a self, others: &'a Grouped) -> Roots<'a> {
         self.roots(others, false)
     }
 
-    fn roots(self, of: &'a Grouped, meets_itself: bool) -> Roots<'a> {
-        let Among { samples: among, weights, sigma, kernel, pairs } = self;
+    fn roots<'a>(&'a self, of: &'a Grouped, meets_itself: bool) -> Roots<'a> {
+        let &Among { samples: among, weights, sigma, kernel, pairs, .. } = self;
         if sigma <= AT_REST {
             return vec![0.0; of.samples.len()].into();
         }
@@ -74,52 +105,113 @@ impl<'a> Among<'a> {
             let sums = if meets_itself { graph.times(weights) } else { graph.towards(&of.samples, weights) };
             return root(sums).into();
         }
-        let axes = among.axes();
-        let mut sums = expansion::sums(kernel, sigma, among.cells(axes), weights, of.cells(axes));
+        let cells = of.cells(among.axes());
+        let expansion = self.expansion.get_or_init(|| {
+            if meets_itself {
+                Expansion::of(kernel, sigma, &cells, weights)
+            } else {
+                Expansion::of(kernel, sigma, &among.cells(among.axes()), weights)
+            }
+        });
+        let mut sums = expansion.sums(&cells);
         if meets_itself {
             for (sum, weight) in sums.iter_mut().zip(weights) {
                 *sum = (*sum - weight).max(0.0);
             }
         }
-        let is_exact = vec![false; sums.len()];
-        let close = Close { graph, weights, of: &of.samples, meets_itself, is_exact, worst: 0.0 };
+        let state = vec![By::Cells; sums.len()];
+        let (axes, of) = (among.axes(), &of.samples);
+        let left =
+            [expansion.cells() * CELL_WORK, samples.len() * samples.dimension].map(|each| MOST_WORK / each);
+        let close = Close { axes, expansion, graph, weights, of, meets_itself, state, worst: [0.0; 2], left };
         Roots { values: root(sums), close: Some(close) }
     }
 }
 
 impl Roots<'_> {
     /// Makes values exact from the threshold outwards, until the next is several times further from
-    /// it than any was wrong; tells whether there were any to make.
-    pub fn settle(&mut self, threshold: f64) -> bool {
-        let Some(close) = &mut self.close else { return false };
-        if threshold.is_nan() || threshold <= 0.0 {
-            return false;
+    /// it than any was wrong; tells the band in which they were and are, if there were any to make.
+    pub fn settle(&mut self, threshold: f64) -> Option<RangeInclusive<f64>> {
+        let mut band = None;
+        if threshold > 0.0 {
+            // Few are left for the way that takes the time.
+            for (from, to, first) in [(By::Cells, By::Itself, FIRST), (By::Itself, By::Pairs, FIRST / 2)] {
+                self.better(threshold, from, to, first, &mut band);
+            }
         }
-        let mut most = FIRST;
-        let mut is_changed = false;
+        band
+    }
+
+    /// What values like this one fall short of the exact ones, as the middle one of a few does.
+    pub fn shortfall(&self, value: f64) -> f64 {
+        let Some(close) = &self.close else { return 0.0 };
+        let off = |sample: usize| (self.values[sample] - value).abs();
+        let alike = nearest((0..self.values.len()).map(|sample| (off(sample), sample)), f64::INFINITY, ALIKE);
+        let exact = close.found(&alike, By::Pairs);
+        let mut short: Vec<f64> =
+            alike.iter().zip(exact).map(|(&sample, exact)| exact - self.values[sample]).collect();
+        short.sort_unstable_by(f64::total_cmp);
+        short[short.len() / 2]
+    }
+
+    /// Finds those values near the threshold in a better way that were found in the one before.
+    fn better(
+        &mut self,
+        threshold: f64,
+        from: By,
+        to: By,
+        first: usize,
+        band: &mut Option<RangeInclusive<f64>>,
+    ) {
+        let Some(close) = &mut self.close else { return };
+        let mut most = first;
         loop {
             let off = |sample: usize| (self.values[sample] / threshold - 1.0).abs();
+            let worst = close.worst[from as usize];
             // At first nobody knows how far off they are.
-            let reach = if close.worst > 0.0 { SAFETY * close.worst } else { f64::INFINITY };
-            let is_near = |sample: &usize| !close.is_exact[*sample] && off(*sample) <= reach;
-            let mut near: Vec<usize> = (0..self.values.len()).filter(is_near).collect();
+            let reach = if worst > 0.0 { SAFETY * worst } else { f64::INFINITY };
+            let those = (0..self.values.len()).filter(|&sample| close.state[sample] == from);
+            let left = close.left[from as usize];
+            if left == 0 {
+                return;
+            }
+            let near = nearest(those.map(|sample| (off(sample), sample)), reach, most.min(left));
             if near.is_empty() {
-                return is_changed;
+                return;
             }
-            if most < near.len() {
-                near.select_nth_unstable_by(most, |&a, &b| off(a).total_cmp(&off(b)).then(a.cmp(&b)));
-                near.truncate(most);
-            }
-            for (&sample, value) in near.iter().zip(close.exact(&near)) {
+            close.left[from as usize] -= near.len();
+            for (&sample, value) in near.iter().zip(close.found(&near, to)) {
                 let old = std::mem::replace(&mut self.values[sample], value);
+                let (least, greatest) = band.take().map_or((old, old), RangeInclusive::into_inner);
+                *band = Some(least.min(old).min(value)..=greatest.max(old).max(value));
                 let off = (old / value.max(f64::MIN_POSITIVE) - 1.0).abs();
-                close.worst = close.worst.max(off).max(f64::EPSILON);
-                close.is_exact[sample] = true;
+                let worst = &mut close.worst[from as usize];
+                *worst = worst.max(off).max(f64::EPSILON);
+                close.state[sample] = to;
             }
-            is_changed = true;
             most *= 2;
         }
     }
+}
+
+/// Of samples behind how far off they are, the nearest within reach.
+fn nearest(samples: impl Iterator<Item = (f64, usize)>, reach: f64, most: usize) -> Vec<usize> {
+    let keep = |near: &mut Vec<(f64, usize)>| {
+        if most < near.len() {
+            near.select_nth_unstable_by(most, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            near.truncate(most);
+        }
+    };
+    let mut near = Vec::new();
+    for sample in samples.filter(|(off, _)| *off <= reach) {
+        near.push(sample);
+        // All within reach at once could be more than the samples take themselves.
+        if near.len() == 2 * most {
+            keep(&mut near);
+        }
+    }
+    keep(&mut near);
+    near.into_iter().map(|(_, sample)| sample).collect()
 }
 
 impl From<Vec<f64>> for Roots<'_> {
@@ -129,10 +221,14 @@ impl From<Vec<f64>> for Roots<'_> {
 }
 
 impl Close<'_> {
-    /// The exact roots of some samples.
-    fn exact(&self, samples: &[usize]) -> Vec<f64> {
-        let points = samples.iter().flat_map(|&sample| self.of.point(sample)).copied().collect();
-        let mut sums = self.graph.towards(&Samples::new(self.of.dimension, points), self.weights);
+    /// The roots of some samples, found in one of the better ways.
+    fn found(&self, samples: &[usize], by: By) -> Vec<f64> {
+        let mut sums = if by == By::Pairs {
+            self.graph.towards(&self.of.some(samples.iter().copied()), self.weights)
+        } else {
+            let point = |&sample: &usize| self.axes.point(sample, self.of.point(sample));
+            samples.iter().map(|sample| self.expansion.at(&point(sample))).collect()
+        };
         if self.meets_itself {
             for (sum, &sample) in sums.iter_mut().zip(samples) {
                 *sum = (*sum - self.weights[sample]).max(0.0);
@@ -167,24 +263,25 @@ mod tests {
         Samples::new(6, points).into()
     }
 
+    fn among<'a>(samples: &'a Grouped, weights: &'a [f64], kernel: Kernel, pairs: Pairs) -> Among<'a> {
+        Among { samples, weights, sigma: 0.15, kernel, pairs, expansion: OnceCell::new() }
+    }
+
     #[test]
     fn what_decides_is_exact() {
         let (samples, others) = (gait(4000), gait(4100));
         let weights: Vec<f64> = samples.samples.norms.iter().map(|norm| (-norm * norm).exp()).collect();
         for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-            let among = |pairs| Among { samples: &samples, weights: &weights, sigma: 0.15, kernel, pairs };
-            let own = |pairs| among(pairs).own();
-            let towards = |pairs| among(pairs).of(&others);
-            for (all, mut few) in
-                [(own(Pairs::All), own(Pairs::Few)), (towards(Pairs::All), towards(Pairs::Few))]
-            {
+            let [every, some] =
+                [Pairs::All, Pairs::Few].map(|pairs| among(&samples, &weights, kernel, pairs));
+            for (all, mut few) in [(every.own(), some.own()), (every.of(&others), some.of(&others))] {
                 assert!(all.close.is_none() && few.close.is_some());
                 let mut sorted = all.values.clone();
                 sorted.sort_unstable_by(f64::total_cmp);
                 for share in [0.2, 0.5, 0.7] {
                     let threshold = sorted[(share * sorted.len() as f64) as usize] * (1.0 + 1e-9);
                     few.settle(threshold);
-                    assert!(!few.settle(threshold), "what is settled stays so");
+                    assert!(few.settle(threshold).is_none(), "what is settled stays so");
                     for (all, few) in all.values.iter().zip(&few.values) {
                         assert!((all / few - 1.0).abs() < 0.02, "{all} {few}");
                         // Both have single precision within a block.
@@ -195,7 +292,7 @@ mod tests {
                         );
                     }
                 }
-                let exact = few.close.as_ref().unwrap().is_exact.iter().filter(|exact| **exact).count();
+                let exact = few.close.as_ref().unwrap().state.iter().filter(|by| **by == By::Pairs).count();
                 assert!(exact < samples.samples.len(), "not all had to be made exact");
             }
         }
@@ -205,12 +302,13 @@ mod tests {
     fn nothing_is_asked_of_no_scale_or_threshold() {
         let samples = gait(4000);
         let weights = vec![1.0; 4000];
-        let kernel = Kernel::Cauchy;
-        let among = Among { samples: &samples, weights: &weights, sigma: 0.2, kernel, pairs: Pairs::Few };
-        let mut none = Among { sigma: 0.0, ..among }.own();
-        assert!(none.values.iter().all(|value| *value == 0.0));
-        assert!(!none.settle(1.0));
+        let among = among(&samples, &weights, Kernel::Cauchy, Pairs::Few);
         let mut some = among.own();
-        assert!(!some.settle(f64::NAN) && !some.settle(f64::NEG_INFINITY) && !some.settle(0.0));
+        for threshold in [f64::NAN, f64::NEG_INFINITY, 0.0] {
+            assert!(some.settle(threshold).is_none());
+        }
+        let none = Among { sigma: 0.0, expansion: OnceCell::new(), ..among };
+        assert!(none.own().values.iter().all(|value| *value == 0.0));
+        assert!(none.own().settle(1.0).is_none());
     }
 }

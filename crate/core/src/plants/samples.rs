@@ -6,13 +6,25 @@ use super::signal::{self, Signals};
 
 /// Points in a space of `dimension` coordinates: all kept frames of the left
 /// foot, then those of the right (paper, section 2.3, steps 2 to 4).
+///
+/// Windows of neighbouring frames overlap, and what they share is stored once: a sample takes
+/// as many bytes with a wide window as with none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Samples {
     pub dimension: usize,
-    /// Samples × dimension.
-    pub points: Vec<f64>,
     /// Distance of each sample from the origin: from standing still on the ground.
     pub norms: Vec<f64>,
+    values: Vec<f32>,
+    runs: Vec<Run>,
+}
+
+/// Samples whose coordinates begin `step` values after one another's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Run {
+    /// The first of the samples, and where its coordinates begin among the values.
+    sample: usize,
+    start: usize,
+    step: usize,
 }
 
 /// What heights and speeds are divided by.
@@ -41,9 +53,9 @@ impl Ranges {
 impl Samples {
     /// Samples of given coordinates, one after the other.
     pub fn new(dimension: usize, points: Vec<f64>) -> Samples {
-        let norms =
-            points.chunks_exact(dimension).map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt());
-        Samples { norms: norms.collect(), dimension, points }
+        let mut samples = Samples { dimension, ..Samples::default() };
+        samples.add(&points, dimension);
+        samples
     }
 
     /// Every `stride`-th frame with `window` frames to either side, within its piece and foot.
@@ -57,23 +69,34 @@ impl Samples {
         window: usize,
         stride: usize,
     ) -> Samples {
-        let dimension = 2 * (2 * window + 1);
-        let mut points = Vec::new();
+        let mut samples = Samples { dimension: 2 * (2 * window + 1), ..Samples::default() };
+        let count = |piece: &Range<usize>| piece.len().div_ceil(stride);
+        samples.norms.reserve_exact(2 * pieces.iter().map(count).sum::<usize>());
+        let values = |piece: &Range<usize>| 2 * (piece.len() + 2 * window);
+        samples.values.reserve_exact(2 * pieces.iter().map(values).sum::<usize>());
         for signal in signals {
             for piece in pieces {
-                for frame in piece.clone().step_by(stride) {
-                    // Positions in the window count from `frame − window`.
-                    for place in 0..=2 * window {
-                        let neighbour =
-                            (frame + place).saturating_sub(window).clamp(piece.start, piece.end - 1);
-                        let [height, speed] = signal.at(neighbour);
-                        points.push(limited(height / ranges.height));
-                        points.push(limited(speed / ranges.speed));
-                    }
+                let mut points = Vec::with_capacity(values(piece));
+                for place in 0..piece.len() + 2 * window {
+                    let frame =
+                        (piece.start + place).saturating_sub(window).clamp(piece.start, piece.end - 1);
+                    let [height, speed] = signal.at(frame);
+                    points.push(limited(height / ranges.height));
+                    points.push(limited(speed / ranges.speed));
                 }
+                samples.add(&points, 2 * stride);
             }
         }
-        Samples::new(dimension, points)
+        samples
+    }
+
+    /// Adds the samples whose coordinates begin at every `step`-th of the values.
+    fn add(&mut self, values: &[f64], step: usize) {
+        self.runs.push(Run { sample: self.norms.len(), start: self.values.len(), step });
+        // Norms decide the scale: they are those of what has not been rounded.
+        let points = values.windows(self.dimension).step_by(step);
+        self.norms.extend(points.map(|point| point.iter().map(|x| x * x).sum::<f64>().sqrt()));
+        self.values.extend(values.iter().map(|&value| value as f32));
     }
 
     /// Samples of feet that hold a height and a speed over the whole window, for each height all speeds.
@@ -92,8 +115,17 @@ impl Samples {
 
     /// Adds the samples of another clip behind these.
     pub fn append(&mut self, other: Samples) {
-        self.points.extend(other.points);
+        let (sample, start) = (self.norms.len(), self.values.len());
+        let behind = |run: Run| Run { sample: sample + run.sample, start: start + run.start, ..run };
+        self.runs.extend(other.runs.into_iter().map(behind));
+        self.values.extend(other.values);
         self.norms.extend(other.norms);
+    }
+
+    /// Some of the samples.
+    pub fn some(&self, samples: impl Iterator<Item = usize>) -> Samples {
+        let points = samples.flat_map(|sample| self.point(sample)).map(|&value| f64::from(value));
+        Samples::new(self.dimension, points.collect())
     }
 
     /// Number of samples.
@@ -102,8 +134,21 @@ impl Samples {
     }
 
     /// The coordinates of one sample.
-    pub fn point(&self, sample: usize) -> &[f64] {
-        &self.points[sample * self.dimension..(sample + 1) * self.dimension]
+    pub fn point(&self, sample: usize) -> &[f32] {
+        let run = &self.runs[self.runs.partition_point(|run| run.sample <= sample) - 1];
+        let start = run.start + (sample - run.sample) * run.step;
+        &self.values[start..start + self.dimension]
+    }
+
+    /// Squared distance of two samples.
+    pub fn square(&self, one: usize, other: usize) -> f64 {
+        let between = self.point(one).iter().zip(self.point(other));
+        between.map(|(&a, &b)| (f64::from(a) - f64::from(b)).powi(2)).sum()
+    }
+
+    /// The coordinates of all samples in turn.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = &[f32]> + Clone {
+        (0..self.len()).map(|sample| self.point(sample))
     }
 }
 
@@ -129,7 +174,9 @@ mod tests {
         assert_eq!(ranges, Ranges { height: 3.0, speed: 1.0 });
         let samples = Samples::of(&signals, &pieces, Ranges { height: 10.0, speed: 1.0 }, 1, 1);
         let heights: Vec<Vec<f64>> = (0..4)
-            .map(|sample| samples.point(sample).iter().step_by(2).map(|x| x * 10.0).collect())
+            .map(|sample| {
+                samples.point(sample).iter().step_by(2).map(|x| f64::from((x * 10.0).round())).collect()
+            })
             .collect();
         assert_eq!(heights, [[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [2.0, 2.0, 3.0], [2.0, 3.0, 3.0]]);
         assert_eq!(samples.len(), 8);

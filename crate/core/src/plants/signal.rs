@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+use super::refine::Refined;
 use super::{Feet, FootTracks, derivative};
 use crate::motion::Track;
 use crate::skeleton::Up;
@@ -61,18 +62,17 @@ pub(super) fn plain(feet: &Feet, effector: impl Fn(&FootTracks) -> &Track) -> Si
     signals
 }
 
-/// Signals of one effector without spikes, their speed smoothed over a window of time.
-pub(super) fn smooth(
-    feet: &Feet,
-    pieces: &[Range<usize>],
-    effector: impl Fn(&FootTracks) -> &Track,
-) -> Signals {
+/// Signals of one effector without spikes, refined, their speed smoothed over a window of time.
+pub(super) fn smooth(feet: &Feet, refined: &Refined, effector: impl Fn(&FootTracks) -> &Track) -> Signals {
+    let Refined { pieces, frame_time, .. } = refined;
     // Rates such as 0.033333 and 0.033334 s must give the same window.
-    let half = |seconds: f64| (seconds / feet.frame_time + 0.55).floor() as usize;
+    let half = |seconds: f64| (seconds / frame_time + 0.55).floor() as usize;
     let velocity =
-        |track: &[Vector3<f64>]| derivative::edge_preserving(track, half(SPEED_WINDOW), feet.frame_time);
+        |track: &[Vector3<f64>]| derivative::edge_preserving(track, half(SPEED_WINDOW), *frame_time);
+    // One track after the other: between its frames it may take many times the memory.
     let mut signals = feet.tracks.each_ref().map(|foot| {
-        let track = without_spikes(effector(foot), pieces, feet.leg);
+        let mut track = refined.between(effector(foot));
+        mend_spikes(&mut track, pieces, feet.leg);
         Signal::of(&track, feet.up, pieces, velocity)
     });
     local_ground(&mut signals, pieces, half(GROUND_WINDOW));
@@ -142,33 +142,42 @@ fn ground(signals: &mut Signals, pieces: &[Range<usize>]) {
     }
 }
 
-/// A single frame that juts out of its neighbours is put between them.
-fn without_spikes(track: &Track, pieces: &[Range<usize>], leg: f64) -> Track {
-    let mut mended = track.clone();
+/// Puts single frames that jut out of their neighbours between them.
+fn mend_spikes(track: &mut Track, pieces: &[Range<usize>], leg: f64) {
     for piece in pieces.iter().filter(|piece| piece.len() > 2) {
+        // What is compared with is never mended.
+        let mut before = track[piece.start];
         for frame in piece.start + 1..piece.end - 1 {
-            let (before, after) = (track[frame - 1], track[frame + 1]);
+            let (here, after) = (track[frame], track[frame + 1]);
             let middle = (before + after) / 2.0;
-            if (track[frame] - middle).norm() > 3.0 * (after - before).norm() + 0.05 * leg {
-                mended[frame] = middle;
+            if (here - middle).norm() > 3.0 * (after - before).norm() + 0.05 * leg {
+                track[frame] = middle;
             }
+            before = here;
         }
     }
-    mended
 }
 
-/// In each frame, whichever of two effectors is slower: the part of the sole that bears weight.
+/// For each foot and frame whether the second of two effectors bears weight: whichever is slower.
 ///
 /// Where both are slower than `still`, the lower one: on tiptoe the ankle stands
 /// as still as the toe, but high.
-pub(super) fn bearing(a: &Signals, b: &Signals, still: f64) -> Signals {
+pub(super) fn bearing(a: &Signals, b: &Signals, still: f64) -> [Vec<bool>; 2] {
     [0, 1].map(|foot| {
-        let (a, b) = (&a[foot], &b[foot]);
         let rank = |signal: &Signal, frame: usize| (signal.speed[frame].max(still), signal.height[frame]);
-        let chosen =
-            (0..a.speed.len()).map(|frame| if rank(b, frame) < rank(a, frame) { b } else { a }.at(frame));
-        let (height, speed) = chosen.map(|[height, speed]| (height, speed)).unzip();
-        Signal { height, speed }
+        (0..a[foot].speed.len()).map(|frame| rank(&b[foot], frame) < rank(&a[foot], frame)).collect()
+    })
+}
+
+/// The first of two effectors, or the second in the frames where that is told.
+pub(super) fn either(a: &Signals, b: &Signals, is_b: &[Vec<bool>; 2]) -> Signals {
+    [0, 1].map(|foot| {
+        let chosen = |a: &[f64], b: &[f64]| {
+            let both = a.iter().zip(b).zip(&is_b[foot]);
+            both.map(|((a, b), is_b)| if *is_b { *b } else { *a }).collect()
+        };
+        let (a, b) = (&a[foot], &b[foot]);
+        Signal { height: chosen(&a.height, &b.height), speed: chosen(&a.speed, &b.speed) }
     })
 }
 
@@ -180,14 +189,18 @@ mod tests {
 
     #[test]
     fn one_frame_spikes_are_mended_and_motion_is_not() {
-        let mut track: Track = (0..20).map(|frame| Vector3::x() * f64::from(frame) * 0.1).collect();
-        let straight = track.clone();
-        assert_eq!(without_spikes(&track, &[0..20], 1.0), straight);
+        let straight: Track = (0..20).map(|frame| Vector3::x() * f64::from(frame) * 0.1).collect();
+        let mended = |track: &Track, pieces: &[Range<usize>]| {
+            let mut track = track.clone();
+            mend_spikes(&mut track, pieces, 1.0);
+            track
+        };
+        assert_eq!(mended(&straight, &[0..20]), straight);
+        let mut track = straight.clone();
         track[7].y = 1.0;
-        let mended = without_spikes(&track, &[0..20], 1.0);
-        assert!((mended[7] - straight[7]).norm() < 1e-12);
+        assert!((mended(&track, &[0..20])[7] - straight[7]).norm() < 1e-12);
         // At the edge of a piece there is nothing to compare with.
-        assert_eq!(without_spikes(&track, &[0..8, 8..20], 1.0)[7].y, 1.0);
+        assert_eq!(mended(&track, &[0..8, 8..20])[7].y, 1.0);
     }
 
     proptest! {
@@ -211,8 +224,9 @@ mod tests {
         let signal = |height: f64, speed: [f64; 2]| Signal { height: vec![height; 2], speed: speed.into() };
         let ankle = [signal(1.0, [0.0, 2.0]), signal(1.0, [0.0, 2.0])];
         let toe = [signal(5.0, [1.0, 1.0]), signal(5.0, [1.0, 1.0])];
-        assert_eq!(bearing(&ankle, &toe, 0.5)[0], Signal { height: vec![1.0, 5.0], speed: vec![0.0, 1.0] });
+        let sole = either(&ankle, &toe, &bearing(&ankle, &toe, 0.5));
+        assert_eq!(sole[0], Signal { height: vec![1.0, 5.0], speed: vec![0.0, 1.0] });
         // With both slower than 3, the ankle is the lower one throughout.
-        assert_eq!(bearing(&toe, &ankle, 3.0)[0].height, vec![1.0, 1.0]);
+        assert_eq!(bearing(&toe, &ankle, 3.0), [[true, true], [true, true]]);
     }
 }

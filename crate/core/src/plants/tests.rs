@@ -124,8 +124,8 @@ fn evidence_is_what_the_labels_follow_from() {
             assert!(evidence.sorted_norms.is_sorted());
             assert_eq!(evidence.sigma, evidence.sorted_norms[evidence.knee]);
             let r = detection.params.tolerance();
-            assert!(evidence.running_variance[evidence.knee] <= r);
-            assert!(evidence.running_variance[evidence.knee + 1..].iter().all(|&variance| variance > r));
+            let within = evidence.running_variance().map(|variance| variance <= r);
+            assert_eq!(within.enumerate().filter(|(_, within)| *within).last(), Some((evidence.knee, true)));
         }
     }
 }
@@ -267,12 +267,13 @@ fn a_detector_labels_as_if_it_had_kept_nothing() {
         Params { scale: Some(0.2), window: 3, ..default },
         Params { exact: true, ..default },
         Params { tolerance: 0.002, ..default },
-        // Too many coordinates to be kept.
         Params { window: 16, ..default },
         Params { window: 16, tolerance: 0.01, ..default },
         default,
     ];
     for params in changes.map(|params| params.check().unwrap()) {
-        assert_eq!(detector.detect(params), detect(&feet, params), "{params:?}");
+        let found = detect(&feet, params);
+        assert_eq!(detector.detect(params), found, "{params:?}");
+        assert_eq!(detect_once(feet.clone(), params), found, "{params:?}");
     }
 }

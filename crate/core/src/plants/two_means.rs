@@ -1,5 +1,7 @@
 //! Exact two-means of numbers.
 
+use std::ops::RangeInclusive;
+
 /// Two classes of numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Classes {
@@ -9,16 +11,14 @@ pub(super) struct Classes {
     pub medians: [f64; 2],
 }
 
-/// Splits `values` into the two classes with the least squared distances to their
+/// Splits ascending values into the two classes with the least squared distances to their
 /// means; `None` if all are equal.
 ///
-/// Every split of the sorted values is tried, so the answer is the best there
-/// is; among equally good splits it is the lowest.
-pub(super) fn classes(values: &[f64]) -> Option<Classes> {
-    let count = values.len();
-    let mean = values.iter().sum::<f64>() / count as f64;
-    let mut sorted = values.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
+/// Every split is tried, so the answer is the best there is; among equally good splits it is the
+/// lowest.
+pub(super) fn classes(sorted: &[f64]) -> Option<Classes> {
+    let count = sorted.len();
+    let mean = sorted.iter().sum::<f64>() / count as f64;
     // With the mean at zero both classes' sums are opposite, and rounding stays small.
     let mut low_sum = 0.0;
     let mut best: Option<(f64, f64)> = None;
@@ -34,6 +34,22 @@ pub(super) fn classes(values: &[f64]) -> Option<Classes> {
     let (_, threshold) = best?;
     let (low, high) = sorted.split_at(sorted.partition_point(|&value| value <= threshold));
     Some(Classes { threshold, medians: [median(low), median(high)] })
+}
+
+/// Values in ascending order.
+pub(super) fn sorted(values: &[f64]) -> Vec<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    sorted
+}
+
+/// Sorts values anew of which some within `band` have changed, and are within it still.
+pub(super) fn sort_band(sorted: &mut [f64], values: &[f64], band: RangeInclusive<f64>) {
+    let start = sorted.partition_point(|value| value < band.start());
+    let end = sorted.partition_point(|value| value <= band.end());
+    let within = values.iter().filter(|value| band.contains(value));
+    sorted[start..end].iter_mut().zip(within).for_each(|(place, value)| *place = *value);
+    sorted[start..end].sort_unstable_by(f64::total_cmp);
 }
 
 /// The middle one of ascending values, or the mean of the two middle ones.
@@ -56,7 +72,7 @@ mod tests {
         /// Against every way to put the values into two classes, contiguous or not.
         #[test]
         fn no_other_classes_are_better(values in prop::collection::vec(-1e3..1e3_f64, 2..11)) {
-            let found = classes(&values);
+            let found = classes(&sorted(&values));
             prop_assume!(found.is_some());
             let threshold = found.unwrap().threshold;
             let classes = |in_high: &dyn Fn(usize) -> bool| {
@@ -76,6 +92,23 @@ mod tests {
         assert_eq!(classes(&[2.0; 5]), None);
         assert_eq!(classes(&[]), None);
         let found = Classes { threshold: 2.0, medians: [1.0, 3.5] };
-        assert_eq!(classes(&[1.0, 4.0, 1.0, 1.0, 3.0]), Some(found));
+        assert_eq!(classes(&sorted(&[1.0, 4.0, 1.0, 1.0, 3.0])), Some(found));
+    }
+
+    proptest! {
+        #[test]
+        fn a_band_is_sorted_as_all_would_be(
+            values in prop::collection::vec(0.0..1.0_f64, 1..40),
+            changes in prop::collection::vec((any::<prop::sample::Index>(), 0.0..1.0_f64), 1..8),
+        ) {
+            let mut found = sorted(&values);
+            let (mut now, mut least, mut most) = (values.clone(), 1.0_f64, 0.0_f64);
+            for (index, value) in changes {
+                let old = std::mem::replace(&mut now[index.index(values.len())], value);
+                (least, most) = (least.min(old).min(value), most.max(old).max(value));
+            }
+            sort_band(&mut found, &now, least..=most);
+            prop_assert_eq!(found, sorted(&now));
+        }
     }
 }

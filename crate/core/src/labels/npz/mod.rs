@@ -62,8 +62,7 @@ pub fn npz(labelled: &[Labelled], source: &str, frame_time: f64) -> Vec<u8> {
             columns.iter().map(|(side, part)| format!("{}_{}", side.name(), part.name())).collect();
         npy::texts(&[names.len()], &names.iter().map(String::as_str).collect::<Vec<_>>())
     };
-    let confidence =
-        cells(labelled, frames, &columns, |foot, frame| (foot.confidence[frame] as f32).to_le_bytes());
+    let confidence = cells(labelled, frames, &columns, |foot, frame| foot.confidence[frame].to_le_bytes());
     let time: Vec<u8> = (0..frames).flat_map(|frame| (frame as f64 * frame_time).to_le_bytes()).collect();
     let mut files = vec![
         ("contacts.npy", bits(&columns)),

@@ -28,9 +28,7 @@ fn detect(task: &Task) -> Found {
 /// Roots of the degrees with likeness exp(−d² / (σᵢ σⱼ)).
 fn roots(samples: &Samples) -> Vec<f64> {
     let count = samples.len();
-    let square = |i: usize, j: usize| -> f64 {
-        samples.point(i).iter().zip(samples.point(j)).map(|(a, b)| (a - b) * (a - b)).sum()
-    };
+    let square = |i: usize, j: usize| samples.square(i, j);
     let scales: Vec<f64> = (0..count)
         .map(|i| {
             let mut squares: Vec<f64> = (0..count).map(|j| square(i, j)).collect();

@@ -18,7 +18,7 @@ fn detect(task: &Task) -> Found {
     let feet = task.feet;
     let [toe, ankle] = [signal::plain(feet, |foot| &foot.toe), signal::plain(feet, |foot| &foot.ankle)];
     let mut toes = Toes::of(task);
-    toes.signals = signal::bearing(&ankle, &toe, 0.0);
+    toes.signals = signal::either(&ankle, &toe, &signal::bearing(&ankle, &toe, 0.0));
     let most = task.params.speed() / feet.metres_per_unit;
     let planted: Vec<bool> =
         toes.signals.iter().flat_map(|signal| signal.speed.iter().map(|&speed| speed < most)).collect();

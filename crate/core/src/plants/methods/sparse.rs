@@ -33,8 +33,7 @@ fn roots(samples: &Samples, sigma: f64) -> Vec<f64> {
     for (place, &i) in order.iter().enumerate() {
         let near = |&&j: &&usize| samples.norms[j] - samples.norms[i] <= REACH * sigma;
         for &j in order[place + 1..].iter().take_while(near) {
-            let square: f64 =
-                samples.point(i).iter().zip(samples.point(j)).map(|(a, b)| (a - b) * (a - b)).sum();
+            let square = samples.square(i, j);
             if sigma > 0.0 && square <= (REACH * sigma).powi(2) {
                 let likeness = (-square / (sigma * sigma)).exp();
                 degrees[i] += likeness;

@@ -1,5 +1,7 @@
 //! What methods that label toes share: the published signals and samples.
 
+use std::cell::OnceCell;
+
 use super::{Found, Task};
 use crate::labels::Part;
 use crate::plants::cells::Grouped;
@@ -8,7 +10,7 @@ use crate::plants::degree::Kernel;
 use crate::plants::field::Field;
 use crate::plants::roots::{Among, Pairs};
 use crate::plants::samples::{Ranges, Samples};
-use crate::plants::scale::{Norms, Scale};
+use crate::plants::scale::{self, Scale};
 use crate::plants::signal::{self, Signal, Signals};
 use crate::plants::{Feet, FootLabels, PartLabels, confidence};
 
@@ -52,7 +54,7 @@ impl<'a> Toes<'a> {
 
     /// σ by the knee of the norms, unless set by hand.
     pub fn scale(&self, task: &Task) -> (Scale, f64) {
-        let scale = Scale::find(Norms::of(&self.samples.norms), task.params.tolerance());
+        let scale = Scale::find(scale::sorted(&self.samples.norms), task.params.tolerance());
         let sigma = task.params.scale().unwrap_or(scale.sigma());
         (scale, sigma)
     }
@@ -68,12 +70,12 @@ impl<'a> Toes<'a> {
     pub fn parted_by_degree(mut self, scale: Scale, sigma: f64, pairs: Pairs) -> Found {
         let frames = (0..self.feet.frame_count()).collect();
         let weights = vec![1.0; self.samples.len()];
-        let kernel = Kernel::Gaussian;
+        let (kernel, expansion) = (Kernel::Gaussian, OnceCell::new());
         let grouped = Grouped::from(std::mem::take(&mut self.samples));
-        let among = Among { samples: &grouped, weights: &weights, sigma, kernel, pairs };
+        let among = Among { samples: &grouped, weights: &weights, sigma, kernel, pairs, expansion };
         let (mut evidence, planted) =
             cluster::divide(frames, &grouped.samples, scale, sigma, among.own(), Between::Gap);
-        evidence.field = Some(Field::of(among, self.ranges));
+        evidence.field = Some(Field::of(&among, self.ranges));
         self.parted((evidence, planted))
     }
 
@@ -113,7 +115,8 @@ impl<'a> Toes<'a> {
                     .collect(),
                 None => vec![1.0; count],
             };
-            FootLabels { planted, confidence, height: signal.height, speed: signal.speed }
+            let (height, speed) = (cluster::single(&signal.height), cluster::single(&signal.speed));
+            FootLabels { planted, confidence, height, speed }
         };
         let feet = [labels(0, left), labels(1, right)];
         Found { parts: vec![PartLabels { part, feet, evidence }], notices: Vec::new() }

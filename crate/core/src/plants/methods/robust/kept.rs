@@ -1,22 +1,20 @@
 //! What a clip's detection does not find anew each time: what depends on no parameter, and what
 //! depends on the window alone.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::{STILL_HEIGHT, STILL_SPEED};
 use crate::labels::Part;
 use crate::notice::{Code, Notice};
 use crate::plants::cells::Grouped;
-use crate::plants::refine::{self, Refined};
+use crate::plants::refine::Refined;
 use crate::plants::samples::Ranges;
-use crate::plants::scale::Norms;
+use crate::plants::scale;
 use crate::plants::signal::{self, Signals};
 use crate::plants::{Feet, trim};
-
-/// Most coordinates of the samples of one part that are kept: those of 10,000 frames at w = 3 ...
-/// at w = 1 of 23,000, with all else that goes with them about 20 MB.
-const MOST_COORDINATES: usize = 280_000;
 
 /// A clip's motion and its samples.
 pub(in crate::plants) struct Kept {
@@ -33,8 +31,8 @@ pub(super) struct Motion {
     pub stride: usize,
     pub ankle: Signals,
     pub toe: Signals,
-    /// Of what bears weight.
-    pub sole: Signals,
+    /// Whether the toe bears weight, by foot and frame: else the ankle does.
+    is_toe: [Vec<bool>; 2],
     pub stands_still: bool,
     /// What was left out.
     pub notices: Vec<Notice>,
@@ -43,29 +41,30 @@ pub(super) struct Motion {
 impl Motion {
     pub fn of(feet: &Feet) -> Motion {
         let pieces = trim::pieces(feet);
-        let Refined { feet: fine, pieces: fine_pieces, stride } = refine::refined(feet, &pieces);
-        let ankle = signal::smooth(&fine, &fine_pieces, |foot| &foot.ankle);
-        let toe = signal::smooth(&fine, &fine_pieces, |foot| &foot.toe);
-        let sole = signal::bearing(&ankle, &toe, STILL_SPEED * feet.leg);
-        Motion {
-            stands_still: stands_still(&sole, &fine_pieces, feet.leg),
-            notices: trim_notices(feet, &pieces),
-            pieces,
-            fine_pieces,
-            stride,
-            ankle,
-            toe,
-            sole,
+        let refined = Refined::of(feet, &pieces);
+        let ankle = signal::smooth(feet, &refined, |foot| &foot.ankle);
+        let toe = signal::smooth(feet, &refined, |foot| &foot.toe);
+        let is_toe = signal::bearing(&ankle, &toe, STILL_SPEED * feet.leg);
+        let Refined { pieces: fine_pieces, stride, .. } = refined;
+        let notices = trim_notices(feet, &pieces);
+        let mut motion =
+            Motion { pieces, fine_pieces, stride, ankle, toe, is_toe, stands_still: false, notices };
+        motion.stands_still = stands_still(&motion.sole(), &motion.fine_pieces, feet.leg);
+        motion
+    }
+
+    /// The signals that a part is labelled by; those of contact are put together when asked for.
+    pub fn signals(&self, part: Part) -> Cow<'_, Signals> {
+        match part {
+            Part::Contact => Cow::Owned(self.sole()),
+            Part::Toe => Cow::Borrowed(&self.toe),
+            Part::Heel => Cow::Borrowed(&self.ankle),
         }
     }
 
-    /// The signals that a part is labelled by.
-    pub fn signals(&self, part: Part) -> &Signals {
-        match part {
-            Part::Contact => &self.sole,
-            Part::Toe => &self.toe,
-            Part::Heel => &self.ankle,
-        }
+    /// Those of what bears weight.
+    fn sole(&self) -> Signals {
+        signal::either(&self.ankle, &self.toe, &self.is_toe)
     }
 }
 
@@ -74,17 +73,17 @@ pub(super) struct Cloud {
     /// What their heights and speeds were divided by.
     pub ranges: Ranges,
     pub samples: Grouped,
-    norms: OnceCell<Norms>,
+    sorted_norms: OnceCell<Arc<[f64]>>,
 }
 
 impl Cloud {
     pub fn new(samples: Grouped, ranges: Ranges) -> Cloud {
-        Cloud { ranges, samples, norms: OnceCell::new() }
+        Cloud { ranges, samples, sorted_norms: OnceCell::new() }
     }
 
     /// The samples' norms, in order.
-    pub fn norms(&self) -> &Norms {
-        self.norms.get_or_init(|| Norms::of(&self.samples.samples.norms))
+    pub fn sorted_norms(&self) -> Arc<[f64]> {
+        self.sorted_norms.get_or_init(|| scale::sorted(&self.samples.samples.norms)).clone()
     }
 }
 
@@ -104,11 +103,9 @@ impl Clouds {
         self.by_part[part as usize].take()
     }
 
-    /// Keeps the samples of a part, unless they are too many.
+    /// Keeps the samples of a part.
     pub fn put(&mut self, part: Part, cloud: Cloud) {
-        if cloud.samples.samples.points.len() <= MOST_COORDINATES {
-            self.by_part[part as usize] = Some(cloud);
-        }
+        self.by_part[part as usize] = Some(cloud);
     }
 }
 
@@ -139,11 +136,11 @@ fn trim_notices(feet: &Feet, pieces: &[Range<usize>]) -> Vec<Notice> {
 
 /// The value below which `share` of the values lie, interpolated.
 fn percentile(mut values: Vec<f64>, share: f64) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    let place = share * values.len().saturating_sub(1) as f64;
-    let (below, above) = (place.floor() as usize, place.ceil() as usize);
-    match (values.get(below), values.get(above)) {
-        (Some(low), Some(high)) => low + (high - low) * place.fract(),
-        _ => 0.0,
+    if values.is_empty() {
+        return 0.0;
     }
+    let place = share * (values.len() - 1) as f64;
+    let (_, &mut low, above) = values.select_nth_unstable_by(place as usize, f64::total_cmp);
+    let high = above.iter().copied().fold(f64::INFINITY, f64::min);
+    if place.fract() > 0.0 { low + (high - low) * place.fract() } else { low }
 }

@@ -12,7 +12,7 @@
 
 mod kept;
 
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 pub(in crate::plants) use kept::Kept;
 use kept::{Cloud, Clouds, Motion};
@@ -20,8 +20,10 @@ use kept::{Cloud, Clouds, Motion};
 use super::{Entry, Family, Found, Task};
 use crate::labels::{Part, Side};
 use crate::notice::{Code, Notice};
+use crate::plants::cells::Grouped;
 use crate::plants::cluster::{self, Between, Evidence};
 use crate::plants::degree::Kernel;
+use crate::plants::expansion::Expansion;
 use crate::plants::field::Field;
 use crate::plants::roots::Among;
 use crate::plants::samples::{Ranges, Samples};
@@ -29,6 +31,9 @@ use crate::plants::scale::Scale;
 use crate::plants::signal::Signal;
 use crate::plants::{Feet, FootLabels, PartLabels, ValidParams, clean, confidence, drag};
 
+/// The samples of longer clips are not kept for another detection: those of so many frames take
+/// about 20 MB with all that goes with them.
+const MOST_KEPT: usize = 50_000;
 /// Fewer frames than this are not clustered.
 const FEWEST_FRAMES: usize = 10;
 /// A foot is still below this speed, in legs per second; a clip stands still if nearly all speeds are ...
@@ -59,7 +64,8 @@ fn detect(task: &Task) -> Found {
     let before = kept.and_then(Cell::take);
     let mut here = before.unwrap_or_else(|| Kept { motion: Motion::of(feet), clouds: Clouds::default() });
     let Kept { motion, clouds } = &mut here;
-    let found = Work { feet, params, motion, keeps: kept.is_some() }.detect(clouds);
+    let keeps = kept.is_some() && feet.frame_count() <= MOST_KEPT;
+    let found = Work { feet, params, motion, keeps }.detect(clouds);
     if let Some(kept) = kept {
         kept.set(Some(here));
     }
@@ -82,6 +88,7 @@ type Clustered = (Evidence, Vec<bool>);
 struct Clustering {
     cloud: Cloud,
     anchors: Vec<f64>,
+    expansion: OnceCell<Expansion>,
     evidence: Evidence,
     planted: Vec<bool>,
 }
@@ -122,9 +129,9 @@ impl Work<'_> {
     /// Which samples of contact, toe and heel are planted, and why; the samples themselves take
     /// most memory and are gone before there are labels, unless they are kept.
     fn clustered(&self, contact: Option<Clustering>, clouds: &mut Clouds) -> [Option<Clustered>; 3] {
-        let Some(contact) = contact else { return [const { None }; 3] };
+        let Some(mut contact) = contact else { return [const { None }; 3] };
         let toes = self.cloud(clouds, Part::Toe, Some(contact.cloud.ranges));
-        let toe = compare(&toes, &contact, self.params);
+        let toe = compare(&toes, &mut contact, self.params);
         self.keep(clouds, Part::Toe, toes);
         self.keep(clouds, Part::Contact, contact.cloud);
         drop(contact.anchors);
@@ -138,11 +145,12 @@ impl Work<'_> {
     fn cloud(&self, clouds: &mut Clouds, part: Part, ranges: Option<Ranges>) -> Cloud {
         let window = self.params.window();
         clouds.take(part, window).unwrap_or_else(|| {
-            let (leg, signals) = (self.feet.leg, self.motion.signals(part));
+            let (leg, signals) = (self.feet.leg, &*self.motion.signals(part));
             let Motion { fine_pieces: pieces, stride, .. } = self.motion;
             let ranges = ranges
                 .unwrap_or_else(|| Ranges::of(signals, pieces).capped(HEIGHT_CAP * leg, SPEED_CAP * leg));
-            Cloud::new(Samples::of(signals, pieces, ranges, window, *stride).into(), ranges)
+            let samples = Samples::of(signals, pieces, ranges, window, *stride);
+            Cloud::new(Grouped::new(samples, self.keeps), ranges)
         })
     }
 
@@ -157,38 +165,42 @@ impl Work<'_> {
         let samples = &cloud.samples.samples;
         // A wider window has longer norms: r is stated for w = 1.
         let r = self.params.tolerance() * (2 * window + 1) as f64 / 3.0;
-        let scale = Scale::find(cloud.norms().clone(), r);
+        let scale = Scale::find(cloud.sorted_norms(), r);
         let sigma = self.params.scale().unwrap_or(scale.sigma());
         // Samples near rest count for more, so that a foot held still in the air,
         // dense as its samples are, is not taken for one on the ground.
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
         let anchors: Vec<f64> = samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect();
-        let pairs = self.params.pairs();
-        let among = Among { samples: &cloud.samples, weights: &anchors, sigma, kernel, pairs };
+        let (pairs, expansion) = (self.params.pairs(), OnceCell::new());
+        let among = Among { samples: &cloud.samples, weights: &anchors, sigma, kernel, pairs, expansion };
         let frames = self.motion.pieces.iter().cloned().flatten().collect();
         let (mut evidence, planted) =
             cluster::divide(frames, samples, scale, sigma, among.own(), Between::Medians);
-        evidence.field = Some(Field::of(among, cloud.ranges));
-        Clustering { cloud, anchors, evidence, planted }
+        evidence.field = Some(Field::of(&among, cloud.ranges));
+        let expansion = among.expansion;
+        Clustering { cloud, anchors, expansion, evidence, planted }
     }
 
     /// Labels of one part by its clustering; everything is planted where nothing was clustered.
     fn label(&self, part: Part, clustered: Option<Clustered>) -> PartLabels {
+        let signals = self.motion.signals(part);
         let labels = |foot: usize| {
             let frames = self.feet.frame_count();
             let (planted, confidence) = match &clustered {
                 Some((evidence, planted)) => self.spread(foot, evidence, planted),
                 None => (vec![true; frames], vec![1.0; frames]),
             };
-            let coarse = |values: &[f64]| values.iter().copied().step_by(self.motion.stride).collect();
-            let Signal { height, speed } = &self.motion.signals(part)[foot];
+            let coarse = |values: &[f64]| {
+                values.iter().step_by(self.motion.stride).map(|&value| value as f32).collect()
+            };
+            let Signal { height, speed } = &signals[foot];
             FootLabels { planted, confidence, height: coarse(height), speed: coarse(speed) }
         };
         PartLabels { part, feet: [labels(0), labels(1)], evidence: clustered.map(|(evidence, _)| evidence) }
     }
 
     /// Labels and confidence of one foot over all frames of the clip.
-    fn spread(&self, foot: usize, evidence: &Evidence, planted: &[bool]) -> (Vec<bool>, Vec<f64>) {
+    fn spread(&self, foot: usize, evidence: &Evidence, planted: &[bool]) -> (Vec<bool>, Vec<f32>) {
         let count = evidence.frames.len();
         let own = foot * count..(foot + 1) * count;
         let (roots, planted) = (&evidence.roots[own.clone()], &planted[own]);
@@ -237,7 +249,7 @@ impl Work<'_> {
     }
 
     /// Frames that were left out are labelled as their nearest neighbour, which nobody can vouch for.
-    fn fill_ends(&self, labels: &mut [bool], confidence: &mut [f64]) {
+    fn fill_ends(&self, labels: &mut [bool], confidence: &mut [f32]) {
         let (first, last) =
             (self.motion.pieces[0].start, self.motion.pieces[self.motion.pieces.len() - 1].end - 1);
         for frame in (0..first).chain(last + 1..labels.len()) {
@@ -248,13 +260,21 @@ impl Work<'_> {
 }
 
 /// Which samples of a part lie where those of feet that bear weight do.
-fn compare(own: &Cloud, clustering: &Clustering, params: ValidParams) -> Clustered {
-    let Clustering { cloud, anchors, evidence, .. } = clustering;
-    let (sigma, pairs) = (evidence.sigma, params.pairs());
-    let among = Among { samples: &cloud.samples, weights: anchors, sigma, kernel: KERNEL, pairs };
+fn compare(own: &Cloud, clustering: &mut Clustering, params: ValidParams) -> Clustered {
+    let expansion = std::mem::take(&mut clustering.expansion);
+    let Clustering { cloud, anchors: weights, evidence, .. } = clustering;
+    let (samples, sigma, pairs) = (&cloud.samples, evidence.sigma, params.pairs());
+    let among = Among { samples, weights, sigma, kernel: KERNEL, pairs, expansion };
     let mut roots = among.of(&own.samples);
     roots.settle(evidence.threshold);
-    let values = roots.values;
-    let planted = values.iter().map(|&root| root > evidence.threshold).collect();
-    (Evidence { roots: values, norms: own.samples.samples.norms.clone(), ..evidence.clone() }, planted)
+    let planted = roots.values.iter().map(|&root| root > evidence.threshold).collect();
+    let evidence = Evidence {
+        roots: cluster::single(&roots.values),
+        norms: cluster::single(&own.samples.samples.norms),
+        frames: evidence.frames.clone(),
+        sorted_norms: evidence.sorted_norms.clone(),
+        field: evidence.field.clone(),
+        ..*evidence
+    };
+    (evidence, planted)
 }
