@@ -6,7 +6,7 @@ use std::ops::Range;
 use nalgebra::{DMatrix, DVector, DVectorView};
 
 use super::pose::Poses;
-use super::task::{Cancelled, Progress};
+use super::task::{Cancelled, Pause, Progress};
 use super::{Curve, Residual};
 
 /// Sums over the poses of a window, from which its mean and scatter are had at any time.
@@ -87,11 +87,11 @@ pub(super) struct Traced {
 }
 
 impl Jumps {
-    /// Follows `residual` of windows over `count` poses.
+    /// Follows `residual` of windows over `count` poses; one that takes its time pauses now and then.
     pub fn trace(
         &self,
         count: usize,
-        mut residual: impl FnMut(Range<usize>) -> f64,
+        mut residual: impl FnMut(Range<usize>, &mut Pause) -> Result<f64, Cancelled>,
         progress: &mut Progress,
     ) -> Result<Traced, Cancelled> {
         let mut traced = Traced::default();
@@ -101,8 +101,9 @@ impl Jumps {
             let mut sizes: Vec<f64> = Vec::new();
             let mut next = count;
             for end in (start + self.first..=count).step_by(self.step) {
-                progress(end as f64 / count as f64)?;
-                let value = residual(end.saturating_sub(self.longest).max(start)..end);
+                let mut pause = || progress(end as f64 / count as f64);
+                pause()?;
+                let value = residual(end.saturating_sub(self.longest).max(start)..end, &mut pause)?;
                 let before = own.len().checked_sub(self.lag).map(|index| own[index]);
                 let usual = sizes.iter().sum::<f64>() / sizes.len().max(1) as f64;
                 own.push(value);

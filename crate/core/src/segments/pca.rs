@@ -9,7 +9,7 @@ use super::body::Body;
 use super::growing::{Jumps, Moments, residual};
 use super::method::{Entry, MethodOption};
 use super::pose::Poses;
-use super::task::{Found, Task};
+use super::task::{Found, Pause, Task};
 use super::{Curve, Residual, SegmentError};
 
 pub(super) const BARBIC: Entry = Entry {
@@ -95,7 +95,7 @@ fn tail(task: &mut Task) -> Result<Found, SegmentError> {
     let dims = task.params.dims().unwrap_or_default();
     let mut window = 0..0;
     let mut moments = Moments::new(poses.columns.nrows());
-    let of_window = |wanted: std::ops::Range<usize>| {
+    let of_window = |wanted: std::ops::Range<usize>, _: &mut Pause| {
         if wanted.start != window.start || window.end > wanted.end {
             moments = Moments::new(poses.columns.nrows());
             window = wanted.start..wanted.start;
@@ -104,7 +104,7 @@ fn tail(task: &mut Task) -> Result<Found, SegmentError> {
             moments.add(poses.columns.column(place));
         }
         window = wanted;
-        residual(moments.scatter().symmetric_eigenvalues().as_slice(), dims, Residual::Absolute)
+        Ok(residual(moments.scatter().symmetric_eigenvalues().as_slice(), dims, Residual::Absolute))
     };
     let traced = Jumps::RESIDUAL.trace(poses.count(), of_window, task.progress)?;
     let cuts: Vec<usize> = traced.cuts.iter().map(|&cut| poses.frame(cut)).collect();

@@ -14,6 +14,9 @@ pub struct Cancelled;
 /// Is told the share that is done, from 0 to 1, and may cancel the rest.
 pub type Progress<'a> = dyn FnMut(f64) -> Result<(), Cancelled> + 'a;
 
+/// Is told that work on the same goes on, and may cancel it.
+pub(super) type Pause<'a> = dyn FnMut() -> Result<(), Cancelled> + 'a;
+
 /// What a method is told.
 pub(super) struct Task<'a> {
     pub clip: &'a Clip,

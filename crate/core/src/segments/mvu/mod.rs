@@ -5,10 +5,12 @@
 //! (Weinberger and Saul 2006). A window of one action unfolds into few dimensions; when
 //! another begins, what these leave over jumps.
 
+mod bands;
 mod inverse_iteration;
 mod neighbours;
 mod unfold;
 
+use std::mem::take;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DMatrixView};
@@ -17,8 +19,10 @@ use super::body::Body;
 use super::growing::Jumps;
 use super::method::{Entry, MethodOption};
 use super::pose::Poses;
-use super::task::{Found, Task};
+use super::task::{Cancelled, Found, Pause, Task};
 use super::{Residual, SegmentError};
+
+use unfold::Inside;
 
 pub(super) const METHOD: Entry = Entry {
     name: "mvu",
@@ -40,9 +44,11 @@ fn segment(task: &mut Task) -> Result<Found, SegmentError> {
     let body = Body::turning(task.clip, task.skeleton)?;
     let poses = Poses::of(task.clip, &body, &task.frames, RATE);
     let (dims, kind) = (task.params.dims().unwrap_or_default(), task.params.residual());
-    let mut guesses = Vec::new();
-    let of_window =
-        |window: Range<usize>| residual(poses.columns.columns_range(window), dims, kind, &mut guesses);
+    let mut last = Last::default();
+    let of_window = |window: Range<usize>, pause: &mut Pause| {
+        last.slide_to(window.start);
+        residual(poses.columns.columns_range(window), dims, kind, &mut last, pause)
+    };
     let rule = if task.params.published() { PUBLISHED } else { Jumps::RESIDUAL };
     let traced = rule.trace(poses.count(), of_window, task.progress)?;
     let cuts: Vec<usize> = traced.cuts.iter().map(|&cut| poses.frame(cut)).collect();
@@ -50,29 +56,58 @@ fn segment(task: &mut Task) -> Result<Found, SegmentError> {
     Ok(Found::of_cuts(task.clip.frame_count(), &cuts, curve, body.notices()))
 }
 
-/// What the first `dims` eigenvalues of the unfolded window leave over; they are left in
-/// `guesses`, from which those of the next window are found sooner.
-fn residual(poses: DMatrixView<f64>, dims: usize, kind: Residual, guesses: &mut Vec<f64>) -> f64 {
-    let unfolded = unfolded(poses, NEIGHBOURS);
-    let whole = unfolded.trace();
-    *guesses = inverse_iteration::largest(unfolded, dims, guesses);
-    let rest = (whole - guesses.iter().sum::<f64>()).max(0.0);
-    match kind {
-        Residual::Absolute => rest,
-        Residual::Ratio if whole > 0.0 => rest / whole,
-        Residual::Ratio => 0.0,
+/// What is left of the last window for the next, which is much the same.
+#[derive(Default)]
+struct Last {
+    first: usize,
+    inside: Inside,
+    eigenvalues: Vec<f64>,
+}
+
+impl Last {
+    /// Forgets the poses before `first`.
+    fn slide_to(&mut self, first: usize) {
+        let gone = (first - self.first).min(self.inside.count());
+        self.inside = take(&mut self.inside).without_first(gone);
+        self.first = first;
     }
 }
 
+/// What the first `dims` eigenvalues of the unfolded window leave over.
+fn residual(
+    poses: DMatrixView<f64>,
+    dims: usize,
+    kind: Residual,
+    last: &mut Last,
+    pause: &mut Pause,
+) -> Result<f64, Cancelled> {
+    let unfolded = unfolded(poses, NEIGHBOURS, last, pause)?;
+    let whole = unfolded.trace();
+    last.eigenvalues = inverse_iteration::largest(unfolded, dims, &last.eigenvalues);
+    let rest = (whole - last.eigenvalues.iter().sum::<f64>()).max(0.0);
+    Ok(match kind {
+        Residual::Absolute => rest,
+        Residual::Ratio if whole > 0.0 => rest / whole,
+        Residual::Ratio => 0.0,
+    })
+}
+
 /// The inner products of the unfolded poses.
-fn unfolded(poses: DMatrixView<f64>, k: usize) -> DMatrix<f64> {
+fn unfolded(
+    poses: DMatrixView<f64>,
+    k: usize,
+    last: &mut Last,
+    pause: &mut Pause,
+) -> Result<DMatrix<f64>, Cancelled> {
     let distances = neighbours::squared_distances(poses);
     if k + 1 >= poses.ncols() {
         // All distances are kept: nothing can move.
-        return neighbours::centred_products(&distances);
+        return Ok(neighbours::centred_products(&distances));
     }
     let edges = neighbours::edges(&distances, k);
-    unfold::unfold(poses.ncols(), &edges).products
+    let unfolded = unfold::unfold(poses.ncols(), &edges, &last.inside, pause)?;
+    last.inside = unfolded.inside;
+    Ok(unfolded.products)
 }
 
 #[cfg(test)]
