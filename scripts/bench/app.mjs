@@ -17,6 +17,10 @@ export async function app(launch) {
       page.setDefaultTimeout(120_000);
       await page.addInitScript(() => localStorage.setItem("plantigrade:tour", "done"));
       await page.goto(site.resolvedUrls.local[0], { waitUntil: "networkidle" });
+      // A file is dropped with a pointer: the page is ready for somebody by then.
+      await page.mouse.move(2, 2);
+      await page.locator(".stage canvas").waitFor();
+      await page.waitForLoadState("networkidle");
       return await work(page, (during) => watched(engine, page, during));
     } finally {
       await engine.close();

@@ -247,14 +247,16 @@ async function follow({ origin, showing: text }: Link): Promise<boolean> {
 async function showHero(): Promise<void> {
   if (!heroSample) return;
   const mine = turn;
+  // Behind a table it would only take time from those who fill it.
+  const isUnwanted = () => mine !== turn || tableShown.value;
   await somebody;
-  if (mine !== turn) return;
+  if (isUnwanted()) return;
   try {
     const data = await (await fetch(heroSample.url)).blob();
     const source = { name: `${heroSample.name}.bvh`, data };
-    if (mine !== turn) return;
+    if (isUnwanted()) return;
     const opened = await engine.open(data, source.name);
-    if (mine !== turn || !opened.ok) return;
+    if (isUnwanted() || !opened.ok) return;
     present(opened.clip, source, true);
     await detectNow();
   } catch {
