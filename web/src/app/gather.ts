@@ -45,7 +45,7 @@ export function filesOf(transfer: DataTransfer): Promise<Files> {
 }
 
 async function walk(entries: readonly FileSystemEntry[]): Promise<Files> {
-  const found: File[] = [];
+  const found: FileSystemFileEntry[] = [];
   const waiting = [...entries].map((entry) => ({ entry, isAsked: true }));
   while (waiting.length && found.length < most) {
     const next = waiting.shift();
@@ -56,10 +56,10 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<Files> {
       inside.sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));
       waiting.unshift(...inside.map((entry) => ({ entry, isAsked: false })));
     } else if (isAsked || isKnown(entry.name)) {
-      found.push(await fileOf(entry as FileSystemFileEntry));
+      found.push(entry as FileSystemFileEntry);
     }
   }
-  return { files: found, isCut: waiting.length > 0 };
+  return { files: await Promise.all(found.map(fileOf)), isCut: waiting.length > 0 };
 }
 
 const isKnown = (name: string) =>
@@ -86,15 +86,18 @@ async function list(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]
 export async function gather({ files, isCut }: Files): Promise<Gathered | undefined> {
   const gathered: Gathered = { clips: [], labels: [], refusals: [] };
   if (isCut) gathered.refusals.push(tooMany);
-  for (const file of files) {
-    const kind = await sniff(file);
+  // All at once: one after the other, each would wait for the page to draw itself.
+  const kinds = await Promise.all(files.map(sniff));
+  for (const [at, file] of files.entries()) {
+    const kind = kinds[at] ?? "clip";
     if (kind !== "archive") put(gathered, kind, file);
     else {
       const unpacked = await unpack(file);
       if (!unpacked) return undefined;
-      if (Array.isArray(unpacked))
-        for (const part of unpacked) put(gathered, await inner(part), part);
-      else gathered.refusals.push(unpacked);
+      if (Array.isArray(unpacked)) {
+        const parts = await Promise.all(unpacked.map(inner));
+        for (const [at, part] of unpacked.entries()) put(gathered, parts[at] ?? "clip", part);
+      } else gathered.refusals.push(unpacked);
     }
   }
   return gathered;
