@@ -168,10 +168,13 @@ const SCRIPT = new Set([
   "EvaluateScript",
 ]);
 
+/** Microseconds of a frame. */
+const FRAME = 1e6 / 60;
+
 /**
- * What the page's main thread does during some work: milliseconds of its own script per frame
- * (the 95th percentile), and its longest task. Both are of the processor's time: a browser
- * without a graphics card draws on the same processors.
+ * What the page's main thread does during some work: milliseconds of its own script per frame in
+ * which there is any (the 95th percentile), and its longest task. Both are of the processor's
+ * time: a browser without a graphics card draws on the same processors.
  */
 async function watched(engine, page, work) {
   await engine.startTracing(page, { categories: CATEGORIES });
@@ -181,17 +184,16 @@ async function watched(engine, page, work) {
   const own = traceEvents
     .filter(({ ph, pid, tid }) => ph === "X" && `${pid} ${tid}` === main)
     .sort((a, b) => a.ts - b.ts || b.dur - a.dur);
-  const frames = [];
+  const script = new Map();
   let until = 0;
   for (const { name, ts, dur = 0, tdur = dur } of own) {
-    if (!SCRIPT.has(name)) continue;
-    if (name === "FireAnimationFrame") frames.push(0);
     // What runs inside of another is counted with it.
-    if (ts < until || !frames.length) continue;
+    if (!SCRIPT.has(name) || ts < until) continue;
     until = ts + dur;
-    frames[frames.length - 1] += tdur / 1e3;
+    const frame = Math.floor(ts / FRAME);
+    script.set(frame, (script.get(frame) ?? 0) + tdur / 1e3);
   }
-  frames.sort((a, b) => a - b);
+  const frames = [...script.values()].sort((a, b) => a - b);
   const tasks = own
     .filter(({ name }) => name === "RunTask")
     .map(({ dur, tdur = dur }) => tdur / 1e3);

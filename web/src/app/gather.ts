@@ -1,5 +1,6 @@
 /** From what a person drops, picks or pastes to the files in it: folders are walked, archives unpacked. */
 
+import { each } from "../lib/lanes";
 import { stemOf } from "../lib/names";
 import { sniff } from "../lib/sniff";
 import { archivist } from "../worker";
@@ -59,7 +60,7 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<Files> {
       found.push(entry as FileSystemFileEntry);
     }
   }
-  return { files: await Promise.all(found.map(fileOf)), isCut: waiting.length > 0 };
+  return { files: await each(found, fileOf), isCut: waiting.length > 0 };
 }
 
 const isKnown = (name: string) =>
@@ -86,8 +87,8 @@ async function list(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]
 export async function gather({ files, isCut }: Files): Promise<Gathered | undefined> {
   const gathered: Gathered = { clips: [], labels: [], refusals: [] };
   if (isCut) gathered.refusals.push(tooMany);
-  // All at once: one after the other, each would wait for the page to draw itself.
-  const kinds = await Promise.all(files.map(sniff));
+  // Not one after the other: each would wait for the page to draw itself.
+  const kinds = await each(files, sniff);
   for (const [at, file] of files.entries()) {
     const kind = kinds[at] ?? "clip";
     if (kind !== "archive") put(gathered, kind, file);
@@ -95,7 +96,7 @@ export async function gather({ files, isCut }: Files): Promise<Gathered | undefi
       const unpacked = await unpack(file);
       if (!unpacked) return undefined;
       if (Array.isArray(unpacked)) {
-        const parts = await Promise.all(unpacked.map(inner));
+        const parts = await each(unpacked, inner);
         for (const [at, part] of unpacked.entries()) put(gathered, parts[at] ?? "clip", part);
       } else gathered.refusals.push(unpacked);
     }
