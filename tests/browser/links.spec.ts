@@ -18,6 +18,7 @@ test("a link to a file opens it, encoded or not", async ({ app, page }) => {
     await page.goto("about:blank");
     await page.goto(`${app.site.home}#url=${written}`);
     await app.opened("bowling.bvh");
+    await expect(app.stage.locator("canvas")).toBeVisible();
   }
 });
 

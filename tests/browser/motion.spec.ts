@@ -10,7 +10,10 @@ async function openHeld(app: App): Promise<() => void> {
     await held;
     await route.continue();
   });
-  await app.empty();
+  // A picture stands for it: nothing is drawn before it has come.
+  await app.page.goto(app.site.home);
+  await expect(app.state).toHaveAttribute("data-state", "empty");
+  await app.page.mouse.move(2, 2);
   return release;
 }
 

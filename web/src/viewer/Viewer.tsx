@@ -18,6 +18,7 @@ import {
   plants,
   playhead,
   source,
+  task,
   trails,
 } from "../app/state";
 import { theme } from "../app/theme";
@@ -110,42 +111,43 @@ const troubleText = {
 function direct(host: HTMLElement): () => void {
   let ended = false;
   let end = () => {};
-  const opened = opening();
-  const coming = Promise.race([somebody, opened]).then(() => import("./stage"));
-  void Promise.all([coming, opened]).then(([{ Stage }]) => {
-    if (ended) return;
-    let stage: Stage;
-    try {
-      stage = new Stage(host, prefersStill());
-    } catch {
-      trouble.value = "missing";
-      return;
-    }
-    stage.canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      trouble.value = "lost";
-    });
-    stage.canvas.addEventListener("webglcontextrestored", () => {
-      trouble.value = "";
-      stage.invalidate();
-    });
-    const stops = connect(stage);
-    end = () => {
-      for (const stop of stops) stop();
-      stage.dispose();
-    };
-  });
+  const coming = Promise.race([somebody, when(() => task.value || clip.value)]);
+  void Promise.all([coming.then(() => import("./stage")), when(() => clip.value)]).then(
+    ([{ Stage }]) => {
+      if (ended) return;
+      let stage: Stage;
+      try {
+        stage = new Stage(host, prefersStill());
+      } catch {
+        trouble.value = "missing";
+        return;
+      }
+      stage.canvas.addEventListener("webglcontextlost", (event) => {
+        event.preventDefault();
+        trouble.value = "lost";
+      });
+      stage.canvas.addEventListener("webglcontextrestored", () => {
+        trouble.value = "";
+        stage.invalidate();
+      });
+      const stops = connect(stage);
+      end = () => {
+        for (const stop of stops) stop();
+        stage.dispose();
+      };
+    },
+  );
   return () => {
     ended = true;
     end();
   };
 }
 
-/** Settles when there is a clip to show. */
-function opening(): Promise<void> {
+/** Settles when a state has come. */
+function when(state: () => unknown): Promise<void> {
   return new Promise((resolve) => {
     const stop = effect(() => {
-      if (!clip.value) return;
+      if (!state()) return;
       resolve();
       queueMicrotask(() => stop());
     });
