@@ -15,9 +15,7 @@ fn labels_are_those_of_all_pairs() {
         for (few, all) in few.parts.iter().zip(&all.parts) {
             for (few, all) in few.feet.iter().zip(&all.feet) {
                 let others = few.planted.iter().zip(&all.planted).filter(|(few, all)| few != all).count();
-                // Only the default's threshold is corrected by exact samples.
-                let most = if method == Method::Robust { 1 } else { feet.frame_count() / 1000 };
-                assert!(others <= most, "{method}, {}: {others}", feet.frame_count());
+                assert!(others <= 1, "{method}, {}: {others}", feet.frame_count());
             }
         }
     }

@@ -68,13 +68,8 @@ pub(super) fn divide<'a>(
     let mut roots = values.into();
     let mut sorted = two_means::sorted(&roots.values);
     let mut classes = two_means::classes(&sorted);
-    // What is settled lies about the threshold, but medians where there are most samples.
-    let shortfall = match (&classes, between) {
-        (Some(found), Between::Medians) => found.medians.map(|median| roots.shortfall(median)),
-        _ => [0.0; 2],
-    };
     let part = |classes: &Option<Classes>, values: &[f64]| {
-        classes.map(|classes| Parting::of(classes, shortfall, values, &samples.norms, between))
+        classes.map(|classes| Parting::of(classes, values, &samples.norms, between))
     };
     let mut parting = part(&classes, &roots.values);
     while let Some(found) = &parting
@@ -122,11 +117,9 @@ struct Parting {
 }
 
 impl Parting {
-    /// By two-means, with what the medians fall short of.
-    fn of(classes: Classes, shortfall: [f64; 2], values: &[f64], norms: &[f64], between: Between) -> Parting {
-        let Classes { threshold: gap, medians } = classes;
-        let low_middle = medians[0] + shortfall[0];
-        let high_middle = medians[1] + shortfall[1];
+    /// By two-means.
+    fn of(classes: Classes, values: &[f64], norms: &[f64], between: Between) -> Parting {
+        let Classes { threshold: gap, medians: [low_middle, high_middle] } = classes;
         let mean_norm = |is_high: bool| {
             let class = || values.iter().zip(norms).filter(|&(&value, _)| (value > gap) == is_high);
             class().map(|(_, norm)| norm).sum::<f64>() / class().count() as f64

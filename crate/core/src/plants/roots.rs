@@ -17,8 +17,12 @@ const AT_REST: f64 = 1e-30;
 const FEW: usize = 3000;
 /// Samples that are found in a better way at first, and half as many exactly; then twice as many, and so on.
 const FIRST: usize = 64;
-/// Samples that tell how far others like them are off.
-const ALIKE: usize = 15;
+/// Ranges of values, for each of which is found out how far they are off, ...
+const STRATA: usize = 16;
+/// ... by so many samples, ...
+const ALIKE: usize = 32;
+/// ... one in so many of which is compared with all others.
+const FEWER: usize = 16;
 /// Coordinates of pairs that are looked at in either of the better ways at most, which takes half a
 /// second: reached by an hour with a scale too small or a window too wide for its cells.
 const MOST_WORK: usize = 4_000_000_000;
@@ -124,7 +128,9 @@ impl Among<'_> {
         let left =
             [expansion.cells() * CELL_WORK, samples.len() * samples.dimension].map(|each| MOST_WORK / each);
         let close = Close { axes, expansion, graph, weights, of, meets_itself, state, worst: [0.0; 2], left };
-        Roots { values: root(sums), close: Some(close) }
+        let mut values = root(sums);
+        close.right(&mut values);
+        Roots { values, close: Some(close) }
     }
 }
 
@@ -140,18 +146,6 @@ impl Roots<'_> {
             }
         }
         band
-    }
-
-    /// What values like this one fall short of the exact ones, as the middle one of a few does.
-    pub fn shortfall(&self, value: f64) -> f64 {
-        let Some(close) = &self.close else { return 0.0 };
-        let off = |sample: usize| (self.values[sample] - value).abs();
-        let alike = nearest((0..self.values.len()).map(|sample| (off(sample), sample)), f64::INFINITY, ALIKE);
-        let exact = close.found(&alike, By::Pairs);
-        let mut short: Vec<f64> =
-            alike.iter().zip(exact).map(|(&sample, exact)| exact - self.values[sample]).collect();
-        short.sort_unstable_by(f64::total_cmp);
-        short[short.len() / 2]
     }
 
     /// Finds those values near the threshold in a better way that were found in the one before.
@@ -221,6 +215,27 @@ impl From<Vec<f64>> for Roots<'_> {
 }
 
 impl Close<'_> {
+    /// Rights values by what others like them fall short of: cells leave out a little more than they
+    /// add, and means of many values decide where the threshold lies.
+    fn right(&self, values: &mut [f64]) {
+        let every = values.len().div_ceil(STRATA * ALIKE);
+        let mut some: Vec<usize> = (0..values.len()).step_by(every).collect();
+        some.sort_unstable_by(|&a, &b| values[a].total_cmp(&values[b]));
+        let shortfalls: Vec<_> = some.chunks(ALIKE).map(|alike| self.shortfall(values, alike)).collect();
+        for value in values {
+            *value = (*value + between(&shortfalls, *value)).max(0.0);
+        }
+    }
+
+    /// The mean of a few values, and what they fall short of the exact ones.
+    fn shortfall(&self, values: &[f64], alike: &[usize]) -> (f64, f64) {
+        let of_cells = mean(alike.iter().map(|&sample| values[sample]));
+        // What is found by itself is so close that few tell how far off all are.
+        let few: Vec<usize> = alike.iter().copied().step_by(FEWER).collect();
+        let [of_all, of_few] = [alike, &few].map(|samples| mean(self.found(samples, By::Itself)));
+        (of_cells, of_all - of_cells + mean(self.found(&few, By::Pairs)) - of_few)
+    }
+
     /// The roots of some samples, found in one of the better ways.
     fn found(&self, samples: &[usize], by: By) -> Vec<f64> {
         let mut sums = if by == By::Pairs {
@@ -236,6 +251,20 @@ impl Close<'_> {
         }
         root(sums)
     }
+}
+
+/// The value at a place of a line through some, in ascending order of their places; level beyond its ends.
+fn between(line: &[(f64, f64)], place: f64) -> f64 {
+    let after = line.partition_point(|(start, _)| *start <= place);
+    let (before, next) = (line[after.saturating_sub(1)], line[after.min(line.len() - 1)]);
+    let way = next.0 - before.0;
+    if way > 0.0 { before.1 + (next.1 - before.1) * (place - before.0) / way } else { before.1 }
+}
+
+fn mean(values: impl IntoIterator<Item = f64, IntoIter: ExactSizeIterator>) -> f64 {
+    let values = values.into_iter();
+    let count = values.len() as f64;
+    values.sum::<f64>() / count
 }
 
 fn root(mut sums: Vec<f64>) -> Vec<f64> {
@@ -296,6 +325,28 @@ mod tests {
                 assert!(exact < samples.samples.len(), "not all had to be made exact");
             }
         }
+    }
+
+    #[test]
+    fn the_rest_is_right_on_average() {
+        let samples = gait(4000);
+        let weights = vec![1.0; 4000];
+        for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
+            let [all, few] = [Pairs::All, Pairs::Few].map(|pairs| among(&samples, &weights, kernel, pairs));
+            let [all, few] = [all.own().values, few.own().values];
+            let usual = mean(all.iter().zip(&few).map(|(all, few)| (few - all).abs()));
+            let bias = mean(all.iter().zip(&few).map(|(all, few)| few - all)).abs();
+            assert!(usual > 0.0 && bias < 0.1 * usual, "{bias} {usual}");
+        }
+    }
+
+    #[test]
+    fn lines_go_from_one_value_to_the_next() {
+        let line = [(1.0, 10.0), (2.0, 20.0), (2.0, 30.0), (4.0, 40.0)];
+        for (place, value) in [(0.0, 10.0), (1.0, 10.0), (1.5, 15.0), (3.0, 35.0), (4.0, 40.0), (9.0, 40.0)] {
+            assert_eq!(between(&line, place), value, "{place}");
+        }
+        assert_eq!(between(&line[..1], 7.0), 10.0);
     }
 
     #[test]
