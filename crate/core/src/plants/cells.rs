@@ -16,9 +16,9 @@ use crate::order;
 pub(super) const DIMS: usize = 6;
 /// Cells of targets for each root of the number of samples, at least and at most: fewer are faster,
 /// more are closer.
-const TARGETS: (f64, usize, usize) = (5.0, 640, 4096);
+const TARGETS: (f64, usize, usize) = (4.5, 600, 4096);
 /// Cells of sources: they can be fewer, as their errors are of either sign and hardly add up.
-const SOURCES: (f64, usize, usize) = (3.0, 500, 2048);
+const SOURCES: (f64, usize, usize) = (3.0, 400, 2048);
 /// More samples than about this would turn the axes by nothing that matters.
 const AXES_FROM: usize = 16_384;
 
