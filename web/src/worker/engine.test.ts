@@ -34,6 +34,7 @@ function worker(said: string[]) {
       said.push(`segment ${method}`);
       isBusy = method === "mvu";
       if (isBusy) return new Promise(() => {});
+      if (method === "pca") return { ok: false, failure };
       return { ok: true, segmentation: {} as Segmentation };
     },
     async edit(edits) {
@@ -163,4 +164,26 @@ test("a segmentation can be stopped; what else was asked is asked of the next wo
   expect(said.slice(7)).toEqual(["segment auto", "save segments"]);
   const late = made.segment({ method: "auto" }, { signal: stop.signal });
   await expect(late).rejects.toBeInstanceOf(Cancelled);
+});
+
+test("segments that are being found in a new worker are not overtaken by those before", async () => {
+  const { said, made } = engine();
+  await made.open(file, "walk");
+  await made.segment({ method: "auto" });
+  made.cancel();
+  const cut = made.segment({ method: "lsd" });
+  await made.saveSegments("json", []);
+  await cut;
+  expect(said.slice(3)).toEqual(["start", "open walk", "segment lsd", "save segments"]);
+});
+
+test("where they are not found, those before are", async () => {
+  const { said, made } = engine();
+  await made.open(file, "walk");
+  await made.segment({ method: "auto" });
+  made.cancel();
+  const cut = made.segment({ method: "pca" });
+  await made.saveSegments("json", []);
+  expect((await cut).ok).toBe(false);
+  expect(said.slice(5)).toEqual(["segment pca", "segment auto", "save segments"]);
 });

@@ -196,7 +196,13 @@ export function createEngine(
     },
     segment(options, stoppable) {
       return callStoppable(async (calls, here, report) => {
-        const segmented = await calls.segment(options, report);
+        const found = calls.segment(options, report);
+        // Those before, found again by who saves meanwhile, would come after these and stay.
+        here.segmented ??= found.then(
+          ({ ok }) => (ok ? undefined : resegment(calls)),
+          () => {},
+        );
+        const segmented = await found;
         if (segmented.ok && held) {
           held.segmentOptions = options;
           here.segmented = Promise.resolve();
