@@ -148,8 +148,21 @@ export function plantedness(planted: Uint8Array, frame: number, reach: number): 
 
 /** Stretches of planted frames that are not certain: start, end, start, end … */
 export function doubtful(track: Track): Uint32Array {
-  const { planted, confidence } = track;
-  return runs(planted.length, (i) => planted[i] === 1 && (confidence[i] ?? 1) < certain);
+  const { intervals, confidence } = track;
+  const found: number[] = [];
+  for (let plant = 0; plant < intervals.length; plant += 2) {
+    const end = intervals[plant + 1] as number;
+    let start = -1;
+    for (let i = intervals[plant] as number; i <= end; i++) {
+      const inside = i < end && (confidence[i] as number) < certain;
+      if (inside && start < 0) start = i;
+      if (!inside && start >= 0) {
+        found.push(start, i);
+        start = -1;
+      }
+    }
+  }
+  return Uint32Array.from(found);
 }
 
 /** The stretches of frames for which something holds: start, end, start, end … */

@@ -7,9 +7,26 @@ const summaries = new WeakMap<Float32Array, Float32Array>();
 function summaryOf(values: Float32Array): Float32Array {
   let summary = summaries.get(values);
   if (!summary) {
-    const entries = Math.ceil(values.length / step);
-    summary = minMaxColumns(values, 0, entries * step, entries);
+    summary = summarized(values);
     summaries.set(values, summary);
+  }
+  return summary;
+}
+
+/** In a plain loop of its own: that of an hour is made within the frame that shows it first. */
+function summarized(values: Float32Array): Float32Array {
+  const summary = new Float32Array(2 * Math.ceil(values.length / step));
+  for (let start = 0, entry = 0; start < values.length; start += step) {
+    const end = Math.min(start + step, values.length);
+    let min = values[start] as number;
+    let max = min;
+    for (let i = start + 1; i < end; i++) {
+      const value = values[i] as number;
+      if (value < min) min = value;
+      if (value > max) max = value;
+    }
+    summary[entry++] = min;
+    summary[entry++] = max;
   }
   return summary;
 }
