@@ -63,6 +63,8 @@ export class Stage {
   private trails: Trails | null = null;
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
+  /** With a clip comes the rest of the page: what is drawn before the place is measured is drawn twice. */
+  private fits = false;
   private moment = 0;
   private due = 0;
   private before = 0;
@@ -93,21 +95,26 @@ export class Stage {
   }
 
   private resize() {
+    // At once: a cleared canvas must not flash.
+    if (this.fit()) this.draw();
+    else this.invalidate();
+  }
+
+  /** Fits the picture to its place, and tells whether that was of another size. */
+  private fit(): boolean {
     const { clientWidth: width, clientHeight: height } = this.host;
-    if (!width || !height) return;
+    if (!width || !height) return false;
     this.camera.resize(width, height);
     const { renderer } = this;
     const ratio = Math.min(devicePixelRatio, 2);
     renderer.getSize(measured);
     // A new buffer takes tens of milliseconds: only for a new size.
     if (renderer.getPixelRatio() === ratio && measured.equals(wanted.set(width, height))) {
-      this.invalidate();
-      return;
+      return false;
     }
     renderer.setPixelRatio(ratio);
     renderer.setSize(width, height);
-    // At once: a cleared canvas must not flash.
-    this.draw();
+    return true;
   }
 
   /** Shows another clip; `reframe` also brings the camera to it. */
@@ -118,6 +125,7 @@ export class Stage {
     this.trace(false);
     const before = this.cast;
     this.cast = clip && this.castOf(clip);
+    this.fits = false;
     this.strike(before);
     if (this.cast && reframe) {
       const [x, z] = this.whereabouts(this.cast);
@@ -306,6 +314,8 @@ export class Stage {
     const elapsed = Math.min((now - this.before) / 1000, 0.1);
     this.before = now;
     const moving = this.camera.controls.update(elapsed);
+    if (!this.fits) this.fit();
+    this.fits = true;
     this.draw();
     if (moving) this.invalidate();
   };
