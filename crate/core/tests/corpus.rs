@@ -93,11 +93,14 @@ fn others(clip: &Clip) -> (usize, usize) {
         .map(|exact| plants::detect(&feet, Params { exact, ..Params::default() }.check().unwrap()));
     let (mut labels, mut others) = (0, 0);
     for (few, all) in few.parts.iter().zip(&all.parts) {
-        let (Some(close), Some(exact)) = (&few.evidence, &all.evidence) else { continue };
-        for (near, root) in close.roots.iter().zip(&exact.roots) {
-            let [near, root] = [near, root].map(|root| f64::from(*root));
-            let is_other = (near > close.threshold) != (root > exact.threshold);
-            assert!(!is_other || (root / exact.threshold - 1.0).abs() < STATED, "{root} {}", exact.threshold);
+        assert_eq!(few.evidence.is_some(), all.evidence.is_some());
+        for (close, exact) in few.evidence.iter().zip(&all.evidence) {
+            for (near, root) in close.roots.iter().zip(&exact.roots) {
+                let [near, root] = [near, root].map(|root| f64::from(*root));
+                let is_other = (near > close.threshold) != (root > exact.threshold);
+                let off = (root / exact.threshold - 1.0).abs();
+                assert!(!is_other || off < STATED, "{root} {}", exact.threshold);
+            }
         }
         for (few, all) in few.feet.iter().zip(&all.feet) {
             labels += few.planted.len();

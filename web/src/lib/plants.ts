@@ -147,20 +147,11 @@ export function plantedness(planted: Uint8Array, frame: number, reach: number): 
 }
 
 /** Stretches of planted frames that are not certain: start, end, start, end … */
-export function doubtful(track: Track): Uint32Array {
-  const { intervals, confidence } = track;
+export function doubtful({ intervals, confidence }: Track): Uint32Array {
   const found: number[] = [];
   for (let plant = 0; plant < intervals.length; plant += 2) {
-    const end = intervals[plant + 1] as number;
-    let start = -1;
-    for (let i = intervals[plant] as number; i <= end; i++) {
-      const inside = i < end && (confidence[i] as number) < certain;
-      if (inside && start < 0) start = i;
-      if (!inside && start >= 0) {
-        found.push(start, i);
-        start = -1;
-      }
-    }
+    const [start, end] = [intervals[plant] as number, intervals[plant + 1] as number];
+    addRuns(found, start, end, (i) => (confidence[i] as number) < certain);
   }
   return Uint32Array.from(found);
 }
@@ -168,14 +159,18 @@ export function doubtful(track: Track): Uint32Array {
 /** The stretches of frames for which something holds: start, end, start, end … */
 export function runs(frames: number, holds: (frame: number) => boolean): Uint32Array {
   const found: number[] = [];
+  addRuns(found, 0, frames, holds);
+  return Uint32Array.from(found);
+}
+
+function addRuns(found: number[], first: number, end: number, holds: (frame: number) => boolean) {
   let start = -1;
-  for (let i = 0; i <= frames; i++) {
-    const inside = i < frames && holds(i);
+  for (let i = first; i <= end; i++) {
+    const inside = i < end && holds(i);
     if (inside && start < 0) start = i;
     if (!inside && start >= 0) {
       found.push(start, i);
       start = -1;
     }
   }
-  return Uint32Array.from(found);
 }

@@ -63,7 +63,7 @@ export class Stage {
   private trails: Trails | null = null;
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
-  /** With a clip comes the rest of the page: what is drawn before the place is measured is drawn twice. */
+  /** With a new clip comes the rest of the page: drawn before its place is measured, it is drawn twice. */
   private fits = false;
   private moment = 0;
   private due = 0;
@@ -125,7 +125,6 @@ export class Stage {
     this.trace(false);
     const before = this.cast;
     this.cast = clip && this.castOf(clip);
-    this.fits = false;
     this.strike(before);
     if (this.cast && reframe) {
       const [x, z] = this.whereabouts(this.cast);
@@ -133,6 +132,7 @@ export class Stage {
       this.camera.measure(size, reachOf(shown, lowest), x, z);
       this.camera.frame(false);
       this.look("perspective", false, 0);
+      this.fits = false;
     }
     this.invalidate();
   }

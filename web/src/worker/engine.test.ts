@@ -166,24 +166,19 @@ test("a segmentation can be stopped; what else was asked is asked of the next wo
   await expect(late).rejects.toBeInstanceOf(Cancelled);
 });
 
-test("segments that are being found in a new worker are not overtaken by those before", async () => {
-  const { said, made } = engine();
-  await made.open(file, "walk");
-  await made.segment({ method: "auto" });
-  made.cancel();
-  const cut = made.segment({ method: "lsd" });
-  await made.saveSegments("json", []);
-  await cut;
-  expect(said.slice(3)).toEqual(["start", "open walk", "segment lsd", "save segments"]);
-});
-
-test("where they are not found, those before are", async () => {
-  const { said, made } = engine();
-  await made.open(file, "walk");
-  await made.segment({ method: "auto" });
-  made.cancel();
-  const cut = made.segment({ method: "pca" });
-  await made.saveSegments("json", []);
-  expect((await cut).ok).toBe(false);
-  expect(said.slice(5)).toEqual(["segment pca", "segment auto", "save segments"]);
-});
+test.each([
+  { method: "lsd", ok: true, told: ["segment lsd", "save segments"] },
+  { method: "pca", ok: false, told: ["segment pca", "segment auto", "save segments"] },
+])(
+  "who saves while a new worker finds segments gets them, or those before: $method",
+  async (cut) => {
+    const { said, made } = engine();
+    await made.open(file, "walk");
+    await made.segment({ method: "auto" });
+    made.cancel();
+    const found = made.segment({ method: cut.method });
+    await made.saveSegments("json", []);
+    expect((await found).ok).toBe(cut.ok);
+    expect(said.slice(3)).toEqual(["start", "open walk", ...cut.told]);
+  },
+);
