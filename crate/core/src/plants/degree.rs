@@ -24,7 +24,7 @@ pub enum Kernel {
 /// Samples that are compared with one other at a time.
 const LANES: usize = 16;
 /// Samples in a block: their sums stay in single precision.
-const BLOCK: usize = 256;
+const BLOCK: usize = 128;
 
 type Lanes = [f32; LANES];
 
