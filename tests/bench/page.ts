@@ -48,7 +48,7 @@ const bench = {
   /** Holds the first frames of the clip only. */
   async cut(frames: number) {
     if (!clip) throw new Error("there is no clip");
-    const part = new Blob([clip.cut(0, frames)]);
+    const part = new Blob([clip.cut(0, frames) as Uint8Array<ArrayBuffer>]);
     clip.free();
     clip = await read(part);
     return clip.facts().frames;

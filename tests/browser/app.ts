@@ -193,6 +193,7 @@ export class App {
   async result(foot: "Left" | "Right"): Promise<{ share: number; plants: number }> {
     await this.tab("Detect");
     const text = this.fact(foot);
+    await expect(this.panel.locator(".result")).toHaveAttribute("aria-busy", "false");
     await expect(text).toHaveText(/\d+ % planted\s*\d+ plants?/);
     const [share = Number.NaN, plants = Number.NaN] =
       (await text.innerText()).match(/\d+/g)?.map(Number) ?? [];

@@ -1,4 +1,5 @@
 import { expect, test } from "./app";
+import { repeated, sample } from "./clips";
 import { readTable } from "./labels";
 
 test("all sixteen methods are offered and label a clip", async ({ app, page }) => {
@@ -45,6 +46,31 @@ test("thresholds can be set where a method has them", async ({ app, page }) => {
   await app.panel.getByRole("button", { name: "Reset speed" }).click();
   await app.panel.getByRole("button", { name: "Reset height" }).click();
   await expect.poll(async () => (await app.result("Left")).share).toBe(before);
+});
+
+test("a method that takes long can be cancelled, and the labels before stay", async ({
+  app,
+  page,
+}) => {
+  await app.with(repeated(sample("limp-to-run"), 14));
+  const before = await app.result("Left");
+  const menu = page.getByRole("combobox", { name: "Method" });
+  await menu.selectOption("njw");
+  const bar = page.getByRole("progressbar", { name: /^Finding plants/ });
+  await expect(bar).toBeVisible();
+  await expect(app.panel.locator(".result")).toHaveCSS("opacity", "0.5");
+  await page.getByRole("button", { name: "Cancel" }).click();
+  await expect(bar).toBeHidden({ timeout: 500 });
+  await expect(menu).toHaveValue("robust");
+  expect(await app.result("Left")).toEqual(before);
+  // Whoever wants something else after a while need not cancel first.
+  await menu.selectOption("njw");
+  await expect(bar).toBeVisible();
+  await page.waitForTimeout(2000);
+  await menu.selectOption("paper");
+  await expect(bar).toBeHidden({ timeout: 2000 });
+  await expect(app.head.getByRole("alert")).toBeHidden();
+  expect(readTable(await app.save("Every frame")).head).toBe("frame,time,left_toe,right_toe");
 });
 
 test("a method that labels contact alone has its lanes, pills and tables", async ({

@@ -211,7 +211,7 @@ export class Plants {
     return attempt(() => {
       const cleaned = this.clip.clean(this.raw);
       try {
-        return cleaned.bvh();
+        return new TextDecoder().decode(cleaned.bvh());
       } finally {
         cleaned.free();
       }

@@ -72,16 +72,16 @@ impl RawClip {
         })
     }
 
-    /// The frames from `start` to before `end` as a BVH file of their own.
+    /// The frames from `start` to before `end` as the bytes of a BVH file of their own.
     ///
     /// # Errors
     /// If there are no such frames.
-    pub fn cut(&self, start: usize, end: usize) -> Result<String, Failure> {
+    pub fn cut(&self, start: usize, end: usize) -> Result<Vec<u8>, Failure> {
         let frames = self.core().frame_count();
         if start >= end || end > frames {
             return Err(format!("there are no frames {start} to {end}: the clip has {frames}").into());
         }
-        Ok(plantigrade::bvh::write(&self.core().part(start..end)))
+        Ok(plantigrade::bvh::write(&self.core().part(start..end)).into_bytes())
     }
 }
 

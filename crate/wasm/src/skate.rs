@@ -104,9 +104,9 @@ impl RawCleaned {
         positions::all(&self.skeleton, self.clip())
     }
 
-    /// The clip as a BVH file.
-    pub fn bvh(&self) -> String {
-        bvh::write(self.clip())
+    /// The bytes of the clip as a BVH file: those of an hour take seconds to make a string of.
+    pub fn bvh(&self) -> Vec<u8> {
+        bvh::write(self.clip()).into_bytes()
     }
 
     fn clip(&self) -> &Clip {

@@ -7,11 +7,12 @@ const stages = { fetch: "Downloading", read: "Reading", detect: "Finding plants 
 export function Progress() {
   const opening = task.value;
   const held = opening
-    ? { share: undefined, ...opening, what: stages[opening.stage], stop: cancelOpening }
-    : work.value[0] && { name: openClip.value?.name ?? "", share: undefined, ...work.value[0] };
-  if (!held) return null;
+    ? { id: 0, share: undefined, ...opening, what: stages[opening.stage], stop: cancelOpening }
+    : work.value[0] && { name: openClip.value?.name, share: undefined, ...work.value[0] };
+  // What the figure behind the empty page needs is nobody's concern.
+  if (!held?.name) return null;
   return (
-    <div class="progress" role="status">
+    <div class="progress" role="status" key={held.id}>
       <p>
         {held.what} <strong>{held.name}</strong>
       </p>

@@ -19,20 +19,30 @@ import {
   overrides,
   source,
 } from "./state";
+import { createJob } from "./work";
 
 async function listMethods() {
   if (!methods.value.length) methods.value = await engine.methods();
 }
+
+// Patient, as a worker that is ended has to read the file again.
+const job = createJob("Finding plants in", 2000);
+
+/** Whether labels of the present settings are on their way. */
+export const detecting = job.busy;
 
 /** Labels the clip on show; an answer that comes too late for it is dropped. */
 export async function detectNow(asked: DetectOptions = options.value): Promise<void> {
   const about = clip.value;
   if (!about) return;
   try {
-    // Asked for together: the worker must not wait for a page that draws.
-    const listed = listMethods();
-    const [detected] = await Promise.all([engine.detect(asked), listed]);
-    if (clip.value !== about) return;
+    const detected = await job.run(async (stoppable) => {
+      // Asked for together: the worker must not wait for a page that draws.
+      const listed = listMethods();
+      const [detected] = await Promise.all([engine.detect(asked, stoppable), listed]);
+      return detected;
+    }, keepBefore);
+    if (!detected || clip.value !== about) return;
     batch(() => {
       detection.value = detected.ok ? detected.detection : null;
       detectFailure.value = detected.ok ? null : detected.failure;
@@ -53,15 +63,26 @@ export async function detectNow(asked: DetectOptions = options.value): Promise<v
   }
 }
 
+/** After a person has stopped it, the settings are again those of the labels on show. */
+function keepBefore() {
+  batch(() => {
+    if (detection.value) options.value = detection.value.options;
+    else
+      detectFailure.value = { message: "it was cancelled", hint: "Change a setting to try again." };
+  });
+}
+
 const detectLatest = latest(detectNow);
 
 export function setOptions(change: Partial<DetectOptions>) {
   options.value = { ...options.value, ...change };
+  job.hurry();
   detectLatest(options.value);
 }
 
 const overrideLatest = latest(async (asked: Overrides) => {
   const about = source.value;
+  job.hurry();
   stopSegmenting();
   try {
     const opened = await engine.override(asked);

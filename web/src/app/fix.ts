@@ -2,11 +2,13 @@
 
 import { batch, effect, signal } from "@preact/signals";
 import { stemOf } from "../lib/names";
+import { Cancelled } from "../worker";
 import type { Cleaned } from "../worker/types";
 import { engine } from "./engine";
 import { failTo } from "./failing";
 import { handOver } from "./handOver";
 import { announcement, clip, detection, overrides } from "./state";
+import { withProgress } from "./work";
 
 /** The clip with its planted feet held still; null until somebody asks for it. */
 export const cleaned = signal<Cleaned | null>(null);
@@ -32,7 +34,7 @@ export async function clean(): Promise<void> {
   if (!about || !labels || cleaning.value) return;
   cleaning.value = true;
   try {
-    const made = await engine.clean();
+    const made = await withProgress({ what: "Cleaning" }, new AbortController(), engine.clean);
     if (detection.value !== labels) return;
     batch(() => {
       cleaned.value = made;
@@ -40,7 +42,9 @@ export async function clean(): Promise<void> {
       announcement.value = "Cleaned: the view shows the clip before as a ghost";
     });
   } catch (error) {
-    if (detection.value === labels) failTo("cleaned", about.name, error);
+    if (detection.value === labels && !(error instanceof Cancelled)) {
+      failTo("cleaned", about.name, error);
+    }
   } finally {
     cleaning.value = false;
   }
@@ -49,5 +53,7 @@ export async function clean(): Promise<void> {
 /** Hands the cleaned clip to the browser as a download. */
 export async function saveCleaned(): Promise<void> {
   const name = `${stemOf(clip.value?.name ?? "clip")}.clean.bvh`;
-  await handOver(name, async () => new Blob([await engine.saveCleaned()], { type: "text/plain" }));
+  await handOver(name, () =>
+    withProgress({ what: "Writing" }, new AbortController(), engine.saveCleaned),
+  );
 }

@@ -7,7 +7,7 @@ vi.mock("../worker", () => import("../lib/testing/engine"));
 
 const { cancelOpening, openFiles, openSample, openSource } = await import("./open");
 const { openRow, rows, tableShown } = await import("./batch");
-const { setOptions } = await import("./detect");
+const { detecting, setOptions } = await import("./detect");
 
 const file = (name: string) => new File(["HIERARCHY"], name);
 
@@ -87,4 +87,44 @@ it("labels anew when a setting changes", async () => {
   await vi.waitFor(() => expect(state.detection.value?.options.method).toBe("paper"));
   expect(state.detection.value?.parts.heel).toBeUndefined();
   setOptions({ method: "robust" });
+});
+
+it("can be stopped while it labels, and the labels and settings before stay", async () => {
+  await openFiles({ files: [file("walk.bvh")] });
+  setOptions({ method: "njw" });
+  expect(detecting.value).toBe(true);
+  await vi.waitFor(() => expect(state.work.value[0]?.what).toBe("Finding plants in"));
+  expect(state.phase.value).toBe("ready");
+  state.work.value[0]?.stop();
+  expect(state.options.value.method).toBe("robust");
+  await vi.waitFor(() => expect(detecting.value).toBe(false));
+  expect(state.detection.value?.options.method).toBe("robust");
+  expect(state.work.value).toEqual([]);
+});
+
+it("leaves a clip that is opened without labels where a person stops it, and says so", async () => {
+  state.options.value = { ...state.options.value, method: "njw" };
+  const opening = openFiles({ files: [file("walk.bvh")] });
+  await vi.waitFor(() => expect(state.task.value?.stage).toBe("detect"));
+  cancelOpening();
+  await opening;
+  expect(state.phase.value).toBe("ready");
+  expect(state.openClip.value?.name).toBe("walk.bvh");
+  expect(state.detectFailure.value?.message).toContain("cancelled");
+  setOptions({ method: "robust" });
+  await vi.waitFor(() => expect(state.detection.value?.options.method).toBe("robust"));
+});
+
+it("does not let a setting wait for what takes long, nor end what is quick", async () => {
+  await openFiles({ files: [file("walk.bvh")] });
+  vi.useFakeTimers({ toFake: ["performance"] });
+  setOptions({ method: "njw" });
+  setOptions({ method: "paper" });
+  await Promise.resolve();
+  expect(state.work.value).toHaveLength(1);
+  vi.advanceTimersByTime(3000);
+  setOptions({ method: "robust", r: 0.002 });
+  vi.useRealTimers();
+  await vi.waitFor(() => expect(state.detection.value?.options.r).toBe(0.002));
+  setOptions({ r: 0.001 });
 });

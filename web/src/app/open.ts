@@ -41,8 +41,14 @@ function begin(name: string, stage: state.Task["stage"]): { mine: number; signal
 export function cancelOpening() {
   turn++;
   controller.abort();
+  stopWork();
   engine.cancel();
   state.task.value = null;
+}
+
+/** Stops what is being done for the clip on show. */
+function stopWork() {
+  for (const { name, stop } of state.work.value) if (name === undefined) stop();
 }
 
 let drops = 0;
@@ -78,7 +84,7 @@ export async function openSource(
   }
   const { mine, signal } = begin(source.name, "read");
   // The worker would come to it only after all that it still does for the clip before.
-  for (const { name, stop } of state.work.value) if (name === undefined) stop();
+  stopWork();
   try {
     const opened = await Promise.race([
       engine.open(source.data, source.name, {

@@ -1,7 +1,6 @@
 import { batch } from "@preact/signals";
 import { latest } from "../lib/latest";
 import { type Action, renamed, sameAction } from "../lib/segments";
-import { Cancelled } from "../worker";
 import type { SegmentOptions } from "../worker/types";
 import { rescoreSegments } from "./compare";
 import { engine } from "./engine";
@@ -19,12 +18,9 @@ import {
   sheetOpen,
   tab,
 } from "./state";
-import { withProgress } from "./work";
+import { createJob } from "./work";
 
-/** Whoever changes a setting waits this long for the answer to the one before, in milliseconds. */
-const patience = 300;
-
-let running: { since: number; controller: AbortController } | undefined;
+const job = createJob("Finding segments in", 300);
 
 async function listMethods() {
   if (!segmentMethods.value.length) segmentMethods.value = await engine.segmentMethods();
@@ -33,23 +29,14 @@ async function listMethods() {
 /** Cuts the clip on show into actions; an answer that comes too late for it is dropped. */
 export async function segmentNow(asked: SegmentOptions = segmentOptions.value): Promise<void> {
   if (!clip.value?.frames) return;
-  stopSegmenting();
-  const controller = new AbortController();
-  const here = { since: performance.now(), controller };
-  running = here;
   try {
-    const segmented = await withProgress(
-      { what: "Finding segments in" },
-      controller,
-      async (stoppable) => {
-        // Asked for together: the worker must not wait for a page that draws.
-        const listed = listMethods();
-        const [segmented] = await Promise.all([engine.segment(asked, stoppable), listed]);
-        return segmented;
-      },
-      keepBefore,
-    );
-    if (running !== here) return;
+    const segmented = await job.run(async (stoppable) => {
+      // Asked for together: the worker must not wait for a page that draws.
+      const listed = listMethods();
+      const [segmented] = await Promise.all([engine.segment(asked, stoppable), listed]);
+      return segmented;
+    }, keepBefore);
+    if (!segmented) return;
     batch(() => {
       segmentation.value = segmented.ok ? segmented.segmentation : null;
       segmentFailure.value = segmented.ok ? null : segmented.failure;
@@ -57,21 +44,15 @@ export async function segmentNow(asked: SegmentOptions = segmentOptions.value): 
     });
     await rescoreSegments();
   } catch (error) {
-    if (running !== here || error instanceof Cancelled) return;
     batch(() => {
       segmentation.value = null;
       segmentFailure.value = { message: messageOf(error), hint: "Change a setting to try again." };
     });
-  } finally {
-    if (running === here) running = undefined;
   }
 }
 
 /** Ends a segmentation that nobody waits for any more. */
-export function stopSegmenting() {
-  running?.controller.abort();
-  running = undefined;
-}
+export const stopSegmenting = job.stop;
 
 /** After a person has stopped it, the settings are again those of what is shown. */
 function keepBefore() {
@@ -95,7 +76,7 @@ const segmentLatest = latest((asked: SegmentOptions) => segmentNow(asked));
 /** Puts options in place of those before; at once in force. */
 export function setSegmentOptions(next: SegmentOptions) {
   segmentOptions.value = next;
-  if (running && performance.now() - running.since > patience) stopSegmenting();
+  job.hurry();
   segmentLatest(next);
 }
 

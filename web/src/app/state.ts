@@ -67,6 +67,7 @@ export interface Task {
 
 /** What the worker does for the clip on show, where that takes time. */
 export interface Work {
+  id: number;
   /** What is done, to be followed by a name. */
   what: string;
   /** Of what, where it is not the clip on show: then it goes on when another is opened. */
@@ -222,8 +223,9 @@ export const announcement = signal("");
 
 export const phase = computed(() => {
   if (failure.value) return "error";
-  if (task.value || (work.value.length && !segmentation.value)) return "loading";
-  return clip.value && !hero.value ? "ready" : "empty";
+  if (task.value) return "loading";
+  if (!openClip.value) return "empty";
+  return work.value.length && !segmentation.value ? "loading" : "ready";
 });
 
 /** The clip a person opened: nothing while the page is empty. */

@@ -1,4 +1,4 @@
-import { setOptions } from "../app/detect";
+import { detecting, setOptions } from "../app/detect";
 import { detectFailure, detection, methods, options, plants } from "../app/state";
 import { plantedShare, principal } from "../lib/plants";
 import { sentence } from "../lib/report";
@@ -92,7 +92,7 @@ function Result() {
     <div class="field">
       <h2>Result</h2>
       {found ? (
-        <dl class="result">
+        <dl class="result" aria-busy={detecting.value}>
           <Foot side="left" share={plantedShare(found.left)} />
           <Foot side="right" share={plantedShare(found.right)} />
         </dl>

@@ -24,9 +24,11 @@ function worker(said: string[]) {
       said.push(`override ${overrides.rate}`);
       return opened();
     },
-    async detect() {
+    async detect({ method }) {
       if (isBusy) return new Promise(() => {});
       said.push(`detect ${held}`);
+      isBusy = method === "njw";
+      if (isBusy) return new Promise(() => {});
       if (!held) throw new Error("No clip is open.");
       return { ok: true, detection: {} as Detection };
     },
@@ -55,7 +57,7 @@ function worker(said: string[]) {
     gait: async () => undefined,
     skate: async () => [],
     clean: async () => ({ positions: new Float32Array(), plants: [], notices: [] }),
-    saveCleaned: async () => "",
+    saveCleaned: async () => new Blob(),
     score: async () => [],
     scoreSegments: async () => [],
     async saveSegments() {
@@ -64,6 +66,7 @@ function worker(said: string[]) {
     },
     cut: async () => new Blob(),
     async save() {
+      if (isBusy) return new Promise(() => {});
       if (said.includes("trap"))
         throw Object.assign(new Error("unreachable"), { name: "RuntimeError" });
       said.push(`save ${held}`);
@@ -164,6 +167,20 @@ test("a segmentation can be stopped; what else was asked is asked of the next wo
   expect(said.slice(7)).toEqual(["segment auto", "save segments"]);
   const late = made.segment({ method: "auto" }, { signal: stop.signal });
   await expect(late).rejects.toBeInstanceOf(Cancelled);
+});
+
+test("a detection can be stopped, and the labels before are had again", async () => {
+  const { said, made } = engine();
+  await made.open(file, "walk");
+  await made.detect(options);
+  const stop = new AbortController();
+  const endless = made.detect({ ...options, method: "njw" }, { signal: stop.signal });
+  const saved = made.save("csv");
+  await vi.waitFor(() => expect(said.filter((word) => word === "detect walk")).toHaveLength(2));
+  stop.abort();
+  await expect(endless).rejects.toBeInstanceOf(Cancelled);
+  await saved;
+  expect(said.slice(-4)).toEqual(["start", "open walk", "detect walk", "save walk"]);
 });
 
 test.each([

@@ -3,17 +3,24 @@
 import * as Comlink from "comlink";
 import { startClipWorker } from "./start";
 import { type CallsOf, coreThread, isTrap, type Thread } from "./thread";
-import type { DetectOptions, Edit, Overrides, SegmentOptions } from "./types";
+import type { Cleaned, DetectOptions, Edit, Overrides, SegmentOptions } from "./types";
 import type { Api, Compared, CutPart, Detected, Opened, Segmented } from "./worker";
 
 export type { Compared, CutPart, Detected, EditedParts, Opened, Segmented } from "./worker";
 
 /** What the worker offers, with ways to stop it. */
-export interface Engine extends Omit<Calls, "open" | "segment" | "cut"> {
+export interface Engine
+  extends Omit<Calls, "open" | "detect" | "segment" | "clean" | "saveCleaned" | "cut"> {
   /** Reads a clip and holds it in place of the one before. */
   open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
+  /** Labels the clip. */
+  detect(options: DetectOptions, stoppable?: Stoppable): Promise<Detected>;
   /** Cuts the clip into actions. */
   segment(options: SegmentOptions, stoppable?: Stoppable): Promise<Segmented>;
+  /** Holds the planted feet still. */
+  clean(stoppable?: Stoppable): Promise<Cleaned>;
+  /** Writes the clip as it was cleaned last. */
+  saveCleaned(stoppable?: Stoppable): Promise<Blob>;
   /** Writes parts of the clip as files of their own into one zip archive. */
   cut(parts: readonly CutPart[], stoppable?: Stoppable): Promise<Blob>;
   /** Ends the worker and what it is doing; the clip opened before stays at hand. */
@@ -189,8 +196,11 @@ export function createEngine(
       if (opened.ok && held) held.overrides = overrides;
       return opened;
     },
-    async detect(options) {
-      const detected: Detected = await callOnClip((calls) => calls.detect(options)).catch(broken);
+    async detect(options, stoppable) {
+      const detected: Detected = await callStoppable(
+        (calls) => calls.detect(options),
+        stoppable,
+      ).catch(broken);
       if (detected.ok && held) held.options = options;
       return detected;
     },
@@ -231,8 +241,8 @@ export function createEngine(
     segmentMethods: () => call(({ calls }) => calls.segmentMethods()),
     gait: () => callOnClip((calls) => calls.gait()),
     skate: () => callOnClip((calls) => calls.skate()),
-    clean: () => callOnClip((calls) => calls.clean()),
-    saveCleaned: () => callOnClip((calls) => calls.saveCleaned()),
+    clean: (stoppable) => callStoppable((calls) => calls.clean(), stoppable),
+    saveCleaned: (stoppable) => callStoppable((calls) => calls.saveCleaned(), stoppable),
     score: () => callOnClip((calls) => calls.score()),
     scoreSegments: () => callOnSegments((calls) => calls.scoreSegments()),
     save: (format) => callOnClip((calls) => calls.save(format)),

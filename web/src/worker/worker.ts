@@ -221,11 +221,11 @@ const api = {
   },
 
   /** The clip as it was cleaned last, as a BVH file. */
-  async saveCleaned(): Promise<string> {
+  async saveCleaned(): Promise<Blob> {
     const here = current();
     if (!here.detection) throw new Error("There are no labels to clean by.");
     here.cleaned ??= here.clip.clean(here.detection);
-    return here.cleaned.bvh();
+    return new Blob([here.cleaned.bvh() as Uint8Array<ArrayBuffer>], { type: "text/plain" });
   },
 
   /** How well the last detection agrees with the labels of someone else, part by part. */

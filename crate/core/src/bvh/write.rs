@@ -7,7 +7,7 @@ use super::{Channel, Clip, JointKind, PositionRule};
 /// The clip as BVH text, LF line ends, one row a frame.
 ///
 /// Numbers are written with the fewest digits that read back to the same
-/// value, so `parse(write(clip))` gives the same clip. The one thing BVH cannot
+/// value and without exponents, so `parse(write(clip))` gives the same clip. The one thing BVH cannot
 /// say is [`PositionRule::Add`]: such a clip is written with the offsets added
 /// to its position channels, which moves it in the same way.
 pub fn write(clip: &Clip) -> String {
@@ -17,11 +17,26 @@ pub fn write(clip: &Clip) -> String {
     let shift = position_shift(clip);
     for frame in 0..clip.frame_count() {
         for (channel, (value, shift)) in clip.row(frame).iter().zip(&shift).enumerate() {
-            let _ = write!(text, "{}{}", if channel > 0 { " " } else { "" }, value + shift);
+            if channel > 0 {
+                text.push(' ');
+            }
+            write_number(value + shift, &mut text);
         }
         text.push('\n');
     }
     text
+}
+
+/// As `Display` has it, in a third of its time.
+fn write_number(value: f64, text: &mut String) {
+    let mut buffer = zmij::Buffer::new();
+    let digits = buffer.format(value);
+    // Not all programs read exponents.
+    if digits.contains('e') {
+        let _ = write!(text, "{value}");
+    } else {
+        text.push_str(digits.strip_suffix(".0").unwrap_or(digits));
+    }
 }
 
 fn write_hierarchy(clip: &Clip, text: &mut String) {
@@ -72,4 +87,23 @@ fn position_shift(clip: &Clip) -> Vec<f64> {
         }
     }
     shift
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn numbers_are_written_as_the_standard_library_does(value in any::<f64>(), places in 0..12) {
+            let usual = (value % 1e4 * 10_f64.powi(places)).round() / 10_f64.powi(places);
+            for value in [value, usual, usual.round(), value % 1e-4] {
+                let mut text = String::new();
+                write_number(value, &mut text);
+                prop_assert_eq!(text, value.to_string());
+            }
+        }
+    }
 }

@@ -162,7 +162,7 @@ fn planted_feet_are_held_still() {
         assert!(plant.after < 1e-3, "{}", plant.after);
     }
     assert_eq!(cleaned.positions().length() as usize, clip.positions().length() as usize);
-    let read = bvh::parse(cleaned.bvh().as_bytes(), bvh::Options::default()).unwrap().clip;
+    let read = bvh::parse(&cleaned.bvh(), bvh::Options::default()).unwrap().clip;
     assert_eq!(read.frame_count(), 245);
     assert!(cleaned.notices().unwrap().is_empty());
 }
@@ -311,7 +311,7 @@ fn segments_read_back_under_the_names_given() {
 #[wasm_bindgen_test]
 fn a_cut_is_a_clip_of_its_own() {
     let clip = walk();
-    let part = bvh::parse(clip.cut(10, 30).unwrap().as_bytes(), bvh::Options::default()).unwrap().clip;
+    let part = bvh::parse(&clip.cut(10, 30).unwrap(), bvh::Options::default()).unwrap().clip;
     let whole = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
     assert_eq!((part.frame_count(), part.row(0)), (20, whole.row(10)));
     assert!(clip.cut(10, 10).is_err() && clip.cut(0, 246).is_err());

@@ -6,15 +6,21 @@ export { Cancelled } from "../../worker/engine";
 
 const pause = (ms: number) => new Promise((done) => setTimeout(done, ms));
 
+const endless = (signal?: AbortSignal) =>
+  new Promise<never>((_, reject) => {
+    signal?.addEventListener("abort", () => reject(new Cancelled()));
+  });
+
 /**
  * An engine for tests, made of a walking figure. The file's name chooses what happens:
  * `bad` cannot be read, `crab` has no feet, `rest` has no frames, `slow` takes a while.
- * Segments are as long as the method's name has letters, in seconds; `mvu` never ends.
+ * Segments are as long as the method's name has letters, in seconds; `mvu` and `njw` never end.
  */
 export function createEngine(): Engine {
   let clip: Clip | undefined;
   let other: Labelling | undefined;
   let otherSegments: Segments | undefined;
+  let turn = 0;
   return {
     async open(_file, name, { onProgress } = {}) {
       if (name.includes("bad")) {
@@ -29,8 +35,10 @@ export function createEngine(): Engine {
           },
         };
       }
+      const mine = ++turn;
       for (let i = 1; i <= 10 && name.includes("slow"); i++) {
         await pause(200);
+        if (mine !== turn) throw new Cancelled();
         onProgress?.(i / 10);
       }
       other = undefined;
@@ -47,8 +55,9 @@ export function createEngine(): Engine {
       }
       return { ok: true, clip };
     },
-    async detect(options) {
+    async detect(options, { signal } = {}) {
       const { method, r } = options;
+      if (method === "njw") await endless(signal);
       if (!clip || clip.frames === 0 || clip.roles.left_ankle === undefined) {
         return {
           ok: false,
@@ -104,9 +113,7 @@ export function createEngine(): Engine {
       const { frames = 0, rate = 1 } = clip ?? {};
       if (options.method === "mvu") {
         onProgress?.(0.5);
-        return new Promise((_, reject) => {
-          signal?.addEventListener("abort", () => reject(new Cancelled()));
-        });
+        return endless(signal);
       }
       const step = options.method.length * rate;
       const starts = Array.from({ length: Math.ceil(frames / step) }, (_, i) => i * step);
@@ -168,7 +175,7 @@ export function createEngine(): Engine {
       return { positions: clip?.positions ?? new Float32Array(), plants: [], notices: [] };
     },
     async saveCleaned() {
-      return "HIERARCHY";
+      return new Blob(["HIERARCHY"]);
     },
     async score() {
       if (!other) return [];
@@ -198,7 +205,7 @@ export function createEngine(): Engine {
       return new TextEncoder().encode(`{"made up": "${format}"}`);
     },
     cancel() {
-      clip = undefined;
+      turn++;
     },
   };
 }
