@@ -61,7 +61,7 @@ async function opened(page, file) {
         };
         addEventListener("change", begin, { capture: true, once: true });
         const look = () => {
-          if (start && !moving && document.title.startsWith("long.bvh")) {
+          if (start && !moving && document.querySelector("[data-clip=open]")) {
             // The frame after the next shows what the page has been told by now.
             requestAnimationFrame(() =>
               requestAnimationFrame(() => {
@@ -76,7 +76,7 @@ async function opened(page, file) {
         };
         new MutationObserver(look).observe(document, {
           childList: true,
-          characterData: true,
+          attributes: true,
           subtree: true,
         });
       }),

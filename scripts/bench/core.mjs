@@ -101,7 +101,8 @@ async function short(call) {
     detect[frames] = await call("detect", 20, false);
     exact[frames] = await call("detect", 5, true);
   }
-  return { detect, exact, relabel, segment };
+  const published = await call("detect", 20, false, "paper");
+  return { detect, exact, published, relabel, segment };
 }
 
 /** How time and memory grow with the length of a clip, up to an hour. */
@@ -113,7 +114,7 @@ async function growth(alone) {
       const { time, bytes, before } = await call("parse", address(frames), 1);
       const placed = await call("positions", 1);
       const shown = await call("memory");
-      const detected = await call("detect", 2, false);
+      const detected = await call("detect", 3, false);
       const labelled = await call("memory");
       const others = frames === HOUR ? await hour(call) : {};
       const memory = { shown: shown - before, labelled: labelled - before };

@@ -105,7 +105,7 @@ function reading({ core: { read, memory, growth }, native }) {
 }
 
 function labelling({ core, native, references }) {
-  const { detect, exact, relabel, growth } = core;
+  const { detect, exact, published, relabel, growth } = core;
   const targets = { 300: 2, 1000: 10, 10000: 100 };
   const rows = Object.entries(targets).map(([frames, target]) => {
     const seconds = [
@@ -128,8 +128,17 @@ function labelling({ core, native, references }) {
     );
   });
   const hour = growth.at(-1);
+  const ratio = (references.sklearn?.[300] * 1000) / published;
+  // As the reference does: toes alone, clustered once.
+  const alike = row(
+    "the same as published: toes alone",
+    ms(published),
+    ratio ? `scikit-learn: ${times(ratio)}` : "-",
+    "100 ×",
+    ratio >= 100,
+  );
   return [
-    ...rows,
+    ...rows.toSpliced(1, 0, alike),
     row(`detect ${count(HOUR)} frames`, ms(hour.detected), "-", "2 s", hour.detected < 2000),
     row("label 10,000 frames anew, another r", ms(relabel.r), "-", "16.7 ms", relabel.r < 16.7),
   ];

@@ -56,12 +56,18 @@ const bench = {
 
   /** Milliseconds to label the clip, all parts of both feet, as if for the first time. */
   async detect(runs: number, exact: boolean, method = "robust") {
+    const label = () => clip?.detect({ method, r: 0.001, w: 1, exact }).free();
+    // The browser's clock is coarse: of short clips, the mean of some times counts.
+    const times = (clip?.facts().frames ?? 0) > 2000 ? 1 : 20;
     let best = Number.POSITIVE_INFINITY;
     for (let run = 0; run < runs; run++) {
-      // Overrides let go of what was kept from the time before.
-      clip?.override({});
-      const label = () => clip?.detect({ method, r: 0.001, w: 1, exact }).free();
-      best = Math.min(best, (await timed(1, label))[0]);
+      let sum = 0;
+      for (let time = 0; time < times; time++) {
+        // Overrides let go of what was kept from the time before.
+        clip?.override({});
+        sum += (await timed(1, label))[0];
+      }
+      best = Math.min(best, sum / times);
     }
     return best;
   },
