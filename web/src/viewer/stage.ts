@@ -3,36 +3,14 @@ import type { Beside, CameraView } from "../app/state";
 import { type Near, plantsNear } from "../lib/footprints";
 import type { Plant } from "../lib/plants";
 import type { Showing, Sight } from "../lib/showing";
-import { extentOf, facingOf, reachOf, sizeOf, travelOf } from "../lib/travel";
 import type { Clip, Detection } from "../worker/types";
 import { Bones } from "./bones";
 import { Camera } from "./camera";
-import { Figure } from "./figure";
-import { Floor } from "./floor";
-import { type Palette, readPalette } from "./palette";
+import { Companion } from "./companion";
+import { Lead } from "./lead";
+import { readPalette } from "./palette";
 import { Prints } from "./prints";
 import { Trails } from "./trails";
-
-/** How far apart characters stand side by side, in heights. */
-const apart = 0.75;
-
-/** Everything drawn for one clip. */
-interface Cast {
-  clip: Clip;
-  size: number;
-  /** Without labels nobody knows the floor: the lowest joint of the first frame stands on it. */
-  lowest: number;
-  path: Float32Array;
-  floor: Floor;
-  figure: Figure;
-}
-
-/** Another clip beside it. */
-interface Companion {
-  figure: Figure;
-  beside: Beside;
-  lowest: number;
-}
 
 /** The same clip as it was before, seen through. */
 interface Ghost {
@@ -56,7 +34,7 @@ export class Stage {
   private readonly scene = new Scene();
   private readonly camera: Camera;
   private readonly observer: ResizeObserver;
-  private cast: Cast | null = null;
+  private lead: Lead | null = null;
   private labels: Labels | null = null;
   private ghost: Ghost | null = null;
   private companions: Companion[] = [];
@@ -123,13 +101,12 @@ export class Stage {
     this.haunt(null);
     this.accompany([]);
     this.trace(false);
-    const before = this.cast;
-    this.cast = clip && this.castOf(clip);
-    this.strike(before);
-    if (this.cast && reframe) {
-      const [x, z] = this.whereabouts(this.cast);
-      const { size, clip: shown, lowest } = this.cast;
-      this.camera.measure(size, reachOf(shown, lowest), x, z);
+    this.strike();
+    if (clip) this.put(clip);
+    if (this.lead && reframe) {
+      const { lead } = this;
+      const { x, z } = lead.at(this.moment);
+      this.camera.measure(lead.size, lead.reach, x, z);
       this.camera.frame(false);
       this.look("perspective", false, 0);
       this.fits = false;
@@ -137,22 +114,18 @@ export class Stage {
     this.invalidate();
   }
 
-  private castOf(clip: Clip): Cast {
+  private put(clip: Clip) {
     const palette = readPalette(this.host);
-    const size = sizeOf(clip);
-    const hips = clip.roles.hips ?? 0;
-    const cast: Cast = {
-      clip,
-      size,
-      lowest: extentOf(clip, 0).low,
-      path: travelOf(clip, hips),
-      floor: new Floor(palette, size),
-      figure: new Figure(clip, size, palette),
-    };
     this.scene.background = palette.ground;
-    this.scene.add(cast.floor.mesh);
-    cast.figure.enter(this.scene);
-    return cast;
+    this.lead = new Lead(clip, palette);
+    this.lead.enter(this.scene);
+  }
+
+  private strike() {
+    if (!this.lead) return;
+    this.lead.leave(this.scene);
+    this.retired.push(this.lead);
+    this.lead = null;
   }
 
   /** Shows the ways of toes and root around the moment, or does not. */
@@ -161,23 +134,21 @@ export class Stage {
       this.scene.remove(this.trails.group);
       this.retired.push(this.trails);
     }
-    const { cast } = this;
+    const { lead } = this;
     this.trails =
-      wanted && cast?.clip.frames ? new Trails(cast.clip, readPalette(this.host)) : null;
+      wanted && lead?.clip.frames ? new Trails(lead.clip, readPalette(this.host)) : null;
     if (this.trails) this.scene.add(this.trails.group);
     this.invalidate();
   }
 
   /** Shows other clips at the side of the one on stage; they start where it does, and go their own way. */
   accompany(others: readonly Beside[]) {
-    for (const { figure } of this.companions) {
-      figure.leave(this.scene);
-      this.retired.push(figure);
-    }
-    const { cast } = this;
+    for (const companion of this.companions) companion.leave(this.scene);
+    this.retired.push(...this.companions);
+    const { lead } = this;
     const palette = readPalette(this.host);
-    this.companions = cast ? others.map((beside, i) => companion(cast, beside, i, palette)) : [];
-    for (const { figure } of this.companions) figure.enter(this.scene);
+    this.companions = lead ? others.map((it, i) => new Companion(lead, it, i, palette)) : [];
+    for (const companion of this.companions) companion.enter(this.scene);
     this.invalidate();
   }
 
@@ -188,8 +159,8 @@ export class Stage {
       this.retired.push(this.ghost.bones);
     }
     this.ghost = null;
-    if (clip && this.cast) {
-      const bones = new Bones(clip, this.cast.size, readPalette(this.host), true);
+    if (clip && this.lead) {
+      const bones = new Bones(clip, this.lead.size, readPalette(this.host), true);
       this.ghost = { clip, bones };
       this.scene.add(bones.group);
     }
@@ -198,13 +169,13 @@ export class Stage {
 
   /** Shows the labels of the clip on stage. */
   label(detection: Detection | null, plants: readonly Plant[]) {
-    const { cast, labels: before } = this;
-    this.labels = cast && detection ? this.lay(cast.clip, cast.size, detection, plants) : null;
+    const { lead, labels: before } = this;
+    this.labels = lead && detection ? this.lay(lead, detection, plants) : null;
     this.lift(before);
     this.invalidate();
   }
 
-  private lay(clip: Clip, size: number, detection: Detection, plants: readonly Plant[]): Labels {
+  private lay({ clip, size }: Lead, detection: Detection, plants: readonly Plant[]): Labels {
     const near = plantsNear(plants, this.moment);
     const lying = plants.slice(near.from, near.to);
     const prints = new Prints(clip, lying, size, readPalette(this.host));
@@ -219,12 +190,12 @@ export class Stage {
   }
 
   /** Where the moment has come too far, other plants are near. */
-  private renewPrints({ clip, size }: Cast) {
+  private renewPrints(lead: Lead) {
     const before = this.labels;
     if (!before) return;
     const { detection, plants, near } = before;
     if (this.moment >= near.since && this.moment < near.until) return;
-    this.labels = this.lay(clip, size, detection, plants);
+    this.labels = this.lay(lead, detection, plants);
     this.lift(before);
   }
 
@@ -235,29 +206,24 @@ export class Stage {
 
   /** Looks from a side at where the character faces, at the moment or at a frame. */
   look(view: CameraView, glide = true, frame = Math.floor(this.moment)) {
-    if (!this.cast) return;
-    this.camera.look(view, this.facing(this.cast.clip, frame), glide);
+    if (!this.lead) return;
+    this.camera.look(view, this.lead.facing(frame), glide);
     this.invalidate();
-  }
-
-  private facing(clip: Clip, frame: number): number {
-    const { x, z } = facingOf(clip, Math.min(frame, Math.max(clip.frames - 1, 0)));
-    return Math.atan2(x, z);
   }
 
   /** What the camera sees; absent where it does so by itself once a clip is open and a side chosen. */
   sight(view: CameraView): Sight | undefined {
-    if (!this.cast) return undefined;
+    if (!this.lead) return undefined;
     // Nobody has asked for the first side: it is that of the first frame.
     const frame = view === "perspective" ? 0 : Math.floor(this.moment);
-    const isUsual = this.camera.isAt(view, this.facing(this.cast.clip, frame));
+    const isUsual = this.camera.isAt(view, this.lead.facing(frame));
     return isUsual ? undefined : this.camera.sight;
   }
 
   /** Looks at the moment from a place at another, or from a side. */
   show({ view, eye, at }: Showing) {
-    if (!this.cast) return;
-    const [x, z] = this.whereabouts(this.cast);
+    if (!this.lead) return;
+    const { x, z } = this.lead.at(this.moment);
     // Along with the character, as if it had walked there.
     this.camera.travel(x, z, true);
     if (view) this.look(view, false);
@@ -274,19 +240,11 @@ export class Stage {
 
   /** The character, or all of its way where the camera stands still. */
   frameAll() {
-    const { cast } = this;
-    if (!cast) return;
+    const { lead } = this;
+    if (!lead) return;
     if (this.follow) this.camera.frame(true);
     else {
-      const low = { x: Number.POSITIVE_INFINITY, z: Number.POSITIVE_INFINITY };
-      const high = { x: Number.NEGATIVE_INFINITY, z: Number.NEGATIVE_INFINITY };
-      for (let i = 0; i < cast.path.length; i += 2) {
-        const [x = 0, z = 0] = [cast.path[i], cast.path[i + 1]];
-        low.x = Math.min(low.x, x);
-        low.z = Math.min(low.z, z);
-        high.x = Math.max(high.x, x);
-        high.z = Math.max(high.z, z);
-      }
+      const { low, high } = lead.bounds();
       this.camera.frameBox(low, high, true);
     }
     this.invalidate();
@@ -320,50 +278,27 @@ export class Stage {
     if (moving) this.invalidate();
   };
 
-  private whereabouts({ path }: Cast): [number, number] {
-    const last = path.length / 2 - 1;
-    const frame = Math.min(Math.floor(this.moment), last);
-    const next = Math.min(frame + 1, last);
-    const share = Math.min(this.moment, last) - frame;
-    place[0] = mix(path[2 * frame] as number, path[2 * next] as number, share);
-    place[1] = mix(path[2 * frame + 1] as number, path[2 * next + 1] as number, share);
-    return place;
-  }
-
   private draw() {
-    const { cast } = this;
-    if (cast) {
-      this.renewPrints(cast);
-      const { labels } = this;
-      const { clip, figure } = cast;
-      this.whereabouts(cast);
-      const x = place[0];
-      const z = place[1];
+    const { lead } = this;
+    if (lead) {
+      this.renewPrints(lead);
+      const { clip } = lead;
+      const { x, z } = lead.at(this.moment);
       this.camera.travel(x, z, this.follow);
       this.camera.controls.update(0);
-      cast.floor.moveTo(x, z);
+      const detection = this.labels?.detection ?? null;
       const moment = Math.min(this.moment, Math.max(clip.frames - 1, 0));
-      const floor = labels?.detection.floor ?? cast.lowest;
-      figure.show(moment, floor, labels?.detection ?? null);
+      const floor = detection?.floor ?? lead.lowest;
+      lead.show(moment, floor, detection);
       this.ghost?.bones.show(this.ghost.clip, moment, floor);
       this.trails?.show(moment, floor);
       const seconds = this.moment / clip.rate;
-      labels?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
-      for (const { figure, beside, lowest } of this.companions) {
-        const { detection } = beside;
-        figure.show(seconds * beside.clip.rate, detection?.floor ?? lowest, detection);
-      }
+      this.labels?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
+      for (const companion of this.companions) companion.show(seconds);
     }
     this.renderer.render(this.scene, this.camera.camera);
     for (const part of this.retired) part.dispose();
     this.retired.length = 0;
-  }
-
-  private strike(cast: Cast | null) {
-    if (!cast) return;
-    this.scene.remove(cast.floor.mesh);
-    cast.figure.leave(this.scene);
-    this.retired.push(cast.floor, cast.figure);
   }
 
   dispose() {
@@ -375,7 +310,7 @@ export class Stage {
     this.accompany([]);
     this.trace(false);
     cancelAnimationFrame(this.due);
-    this.strike(this.cast);
+    this.strike();
     for (const part of this.retired) part.dispose();
     this.camera.dispose();
     this.renderer.dispose();
@@ -383,25 +318,5 @@ export class Stage {
   }
 }
 
-/** The next clip to the side: by turns left and right of the one on stage, as it faces at first. */
-function companion(
-  { clip, size, path }: Cast,
-  beside: Beside,
-  i: number,
-  palette: Palette,
-): Companion {
-  const facing = facingOf(clip, 0);
-  const away = apart * size * Math.ceil((i + 1) / 2) * (i % 2 ? -1 : 1);
-  const start = travelOf(beside.clip, beside.clip.roles.hips ?? 0);
-  const aside = {
-    x: (path[0] ?? 0) - (start[0] ?? 0) + away * facing.z,
-    z: (path[1] ?? 0) - (start[1] ?? 0) - away * facing.x,
-  };
-  const figure = new Figure(beside.clip, sizeOf(beside.clip), palette, aside);
-  return { figure, beside, lowest: extentOf(beside.clip, 0).low };
-}
-
-const place: [number, number] = [0, 0];
 const measured = new Vector2();
 const wanted = new Vector2();
-const mix = (a: number, b: number, share: number) => a + (b - a) * share;
