@@ -2,7 +2,7 @@ import { writeFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import type { Browser, TestInfo } from "@playwright/test";
 import { App, expect, type Saved, test } from "./app";
-import { file, good, sample } from "./clips";
+import { file, good, repeated, sample } from "./clips";
 
 /** All that a link has to bring back. */
 async function stateOf(app: App) {
@@ -249,4 +249,22 @@ test("no name gets out of its place in the page", async ({ app, browser }, info)
   expect(alerts).toEqual([]);
   expectSound(there);
   await there.context.close();
+});
+
+test("a page that takes long to make says how far it is, and can be stopped", async ({
+  app,
+  page,
+}, info) => {
+  await app.with(repeated(sample("limp-to-run"), 100));
+  await app.share();
+  const save = app.dialog.getByRole("button", { name: "Save page" });
+  await save.click();
+  const bar = app.dialog.getByRole("progressbar", { name: /^Making limp-to-run/ });
+  await expect(bar).toBeVisible();
+  await expect.poll(async () => Number(await bar.getAttribute("value"))).toBeGreaterThan(0);
+  await page.screenshot({ path: info.outputPath("making.png") });
+  await app.dialog.getByRole("button", { name: "Cancel" }).click();
+  await expect(bar).toBeHidden({ timeout: 500 });
+  await expect(save).toBeEnabled();
+  await expect(app.alert).toBeHidden();
 });

@@ -15,7 +15,7 @@ import { keepOffline } from "./offline";
 import { openFiles, openFromAddress } from "./open";
 import { Progress } from "./Progress";
 import { Remarks } from "./RemarkList";
-import { announcement, dragging, openClip, phase } from "./state";
+import { announcement, dialog, dragging, openClip, phase } from "./state";
 import { hinted, Tour } from "./Tour";
 
 export function App() {
@@ -61,7 +61,8 @@ export function App() {
           }}
         />
         <FailureCard />
-        <Progress />
+        {/* An open dialog has it, as nothing else can be pressed then. */}
+        {!dialog.value && <Progress />}
       </main>
       {held && (
         <Panel

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { Icon } from "./icons";
+import { Progress } from "./Progress";
 import { dialog } from "./state";
 
 /** What lies over the page until it is closed; then the focus is where it was. */
@@ -37,6 +38,7 @@ export function Dialog({ title, children }: { title: string; children: Component
         </div>
         {children}
       </div>
+      <Progress />
     </dialog>
   );
 }

@@ -6,12 +6,14 @@ import { writeHash } from "../lib/hash";
 import { stemOf } from "../lib/names";
 import { writeShowing } from "../lib/showing";
 import { staged } from "../viewer/staged";
+import type { Stoppable } from "../worker";
 import { coreBytes } from "../worker/module";
 import { type Enclosed, enclosed } from "./enclosed";
 import { handOver } from "./handOver";
 import { pause } from "./playback";
 import { showingNow } from "./showing";
 import { dialog, edits, frame, segmentNames, source } from "./state";
+import { withProgress } from "./work";
 
 export function askToShare() {
   // What is shared is the moment on show: it must not run away.
@@ -32,9 +34,14 @@ const home = () => location.href.replace(/#.*$/s, "");
 const stem = () => stemOf(source.value?.name ?? "clip");
 
 /** Hands a page that shows all this by itself to the browser as a download. */
-export const savePage = () => handOver(`${stem()}.html`, makePage);
+export function savePage(): Promise<void> {
+  const name = `${stem()}.html`;
+  return handOver(name, () =>
+    withProgress({ what: "Making", name }, new AbortController(), makePage),
+  );
+}
 
-async function makePage(): Promise<Blob> {
+async function makePage(stoppable: Stoppable): Promise<Blob> {
   const { name, data } = source.value ?? { name: "clip.bvh", data: new Blob() };
   const made: Enclosed = {
     version: 1,
@@ -48,7 +55,7 @@ async function makePage(): Promise<Blob> {
   const contents = {
     title: titleText(`${name} – Plantigrade`),
     enclosed: jsonText(made),
-    clip: await packed(data),
+    clip: await packed(data, stoppable),
   };
   const parts = enclosed
     ? fill(thisPage(), contents)

@@ -49,10 +49,22 @@ it("puts nothing into a block that could end it", () => {
 });
 
 it("packs bytes as text and back", async () => {
-  const bytes = Uint8Array.from({ length: 100_000 }, (_, i) => (i * i) % 251);
-  const made = await packed(new Blob([bytes]));
+  const bytes = Uint8Array.from({ length: 1_000_000 }, (_, i) => (i * i * i) % 65_521);
+  const shares: number[] = [];
+  const onProgress = (share: number) => shares.push(share);
+  const made = await (await packed(new Blob([bytes]), { onProgress })).text();
+  expect(shares.at(-1)).toBe(1);
   expect(made).toMatch(/^[A-Za-z0-9+/]+=*$/);
   document.body.innerHTML = `<script type="text/plain" id="clip">${made}</script>`;
   expect(text("clip")).toBe(made);
   expect(new Uint8Array(await (await unpacked("clip")).arrayBuffer())).toEqual(bytes);
+});
+
+it("stops packing when asked to", async () => {
+  const stop = new AbortController();
+  const made = packed(new Blob([new Uint8Array(1e6)]), {
+    signal: stop.signal,
+    onProgress: () => stop.abort(),
+  });
+  await expect(made).rejects.toMatchObject({ name: "AbortError" });
 });

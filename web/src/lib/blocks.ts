@@ -7,14 +7,15 @@
 export const blocks = ["title", "enclosed", "clip", "core"] as const;
 export type Block = (typeof blocks)[number];
 
-/** The page with other contents of some blocks, which must be free of `<`. */
-export function fill(page: string, contents: Partial<Record<Block, string>>): string[] {
-  const parts: string[] = [];
+/** The page with other contents of some blocks: texts free of `<`, or what was `packed`. */
+export function fill(page: string, contents: Partial<Record<Block, string | Blob>>) {
+  const parts: (string | Blob)[] = [];
   let from = 0;
   for (const block of blocks) {
     const content = contents[block];
     if (content === undefined) continue;
-    if (content.includes("<")) throw new Error(`The ${block} would end too early.`);
+    if (typeof content === "string" && content.includes("<"))
+      throw new Error(`The ${block} would end too early.`);
     const mark = block === "title" ? "<title>" : ` id="${block}">`;
     const start = page.indexOf(mark, from) + mark.length;
     const end = page.indexOf("</", start);
@@ -35,14 +36,43 @@ export const titleText = (words: string) =>
 /** What a block of this page holds; nothing where there is no such block. */
 export const text = (block: Block) => document.getElementById(block)?.textContent ?? "";
 
-/** Bytes as text of a block, as short as can be had. */
-export async function packed(data: Blob): Promise<string> {
-  const small = await new Response(data.stream().pipeThrough(new CompressionStream("gzip"))).blob();
+/** Bytes that become text at a time: whole groups of three, and few enough for the page to go on. */
+const bite = 3 * 2 ** 17;
+
+/** Bytes as text of a block, as short as can be had; `onProgress` gets the share done, 0 … 1. */
+export async function packed(
+  data: Blob,
+  { signal, onProgress }: { signal?: AbortSignal; onProgress?: (share: number) => void } = {},
+): Promise<Blob> {
+  let done = 0;
+  const counted = new TransformStream<Uint8Array, Uint8Array<ArrayBuffer>>({
+    transform(piece, controller) {
+      signal?.throwIfAborted();
+      done += piece.length;
+      onProgress?.(done / data.size);
+      controller.enqueue(piece as Uint8Array<ArrayBuffer>);
+    },
+  });
+  const zipped = data.stream().pipeThrough(counted).pipeThrough(new CompressionStream("gzip"));
+  const small = await new Response(zipped).blob().catch((error) => {
+    // Some browsers have reasons of their own for a stream that was stopped.
+    signal?.throwIfAborted();
+    throw error;
+  });
+  const pieces: Blob[] = [];
+  for (let at = 0; at < small.size; at += bite) {
+    signal?.throwIfAborted();
+    pieces.push(new Blob([await base64(small.slice(at, at + bite))]));
+  }
+  return new Blob(pieces);
+}
+
+function base64(data: Blob): Promise<string> {
   return new Promise((resolve, reject) => {
     const reader = new FileReader();
     reader.onload = () => resolve(String(reader.result).replace(/^.*,/, ""));
     reader.onerror = () => reject(reader.error);
-    reader.readAsDataURL(small);
+    reader.readAsDataURL(data);
   });
 }
 
