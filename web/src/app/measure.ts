@@ -6,6 +6,7 @@ import type { Gait, Slide } from "../worker/types";
 import { engine } from "./engine";
 import { failTo } from "./failing";
 import { detection, openClip, tab } from "./state";
+import { withProgress } from "./work";
 
 /** How far every plant slides; empty until it is known. */
 export const slides = signal<readonly Slide[]>([]);
@@ -25,7 +26,9 @@ effect(() => {
 
 async function measure(labels: typeof detection.value) {
   try {
-    const measured = await Promise.all([engine.gait(), engine.skate()]);
+    const measured = await withProgress({ what: "Measuring" }, new AbortController(), (stoppable) =>
+      Promise.all([engine.gait(stoppable), engine.skate(stoppable)]),
+    );
     if (detection.value !== labels) return;
     batch(() => {
       [gait.value, slides.value] = measured;

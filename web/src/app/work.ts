@@ -18,13 +18,13 @@ export async function withProgress<T>(
   };
   let here: Work = { ...about, id: ++count, stop };
   const remove = () => {
-    work.value = work.value.filter((other) => other !== here);
+    work.value = work.peek().filter((other) => other !== here);
   };
-  work.value = [...work.value, here];
+  work.value = [...work.peek(), here];
   const onProgress = (share: number) => {
     const before = here;
     here = { ...here, share };
-    work.value = work.value.map((other) => (other === before ? here : other));
+    work.value = work.peek().map((other) => (other === before ? here : other));
   };
   try {
     return await run({ signal: controller.signal, onProgress });

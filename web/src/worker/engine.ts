@@ -3,20 +3,27 @@
 import * as Comlink from "comlink";
 import { startClipWorker } from "./start";
 import { type CallsOf, coreThread, isTrap, type Thread } from "./thread";
-import type { Cleaned, DetectOptions, Edit, Overrides, SegmentOptions } from "./types";
+import type { Cleaned, DetectOptions, Edit, Gait, Overrides, SegmentOptions, Slide } from "./types";
 import type { Api, Compared, CutPart, Detected, Opened, Segmented } from "./worker";
 
 export type { Compared, CutPart, Detected, EditedParts, Opened, Segmented } from "./worker";
 
 /** What the worker offers, with ways to stop it. */
 export interface Engine
-  extends Omit<Calls, "open" | "detect" | "segment" | "clean" | "saveCleaned" | "cut"> {
+  extends Omit<
+    Calls,
+    "open" | "detect" | "segment" | "gait" | "skate" | "clean" | "saveCleaned" | "cut"
+  > {
   /** Reads a clip and holds it in place of the one before. */
   open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
   /** Labels the clip. */
   detect(options: DetectOptions, stoppable?: Stoppable): Promise<Detected>;
   /** Cuts the clip into actions. */
   segment(options: SegmentOptions, stoppable?: Stoppable): Promise<Segmented>;
+  /** How the person walks. */
+  gait(stoppable?: Stoppable): Promise<Gait | undefined>;
+  /** How far every plant slides. */
+  skate(stoppable?: Stoppable): Promise<Slide[]>;
   /** Holds the planted feet still. */
   clean(stoppable?: Stoppable): Promise<Cleaned>;
   /** Writes the clip as it was cleaned last. */
@@ -239,8 +246,8 @@ export function createEngine(
     hash: () => callOnClip((calls) => calls.hash()),
     methods: () => call(({ calls }) => calls.methods()),
     segmentMethods: () => call(({ calls }) => calls.segmentMethods()),
-    gait: () => callOnClip((calls) => calls.gait()),
-    skate: () => callOnClip((calls) => calls.skate()),
+    gait: (stoppable) => callStoppable((calls) => calls.gait(), stoppable),
+    skate: (stoppable) => callStoppable((calls) => calls.skate(), stoppable),
     clean: (stoppable) => callStoppable((calls) => calls.clean(), stoppable),
     saveCleaned: (stoppable) => callStoppable((calls) => calls.saveCleaned(), stoppable),
     score: () => callOnClip((calls) => calls.score()),
