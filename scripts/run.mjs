@@ -55,9 +55,9 @@ export function run(program, args, options = {}) {
   });
 }
 
-/** What a program prints, or undefined if it is not there or fails. */
-export function ask(program, args) {
-  const { status, stdout } = spawnSync(program, args, { cwd: root, encoding: "utf8" });
+/** What a program prints when it is given some input, or undefined if it is not there or fails. */
+export function ask(program, args, input = "") {
+  const { status, stdout } = spawnSync(program, args, { cwd: root, encoding: "utf8", input });
   return status === 0 ? stdout.trim() : undefined;
 }
 

@@ -96,13 +96,15 @@ async function short(call) {
   for (const method of METHODS) {
     segment[method] = await call("segment", method, method === "mvu" ? 1 : 3);
   }
+  const [published, toes] = [{}, {}];
   for (const frames of [1000, 300]) {
     await call("cut", frames);
-    detect[frames] = await call("detect", 20, false);
+    detect[frames] = await call("detect", 21, false);
     exact[frames] = await call("detect", 5, true);
+    published[frames] = await call("detect", 21, false, "paper");
+    toes[frames] = await call("toes");
   }
-  const published = await call("detect", 20, false, "paper");
-  return { detect, exact, published, relabel, segment };
+  return { detect, exact, published, relabel, segment, toes };
 }
 
 /** How time and memory grow with the length of a clip, up to an hour. */

@@ -21,10 +21,11 @@ await main(async () => {
   await generate();
   const { chromium } = await import("playwright");
   const launch = () => chromium.launch({ executablePath, args: ["--no-sandbox"] });
+  const inPage = await core(launch);
   const measured = {
-    references: references(),
+    core: inPage,
+    references: references(inPage.toes),
     native: await native(),
-    core: await core(launch),
     app: await app(launch),
     sizes: sizes(),
   };

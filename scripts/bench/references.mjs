@@ -7,13 +7,14 @@ import { ask, root, step } from "../run.mjs";
 const own = join(root, "target/python");
 const WANTED = ["numpy", "scikit-learn"];
 
-/** Seconds by library and frames; what cannot be had is left out. */
-export function references() {
+/** Milliseconds to cluster the toes of clips, by library and frames; what cannot be had is left out. */
+export function references(toes) {
   step("Measuring what others need");
-  const output = ask(python(), [join(root, "tests/bench/reference.py")]);
-  const seconds = output ? JSON.parse(output) : {};
-  if (!seconds.sklearn) console.log("scikit-learn cannot be had here: it is left out.");
-  return seconds;
+  const script = join(root, "tests/bench/reference.py");
+  const output = ask(python(), [script], JSON.stringify(toes));
+  const times = output ? JSON.parse(output) : {};
+  if (!times.sklearn) console.log("scikit-learn cannot be had here: it is left out.");
+  return times;
 }
 
 /** A Python with the libraries: this machine's, or one of the project's own where they can be installed. */
