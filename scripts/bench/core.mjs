@@ -116,7 +116,7 @@ async function growth(alone) {
       const { time, bytes, before } = await call("parse", address(frames), 1);
       const placed = await call("positions", 1);
       const shown = await call("memory");
-      const detected = await call("detect", 3, false);
+      const detected = await call("detect", 5, false);
       const labelled = await call("memory");
       const others = frames === HOUR ? await hour(call) : {};
       const memory = { shown: shown - before, labelled: labelled - before };
