@@ -89,9 +89,9 @@ async function resident(engine, what) {
 /** Clips of up to ten thousand frames, in milliseconds. */
 async function short(call) {
   await call("parse", address(10_000), 1);
-  const detect = { 10000: await call("detect", 5, false) };
+  const detect = { 10000: await call("detect", 15, false) };
   const exact = { 10000: await call("detect", 1, true) };
-  const relabel = { w: await call("relabel", 5, "w"), r: await call("relabel", 5, "r") };
+  const relabel = { w: await call("relabel", 15, "w"), r: await call("relabel", 15, "r") };
   const segment = {};
   for (const method of METHODS) {
     segment[method] = await call("segment", method, method === "mvu" ? 1 : 3);
@@ -116,7 +116,7 @@ async function growth(alone) {
       const { time, bytes, before } = await call("parse", address(frames), 1);
       const placed = await call("positions", 1);
       const shown = await call("memory");
-      const detected = await call("detect", 5, false);
+      const detected = await call("detect", frames < 50_000 ? 15 : 5, false);
       const labelled = await call("memory");
       const others = frames === HOUR ? await hour(call) : {};
       const memory = { shown: shown - before, labelled: labelled - before };
@@ -129,5 +129,5 @@ async function growth(alone) {
 
 /** What else an hour is asked for. */
 async function hour(call) {
-  return { relabelled: await call("relabel", 1, "w"), cut: await call("segment", "auto", 1) };
+  return { relabelled: await call("relabel", 3, "w"), cut: await call("segment", "auto", 1) };
 }

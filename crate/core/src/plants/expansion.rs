@@ -20,7 +20,7 @@ const TRIANGLE: usize = LEADING * (LEADING + 1) / 2;
 const LANES: usize = 8;
 
 /// The series is short: samples farther from the centre of their cell than this, in units of the
-/// kernel's scale, are looked at by themselves ...
+/// kernel's scale and over all coordinates, are looked at by themselves ...
 const FAR: f32 = 0.3;
 /// ... of so many samples one at most, the farthest first.
 const FAR_SHARE: usize = 100;
@@ -151,7 +151,7 @@ impl Expansion {
                 let off: [f32; DIMS] = std::array::from_fn(|axis| (point.place[axis] - centre[axis]) * scale);
                 let rest = point.rest * scale * scale - middle;
                 sums[point.index as usize] = f64::from(local.at(off, rest)).max(0.0);
-                let square = off.iter().map(|off| off * off).sum::<f32>();
+                let square = off.iter().map(|off| off * off).sum::<f32>() + rest.abs();
                 if square > FAR * FAR {
                     far.push((square, point));
                 }
