@@ -252,6 +252,21 @@ proptest! {
     }
 }
 
+/// Samples of each foot are one, and degrees differ by rounding alone.
+#[test]
+fn feet_that_never_move_make_no_method_panic() {
+    for frames in 1..12 {
+        let held = |height: f64| vec![Vector3::new(0.0, height, 0.0); frames];
+        let foot = |height| FootTracks { ankle: held(height + 0.1), toe: held(height), tip: None };
+        for (step, method) in (0..50).flat_map(|step| Method::ALL.map(|method| (step, method))) {
+            let tracks = [foot(0.1), foot(0.1 + 0.0137 * f64::from(step))];
+            let feet = Feet { tracks, hips: held(0.9), ..walk(1, 60.0) };
+            let detection = detect(&feet, params(method));
+            assert!(planted(&detection).iter().all(|foot| foot.len() == frames));
+        }
+    }
+}
+
 #[test]
 fn a_detector_labels_as_if_it_had_kept_nothing() {
     // Long enough for the degrees to be summed by cells.

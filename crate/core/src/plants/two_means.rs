@@ -2,6 +2,9 @@
 
 use std::ops::RangeInclusive;
 
+/// Values are equal that differ by no more than this share of the largest.
+const ROUNDING: f64 = 1e-12;
+
 /// Two classes of numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Classes {
@@ -17,22 +20,26 @@ pub(super) struct Classes {
 /// Every split is tried, so the answer is the best there is; among equally good splits it is the
 /// lowest.
 pub(super) fn classes(sorted: &[f64]) -> Option<Classes> {
+    let (least, most) = (sorted.first()?, sorted.last()?);
+    if most - least <= ROUNDING * most.abs().max(least.abs()) {
+        return None;
+    }
     let count = sorted.len();
     let mean = sorted.iter().sum::<f64>() / count as f64;
     // With the mean at zero both classes' sums are opposite, and rounding stays small.
     let mut low_sum = 0.0;
-    let mut best: Option<(f64, f64)> = None;
+    let mut best: Option<(f64, usize)> = None;
     for split in 1..count {
         low_sum += sorted[split - 1] - mean;
         if sorted[split - 1] < sorted[split] {
             let between = low_sum * low_sum * (1.0 / split as f64 + 1.0 / (count - split) as f64);
             if best.is_none_or(|(most, _)| between > most) {
-                best = Some((between, (sorted[split - 1] + sorted[split]) / 2.0));
+                best = Some((between, split));
             }
         }
     }
-    let (_, threshold) = best?;
-    let (low, high) = sorted.split_at(sorted.partition_point(|&value| value <= threshold));
+    let (low, high) = sorted.split_at(best?.1);
+    let threshold = (low[low.len() - 1] + high[0]) / 2.0;
     Some(Classes { threshold, medians: [median(low), median(high)] })
 }
 
@@ -91,6 +98,9 @@ mod tests {
     fn equal_values_have_no_threshold() {
         assert_eq!(classes(&[2.0; 5]), None);
         assert_eq!(classes(&[]), None);
+        let rounded = 0.1_f64 + 0.2;
+        assert_eq!(classes(&[0.3, rounded, rounded.next_up()]), None);
+        assert_eq!(classes(&[-rounded, -0.3]), None);
         let found = Classes { threshold: 2.0, medians: [1.0, 3.5] };
         assert_eq!(classes(&sorted(&[1.0, 4.0, 1.0, 1.0, 3.0])), Some(found));
     }
