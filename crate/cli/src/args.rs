@@ -9,7 +9,7 @@ use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use plantigrade::labels::Part;
 use plantigrade::plants;
 use plantigrade::segments::{self, Residual, Template};
-use plantigrade::skeleton::Up;
+use plantigrade::skeleton::{Role, Up};
 
 /// Foot plants and actions in motion capture, found with nothing to tune.
 ///
@@ -43,7 +43,7 @@ pub enum Command {
 }
 
 /// Which clips to read, and how.
-#[derive(ClapArgs)]
+#[derive(ClapArgs, Default)]
 pub struct ReadArgs {
     /// BVH files, folders, or - for standard input
     #[arg(required = true, value_name = "PATH")]
@@ -54,6 +54,13 @@ pub struct ReadArgs {
     /// The axis that points up: x, y or z, with - before it for down [default: found from the motion]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
+    /// The joint that plays a role, such as left_ankle=LFoot, or none after the = sign; may be
+    /// given several times [default: found from names and shape; info --format json lists the roles]
+    #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = joint)]
+    pub joints: Vec<(Role, String)>,
+    /// Metres per file unit, for thresholds and figures in metres [default: found from the legs]
+    #[arg(long, value_name = "METRES", value_parser = positive)]
+    pub unit: Option<f64>,
     /// Hold the previous frame's value where one is no number
     #[arg(long)]
     pub lenient: bool,
@@ -353,6 +360,15 @@ pub enum GaitFormat {
     Json,
     /// A row per clip, with units in the columns' names
     Csv,
+}
+
+/// A role and the name of its joint, which may be empty.
+fn joint(text: &str) -> Result<(Role, String), String> {
+    let (role, name) = text.split_once('=').ok_or("it must be a role, = and the name of a joint")?;
+    let known = || Role::ALL.map(Role::name).join(", ");
+    let role =
+        Role::named(role).ok_or_else(|| format!("there is no role {role:?}; there are {}", known()))?;
+    Ok((role, name.to_owned()))
 }
 
 fn positive(text: &str) -> Result<f64, String> {

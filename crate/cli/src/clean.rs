@@ -40,7 +40,7 @@ fn clean(
     args: &CleanArgs,
 ) -> Result<(), Failure> {
     let clip = &loaded.parsed.clip;
-    let skeleton = Skeleton::main(clip, &inputs::overrides(&args.read));
+    let skeleton = Skeleton::main(clip, &loaded.overrides);
     let contacts = match &args.labels {
         Some(path) => {
             let text = read(path)?;

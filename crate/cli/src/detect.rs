@@ -7,7 +7,7 @@ use plantigrade::labels::{self, Document, Labelled};
 use plantigrade::plants::{self, DetectError, Detection, Feet, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
-use crate::args::{DetectArgs, Format, ReadArgs};
+use crate::args::{DetectArgs, Format};
 use crate::failure::Failure;
 use crate::inputs::{self, Input, Loaded};
 use crate::results::Results;
@@ -30,7 +30,7 @@ fn standing(path: &Path, args: &DetectArgs) -> Result<Feet, String> {
     let input = Input { path: path.into(), stem: PathBuf::new() };
     let loaded = inputs::load(&input, &args.read).map_err(|failure| failure.to_string())?;
     let clip = &loaded.parsed.clip;
-    let feet = Feet::of(clip, &Skeleton::main(clip, &inputs::overrides(&args.read)));
+    let feet = Feet::of(clip, &Skeleton::main(clip, &loaded.overrides));
     feet.map_err(|error| format!("{}: {error}", path.display()))
 }
 
@@ -43,12 +43,11 @@ pub fn all(
     loaded: &Loaded,
     params: ValidParams,
     still: Option<&Feet>,
-    read: &ReadArgs,
 ) -> Result<Vec<Found>, Failure> {
     let clip = &loaded.parsed.clip;
     let mut found: Vec<Found> = Vec::new();
     let mut refused = DetectError::NoFeet;
-    for skeleton in Skeleton::all(clip, &inputs::overrides(read)) {
+    for skeleton in Skeleton::all(clip, &loaded.overrides) {
         match Feet::of(clip, &skeleton) {
             Ok(feet) => {
                 let detection = match still {
@@ -75,7 +74,7 @@ fn detect(
     args: &DetectArgs,
 ) -> Result<Vec<u8>, Failure> {
     let Parsed { clip, notices } = &loaded.parsed;
-    let found = all(input, loaded, params, still, &args.read)?;
+    let found = all(input, loaded, params, still)?;
     let several = clip.roots().count() > 1;
     let labelled: Vec<Labelled> = found
         .iter()

@@ -30,6 +30,15 @@ pub enum Failure {
         /// Where and why.
         error: Box<bvh::Error>,
     },
+    /// The clip has no joint of a name that the command line gives.
+    #[error("{name}: error: there is no joint {joint:?}: compare the names with those in the file's hierarchy",
+        name = name(.path))]
+    Joint {
+        /// The input.
+        path: PathBuf,
+        /// The name.
+        joint: String,
+    },
     /// The truth beside the clip cannot be used.
     #[error("{name}: error: {error}", name = name(.path))]
     Truth {
@@ -61,6 +70,13 @@ pub enum Failure {
         path: PathBuf,
         /// Why not.
         error: SegmentError,
+    },
+    /// The program panicked, and said why.
+    #[error("{name}: error: this is a fault of plantigrade: please report what it says above, with the clip",
+        name = name(.path))]
+    Fault {
+        /// The input.
+        path: PathBuf,
     },
     /// The result cannot be written.
     #[error("{name}: error: cannot write the result: {error}", name = name(.path))]

@@ -33,8 +33,7 @@ pub fn run(args: &GaitArgs) -> Result<usize, String> {
     args.find.params()?;
     let inputs = inputs::collect(&args.read)?;
     let found = Mutex::new(Vec::new());
-    let numbered: Vec<(usize, &Input)> = inputs.iter().enumerate().collect();
-    let failed = parallel::for_each(&numbered, args.jobs, |&(index, input)| {
+    let failed = parallel::for_each(&inputs, args.jobs, |index, input| {
         let records = measure(input, args)?;
         found.lock().unwrap_or_else(PoisonError::into_inner).push((index, records));
         Ok(())
@@ -63,7 +62,7 @@ fn measure(input: &Input, args: &GaitArgs) -> Result<Vec<Record>, Failure> {
     let params = args.find.params().expect("they were checked before");
     let loaded = inputs::load(input, &args.read)?;
     let clip = &loaded.parsed.clip;
-    let found = detect::all(input, &loaded, params, None, &args.read)?;
+    let found = detect::all(input, &loaded, params, None)?;
     let several = clip.roots().count() > 1;
     let record = |(skeleton, feet, detection): &detect::Found| Record {
         path: failure::name(&input.path),

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::args::{InfoArgs, InfoFormat};
 use crate::failure;
-use crate::inputs::{self, Input};
+use crate::inputs::{self, Input, Loaded};
 
 /// What is said of one file.
 #[derive(Serialize)]
@@ -39,7 +39,7 @@ pub fn run(args: &InfoArgs) -> Result<usize, String> {
     let mut failed = 0;
     for input in &inputs {
         match inputs::load(input, &args.read) {
-            Ok(loaded) => infos.push(describe(input, &loaded.parsed, args)),
+            Ok(loaded) => infos.push(describe(input, &loaded)),
             Err(failure) => {
                 eprintln!("{failure}");
                 failed += 1;
@@ -58,9 +58,9 @@ fn print_json(value: &impl Serialize) {
     println!("{}", serde_json::to_string_pretty(value).expect("text, numbers and lists"));
 }
 
-fn describe(input: &Input, parsed: &Parsed, args: &InfoArgs) -> Info {
-    let clip = &parsed.clip;
-    let skeleton = Skeleton::main(clip, &inputs::overrides(&args.read));
+fn describe(input: &Input, loaded: &Loaded) -> Info {
+    let Parsed { clip, notices } = &loaded.parsed;
+    let skeleton = Skeleton::main(clip, &loaded.overrides);
     let name = |role| Some(clip.joints()[skeleton.roles.get(role)?].name.clone());
     Info {
         path: failure::name(&input.path),
@@ -71,7 +71,7 @@ fn describe(input: &Input, parsed: &Parsed, args: &InfoArgs) -> Info {
         metres_per_unit: skeleton.metres_per_unit,
         leg: skeleton.leg,
         roles: Role::ALL.into_iter().map(|role| (role.name(), name(role))).collect(),
-        notices: [parsed.notices.as_slice(), &skeleton.notices].concat(),
+        notices: [notices.as_slice(), &skeleton.notices].concat(),
     }
 }
 

@@ -4,9 +4,9 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use plantigrade::bvh::{self, Limits, Options, Parsed, Reader};
+use plantigrade::bvh::{self, Clip, Limits, Options, Parsed, Reader};
 use plantigrade::labels::Source;
-use plantigrade::skeleton::Overrides;
+use plantigrade::skeleton::{Overrides, Role};
 use sha2::{Digest, Sha256};
 use walkdir::WalkDir;
 
@@ -28,6 +28,8 @@ pub struct Loaded {
     pub parsed: Parsed,
     /// SHA-256 of the file in hexadecimal.
     pub sha256: String,
+    /// What the command line knows better than the file.
+    pub overrides: Overrides,
 }
 
 impl Loaded {
@@ -65,9 +67,17 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, String> {
     Ok(inputs)
 }
 
-/// What the command line knows better than the files.
-pub fn overrides(args: &ReadArgs) -> Overrides {
-    Overrides { up: args.up, ..Overrides::default() }
+/// What the command line knows better than a clip.
+fn overrides(clip: &Clip, args: &ReadArgs) -> Result<Overrides, String> {
+    let joint = |(role, name): &(Role, String)| match &name[..] {
+        "" => Ok((*role, None)),
+        name => match clip.joints().iter().position(|joint| joint.name == name) {
+            Some(joint) => Ok((*role, Some(joint))),
+            None => Err(name.to_owned()),
+        },
+    };
+    let roles = args.joints.iter().map(joint).collect::<Result<_, _>>()?;
+    Ok(Overrides { roles, up: args.up, metres_per_unit: args.unit })
 }
 
 /// Reads one file.
@@ -105,5 +115,7 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
         parsed.clip.set_frame_time(1.0 / fps);
     }
     let sha256 = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-    Ok(Loaded { parsed, sha256 })
+    let overrides = overrides(&parsed.clip, args);
+    let overrides = overrides.map_err(|joint| Failure::Joint { path: path.clone(), joint })?;
+    Ok(Loaded { parsed, sha256, overrides })
 }

@@ -33,7 +33,7 @@ impl Results<'_> {
             None if inputs.len() > 1 => {
                 Err(format!("there are {} inputs: name a folder for their results with --out", inputs.len()))
             }
-            None => Ok(parallel::for_each(&inputs, self.write.jobs, |input| {
+            None => Ok(parallel::for_each(&inputs, self.write.jobs, |_, input| {
                 let result = make(input, &inputs::load(input, self.read)?)?;
                 let written = io::stdout().write_all(result.as_ref());
                 written.map_err(|error| Failure::Write { path: "<stdout>".into(), error })
@@ -62,9 +62,10 @@ impl Results<'_> {
         }
         let cannot_write = |error| format!("cannot write to {}: {error}", folder.display());
         let output = OutputFolder::open(folder).map_err(cannot_write)?;
-        let ReadArgs { fps, up, lenient, .. } = self.read;
-        let settings = format!("{} {} {fps:?} {up:?} {lenient}", self.settings, self.ending);
-        let failed = parallel::for_each(inputs, self.write.jobs, |input| {
+        let ReadArgs { paths: _, fps, up, joints, unit, lenient } = self.read;
+        let how = format!("{fps:?} {up:?} {joints:?} {unit:?} {lenient}");
+        let settings = format!("{} {} {how}", self.settings, self.ending);
+        let failed = parallel::for_each(inputs, self.write.jobs, |_, input| {
             let name = self.name(input);
             let loaded = inputs::load(input, self.read)?;
             let recipe = Recipe { sha256: &loaded.sha256, settings: settings.clone() };

@@ -7,7 +7,7 @@ use plantigrade::skeleton::Skeleton;
 
 use crate::args::{SegmentArgs, SegmentFormat};
 use crate::failure::Failure;
-use crate::inputs::{self, Input, Loaded};
+use crate::inputs::{Input, Loaded};
 use crate::results::Results;
 
 /// Cuts all inputs and counts those that failed; an error is one of the command line.
@@ -32,7 +32,7 @@ fn segment(
     let Parsed { clip, notices } = &loaded.parsed;
     let mut documents: Vec<SegmentsDocument> = Vec::new();
     let mut refused = SegmentError::NoMotion;
-    for skeleton in Skeleton::all(clip, &inputs::overrides(&args.read)) {
+    for skeleton in Skeleton::all(clip, &loaded.overrides) {
         match segments::segment(clip, &skeleton, params, &mut |_| Ok(())) {
             Ok(found) => {
                 let source = loaded.source(input);

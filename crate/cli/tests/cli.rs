@@ -31,6 +31,50 @@ fn code(output: &Output) -> i32 {
 }
 
 #[test]
+fn joints_and_unit_can_be_told() {
+    let walk = project("samples/curved-walk.bvh");
+    let walk = walk.to_str().expect("a path");
+    let told = |options: &[&str]| plantigrade(&[&["info", walk, "--format", "json"], options].concat());
+    let found: Value = serde_json::from_str(&stdout(&told(&[]))).expect("JSON");
+    let joint = |role: &str| found["roles"][role].as_str().expect("a joint").to_owned();
+
+    let swapped =
+        [format!("left_ankle={}", joint("right_ankle")), format!("right_ankle={}", joint("left_ankle"))];
+    let output =
+        told(&["--joint", &swapped[0], "--joint", &swapped[1], "--joint", "left_tip=", "--unit", "0.5"]);
+    let info: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    assert_eq!(info["roles"]["left_ankle"], found["roles"]["right_ankle"]);
+    assert_eq!(info["roles"]["right_ankle"], found["roles"]["left_ankle"]);
+    assert_eq!(info["roles"]["left_toe"], found["roles"]["left_toe"]);
+    assert_eq!((&info["roles"]["left_tip"], &info["metres_per_unit"]), (&Value::Null, &0.5.into()));
+
+    // Labels made with other joints are others, and made again.
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a path");
+    let labels = |options: &[&str]| {
+        let output = plantigrade(&[&["detect", walk, "--format", "csv", "--out", out], options].concat());
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        fs::read_to_string(folder.path().join("curved-walk.csv")).expect("labels")
+    };
+    let toes = [format!("left_toe={}", joint("right_toe")), format!("right_toe={}", joint("left_toe"))];
+    let own = labels(&[]);
+    let others =
+        labels(&["--joint", &swapped[0], "--joint", &swapped[1], "--joint", &toes[0], "--joint", &toes[1]]);
+    assert_ne!(own, others);
+
+    let output = told(&["--joint", "left_ankle=Hoof"]);
+    assert_eq!(code(&output), 1);
+    assert!(
+        stderr(&output).contains("curved-walk.bvh: error: there is no joint \"Hoof\""),
+        "{}",
+        stderr(&output)
+    );
+    let output = told(&["--joint", "paw=Hoof"]);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("there is no role \"paw\"; there are hips, "), "{}", stderr(&output));
+}
+
+#[test]
 fn every_file_is_read_or_refused_as_expected() {
     let expected = fs::read_to_string(project("tests/files/expected.txt")).expect("the list");
     let expected: Vec<&str> = expected.lines().filter(|line| !line.starts_with('#')).collect();

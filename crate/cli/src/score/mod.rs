@@ -18,7 +18,7 @@ fn trials<T>(
     truth: &str,
     trial: impl Fn(&Input, &ReadArgs) -> Result<Option<T>, Failure>,
 ) -> Result<(Vec<T>, usize), String> {
-    let read = ReadArgs { paths: vec![args.folder.clone()], fps: None, up: None, lenient: false };
+    let read = ReadArgs { paths: vec![args.folder.clone()], ..ReadArgs::default() };
     let mut trials = Vec::new();
     let mut failed = 0;
     for input in inputs::collect(&read)? {
