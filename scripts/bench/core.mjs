@@ -101,7 +101,10 @@ async function short(call) {
     await call("cut", frames);
     detect[frames] = await call("detect", 21, false);
     exact[frames] = await call("detect", 5, true);
-    published[frames] = await call("detect", 21, false, "paper");
+    published[frames] = {
+      whole: await call("detect", 21, false, "paper"),
+      clustering: await call("relabel", 21, "r", "paper"),
+    };
     toes[frames] = await call("toes");
   }
   return { detect, exact, published, relabel, segment, toes };

@@ -80,11 +80,11 @@ const bench = {
   },
 
   /** Milliseconds to label it anew when a slider moves: r, or r and w. */
-  async relabel(runs: number, what: "r" | "w") {
+  async relabel(runs: number, what: "r" | "w", method = "robust") {
     let run = 0;
     return labelled(runs, () => {
       run++;
-      return { method: "robust", r: 0.001 + run * 1e-5, w: what === "w" ? 1 + (run % 2) : 1 };
+      return { method, r: 0.001 + run * 1e-5, w: what === "w" ? 1 + (run % 2) : 1 };
     });
   },
 
