@@ -55,8 +55,7 @@ fn cuts_are_where_people_made_them() {
 #[test]
 fn rates_give_the_same_cuts() {
     let Some(trials) = trials() else { return };
-    // The rules of PCA as published and of unfolding go on from each cut: one borderline case moves all that follow.
-    for method in [Method::Auto, Method::Lsd, Method::PcaTail, Method::Ppca] {
+    for method in Method::ALL {
         for (name, clip, _) in &trials {
             let seconds = |every: usize| {
                 let rows = (0..clip.frame_count()).step_by(every);

@@ -9,6 +9,9 @@ use super::pose::Poses;
 use super::task::{Cancelled, Pause, Progress};
 use super::{Curve, Residual};
 
+/// Share of the poses' squares that the difference of two sums may be off by.
+const ROUNDING: f64 = 1e-12;
+
 /// Sums over the poses of a window, from which its mean and scatter are had at any time.
 pub(super) struct Moments {
     count: usize,
@@ -39,6 +42,13 @@ impl Moments {
         let mut scatter = self.products.clone();
         scatter.syger(-1.0 / self.count as f64, &self.sum, &self.sum, 1.0);
         scatter
+    }
+
+    /// The scatter's eigenvalues; ones that rounding alone may have made are 0, or poses that do not
+    /// change would seem to.
+    pub fn spread(&self) -> DVector<f64> {
+        let least = ROUNDING * self.products.trace();
+        self.scatter().symmetric_eigenvalues().map(|value| if value < least { 0.0 } else { value })
     }
 }
 
@@ -123,12 +133,6 @@ impl Jumps {
         }
         Ok(traced)
     }
-}
-
-impl Jumps {
-    /// How the residuals of maximum variance unfolding are judged, at 10 poses per second.
-    pub const RESIDUAL: Jumps =
-        Jumps { first: 20, step: 2, lag: 3, factor: 3.0, fewest: 4, early: 3, longest: 200 };
 }
 
 impl Traced {

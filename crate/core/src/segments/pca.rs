@@ -8,7 +8,7 @@
 use super::body::Body;
 use super::growing::{Jumps, Moments, residual};
 use super::method::{Entry, MethodOption};
-use super::pose::Poses;
+use super::pose::{Poses, RECORDED_RATE};
 use super::task::{Found, Pause, Task};
 use super::{Curve, Residual, SegmentError};
 
@@ -28,8 +28,6 @@ pub(super) const TAIL: Entry = Entry {
     segment: tail,
 };
 
-/// Poses per second.
-const RATE: f64 = 12.0;
 /// First window, in seconds.
 const FIRST: f64 = 2.0;
 /// Share of the energy that the subspace keeps.
@@ -41,9 +39,9 @@ const DEVIATIONS: f64 = 3.0;
 
 fn barbic(task: &mut Task) -> Result<Found, SegmentError> {
     let body = Body::turning(task.clip, task.skeleton)?;
-    let poses = Poses::of(task.clip, &body, &task.frames, RATE);
+    let poses = Poses::of(task.clip, &body, &task.frames, RECORDED_RATE);
     let count = poses.count();
-    let (first, lag) = ((FIRST * RATE) as usize, (LAG * RATE) as usize);
+    let (first, lag) = ((FIRST * RECORDED_RATE) as usize, (LAG * RECORDED_RATE) as usize);
     let mut curve = Curve { title: "Error of the subspace", ..Curve::default() };
     let mut cuts = Vec::new();
     let mut start = 0;
@@ -59,7 +57,7 @@ fn barbic(task: &mut Task) -> Result<Found, SegmentError> {
                 continue;
             }
             (task.progress)(end as f64 / count as f64)?;
-            let eigenvalues = moments.scatter().symmetric_eigenvalues();
+            let eigenvalues = moments.spread();
             if errors.is_empty() {
                 dims = (1..eigenvalues.len())
                     .find(|&dims| residual(eigenvalues.as_slice(), dims, Residual::Ratio) <= 1.0 - KEPT)
@@ -88,6 +86,8 @@ fn barbic(task: &mut Task) -> Result<Found, SegmentError> {
 
 /// Poses per second that the tail is judged by.
 const TAIL_RATE: f64 = 10.0;
+/// A first window of 2 s, differences over 0.6 s, cuts 0.3 s before they show, windows of at most 20 s.
+const JUMPS: Jumps = Jumps { first: 20, step: 2, lag: 3, factor: 3.0, fewest: 4, early: 3, longest: 200 };
 
 fn tail(task: &mut Task) -> Result<Found, SegmentError> {
     let body = Body::turning(task.clip, task.skeleton)?;
@@ -104,9 +104,9 @@ fn tail(task: &mut Task) -> Result<Found, SegmentError> {
             moments.add(poses.columns.column(place));
         }
         window = wanted;
-        Ok(residual(moments.scatter().symmetric_eigenvalues().as_slice(), dims, Residual::Absolute))
+        Ok(residual(moments.spread().as_slice(), dims, Residual::Absolute))
     };
-    let traced = Jumps::RESIDUAL.trace(poses.count(), of_window, task.progress)?;
+    let traced = JUMPS.trace(poses.count(), of_window, task.progress)?;
     let cuts: Vec<usize> = traced.cuts.iter().map(|&cut| poses.frame(cut)).collect();
     let curve = traced.curve("Variance beyond the kept dimensions", &poses);
     Ok(Found::of_cuts(task.clip.frame_count(), &cuts, curve, body.notices()))

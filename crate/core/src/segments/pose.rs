@@ -17,6 +17,12 @@ const JUMP: f64 = 5.0;
 /// ... if a joint turns by at least this much in it, in radians.
 const LEAST_JUMP: f64 = 0.2;
 
+/// Poses per second that fall on frames at 24, 30, 60 and 120 Hz alike.
+///
+/// Methods that start anew at each cut carry the least difference between poses on to all that follows;
+/// so they take poses that were recorded rather than ones between them.
+pub(super) const RECORDED_RATE: f64 = 6.0;
+
 /// Poses at a fixed rate: one column for each instant, four rows for each joint.
 ///
 /// Rotations are local and the root's are left out, so that neither place nor heading counts.

@@ -11,7 +11,7 @@ use nalgebra::DMatrixView;
 use super::body::Body;
 use super::growing::{Moments, residual};
 use super::method::{Entry, MethodOption};
-use super::pose::Poses;
+use super::pose::{Poses, RECORDED_RATE};
 use super::task::{Found, Task};
 use super::{Curve, Residual, SegmentError};
 
@@ -25,10 +25,8 @@ pub(super) const METHOD: Entry = Entry {
     segment,
 };
 
-/// Poses per second: windows grow by one.
-const RATE: f64 = 12.0;
-/// First window, and the stretch ahead that is judged, in seconds.
-const STRETCH: f64 = 1.25;
+/// First window, and the stretch ahead that is judged, in seconds: the paper's 1.25 is no whole number of poses.
+const STRETCH: f64 = 1.5;
 /// Share of the variance that the full dimensions keep.
 const KEPT: f64 = 0.95;
 /// Least variance of the others, in squares of quaternion units.
@@ -40,8 +38,8 @@ const PUBLISHED_PEAK: f64 = 15.0;
 
 fn segment(task: &mut Task) -> Result<Found, SegmentError> {
     let body = Body::turning(task.clip, task.skeleton)?;
-    let poses = Poses::of(task.clip, &body, &task.frames, RATE);
-    let (count, stretch) = (poses.count(), (STRETCH * RATE).round() as usize);
+    let poses = Poses::of(task.clip, &body, &task.frames, RECORDED_RATE);
+    let (count, stretch) = (poses.count(), (STRETCH * RECORDED_RATE).round() as usize);
     let mut curve = Curve { title: "Mahalanobis distance of what comes next", ..Curve::default() };
     let mut cuts = Vec::new();
     let mut start = 0;

@@ -81,8 +81,9 @@ const LIMITS: &str = "\
 - *Short actions.* A turn of 2 s is hardly longer than the least that `auto` tells apart (1.2 s), and is made of steps:
   it is taken for a part of the walk beside it. Methods whose first window is of 2 s hardly ever have it.
 - *Chains.* `mvu`, `pca`, `pca-tail` and `ppca` start anew at each cut, so that every cut depends on all before it.
-  One that is found or missed by a hair moves what follows; to leave out frames is enough, as the table of rates
-  shows for `mvu` and `pca`. `auto` weighs all cuts at once. So does `lsd`, but a motif that falls just into another
+  One that is found or missed by a hair moves what follows. At ten and twelve poses a second, of which some lie between
+  the frames of slower clips, leaving out frames moved up to a quarter of the cuts; now most take six, which lie on
+  frames at 24, 30, 60 and 120 Hz. `auto` weighs all cuts at once. So does `lsd`, but a motif that falls just into another
   class changes what repeats, and with it the cuts.
 - *Truth.* People do not agree on cuts to the half second: F1 at ±0.5 s and inside are about conventions as much as
   about methods.

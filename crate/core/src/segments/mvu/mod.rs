@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DMatrixView};
 use super::body::Body;
 use super::growing::Jumps;
 use super::method::{Entry, MethodOption};
-use super::pose::Poses;
+use super::pose::{Poses, RECORDED_RATE};
 use super::task::{Cancelled, Found, Pause, Task};
 use super::{Residual, SegmentError};
 
@@ -33,23 +33,23 @@ pub(super) const METHOD: Entry = Entry {
     segment,
 };
 
-/// Poses per second.
-const RATE: f64 = 10.0;
 /// k: neighbours of a pose whose distances are kept.
 const NEIGHBOURS: usize = 6;
+/// A first window of 2 s, differences over 2/3 s, cuts 1/3 s before they show, windows of at most 20 s.
+const OWN: Jumps = Jumps { first: 12, step: 1, lag: 4, factor: 3.0, fewest: 4, early: 2, longest: 120 };
 /// The rule as published: against the window before, and more than the mean.
-const PUBLISHED: Jumps = Jumps { lag: 1, factor: 1.0, ..Jumps::RESIDUAL };
+const PUBLISHED: Jumps = Jumps { lag: 1, factor: 1.0, ..OWN };
 
 fn segment(task: &mut Task) -> Result<Found, SegmentError> {
     let body = Body::turning(task.clip, task.skeleton)?;
-    let poses = Poses::of(task.clip, &body, &task.frames, RATE);
+    let poses = Poses::of(task.clip, &body, &task.frames, RECORDED_RATE);
     let (dims, kind) = (task.params.dims().unwrap_or_default(), task.params.residual());
     let mut last = Last::default();
     let of_window = |window: Range<usize>, pause: &mut Pause| {
         last.slide_to(window.start);
         residual(poses.columns.columns_range(window), dims, kind, &mut last, pause)
     };
-    let rule = if task.params.published() { PUBLISHED } else { Jumps::RESIDUAL };
+    let rule = if task.params.published() { PUBLISHED } else { OWN };
     let traced = rule.trace(poses.count(), of_window, task.progress)?;
     let cuts: Vec<usize> = traced.cuts.iter().map(|&cut| poses.frame(cut)).collect();
     let curve = traced.curve("Residual of the unfolded poses", &poses);
