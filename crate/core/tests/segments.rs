@@ -81,9 +81,8 @@ fn motifs_are_the_patents() {
     let Some(trials) = trials() else { return };
     let found = cut(&trials[0].1, by(Method::Lsd)).unwrap();
     let inner = &found.motifs[1..found.motifs.len() - 1];
-    assert!(inner.iter().all(|motif| motif.amplitude.abs() >= 6.5));
-    let large = inner.iter().filter(|motif| motif.amplitude.abs() >= 10.0).count();
-    assert!(large as f64 >= 0.9 * inner.len() as f64, "{large} of {}", inner.len());
+    // The threshold is 6.5; the patent's split keeps what is 10 and more.
+    assert!(inner.iter().all(|motif| motif.amplitude.abs() >= 10.0));
     // What is left out is small: between all turning points, few changes lie from 5 to 10.
     let turns: Vec<f64> = {
         let values = &found.curve.values;
@@ -94,10 +93,10 @@ fn motifs_are_the_patents() {
     let between = changes.iter().filter(|change| (5.0..10.0).contains(*change)).count();
     assert!(between * 10 <= changes.len(), "{between} of {}", changes.len());
     // Walk, jump, walk, punch, walk, kick, punch: what is the same has the same cycle.
-    let [walk, _, walk_2, punch, walk_3, _, punch_2] = &found.segments[..] else {
+    let [walk, _, walk_2, punch, walk_3, kick, punch_2] = &found.segments[..] else {
         panic!("{:?}", found.segments);
     };
-    assert!(found.segments.iter().all(|segment| segment.kind == Kind::Periodic));
+    assert!([walk, punch, kick].iter().all(|segment| segment.kind == Kind::Periodic));
     assert!(walk.label == walk_2.label && walk.label == walk_3.label);
     assert_eq!(punch.label, punch_2.label);
 }

@@ -90,7 +90,7 @@ fn every_method_sees_that_something_else_is_done() {
 
 #[test]
 fn rates_do_not_matter() {
-    for method in [Method::Auto, Method::Mvu, Method::Pca, Method::PcaTail, Method::Ppca] {
+    for method in Method::ALL {
         let seconds = |rate: f64| {
             let clip = nod_then_wave(rate, 8.0);
             let cuts = cut(&clip, Params { method, ..Params::default() }).unwrap().cuts();

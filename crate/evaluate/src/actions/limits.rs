@@ -69,10 +69,11 @@ fn inner(generated: &Generated) -> String {
 }
 
 const LIMITS: &str = "\
-- *Moments of rest.* Someone who walks and then jumps stands between the two. All methods see where poses change:
+- *Moments of rest.* Someone who walks and then jumps stands between the two. Most methods see where poses change:
   at the end of that rest or at its beginning, seldom in its middle, from which the true cut is counted. So many
   cuts are a little more than a second off and still at the edge of the range: the last column of the first table
-  counts them.
+  counts them. `lsd` looks for the likest turn-over in the rest itself, and is ahead of `auto` if its middle counts;
+  if the whole range does, `auto` is far ahead, for `lsd` also has more cuts where nothing ends.
 - *Actions of several parts.* `auto` knows distributions of poses, and an action may have several. Here it has
   {inner}.
   A stretch leans with raised arms and then twists with spread ones, which is two actions to any method here.
@@ -83,8 +84,9 @@ const LIMITS: &str = "\
 - *Chains.* `mvu`, `pca`, `pca-tail` and `ppca` start anew at each cut, so that every cut depends on all before it.
   One that is found or missed by a hair moves what follows. At ten and twelve poses a second, of which some lie between
   the frames of slower clips, leaving out frames moved up to a quarter of the cuts; now most take six, which lie on
-  frames at 24, 30, 60 and 120 Hz. `auto` weighs all cuts at once. So does `lsd`, but a motif that falls just into another
-  class changes what repeats, and with it the cuts.
+  frames at 24, 30, 60 and 120 Hz. `auto` weighs all cuts at once. So does `lsd`, but a motif that just reaches the
+  threshold, or falls just into another class, changes what repeats, and with it the cuts. Before its curve was
+  blurred, noise of slower clips was enough for that: of eight cuts one was another at 24 Hz.
 - *Truth.* People do not agree on cuts to the half second: F1 at ±0.5 s and inside are about conventions as much as
   about methods.
 ";

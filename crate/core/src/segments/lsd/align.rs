@@ -32,13 +32,15 @@ impl Shape {
         Shape { points, square }
     }
 
-    /// The mean of shapes as they lie.
-    pub fn mean(shapes: &[Shape]) -> Shape {
-        let mut sum = shapes.first().cloned().unwrap_or_default().points;
-        for shape in shapes.iter().skip(1) {
-            sum.iter_mut().zip(&shape.points).for_each(|(sum, point)| *sum += point);
+    /// The mean of shapes as they lie, by their weights.
+    pub fn mean(shapes: impl Iterator<Item = (Shape, f64)>) -> Shape {
+        let (mut sum, mut total) = (Vec::new(), 0.0);
+        for (shape, weight) in shapes {
+            sum.resize(shape.points.len(), Vector3::zeros());
+            sum.iter_mut().zip(&shape.points).for_each(|(sum, point)| *sum += point * weight);
+            total += weight;
         }
-        Shape::new(sum.iter().map(|point| point / shapes.len() as f64))
+        Shape::new(sum.iter().map(|point| point / total))
     }
 
     /// The sum over joints of the squared distance from `other`, when turned to lie best on it
@@ -176,7 +178,10 @@ mod tests {
                 let a = shape(&[Vector3::new(x, 0.0, y), Vector3::new(-x, y, 1.0), Vector3::zeros()]);
                 let b = shape(&[Vector3::zeros(), Vector3::new(y, 1.0, 0.0), Vector3::new(1.0, x, -y)]);
                 assert!(a.distance(&b).is_finite(), "{x} {y}");
-                assert!(Shape::mean(&[a.turned_onto(&b), b]).square.is_finite(), "{x} {y}");
+                assert!(
+                    Shape::mean([(a.turned_onto(&b), 1.0), (b, 1.0)].into_iter()).square.is_finite(),
+                    "{x} {y}"
+                );
             }
         }
         assert_eq!(shape(&[]).distance(&shape(&[])), 0.0);

@@ -5,13 +5,15 @@
 //! poses are: between them lie motifs. Motifs that are alike have the same class; classes that
 //! repeat in turn make a periodic action, what lies between is split or is a transition.
 //!
-//! The way of the data: [`Stage`] (shapes of the body) → distances → [`wavelet`] → [`extrema`]
-//! → [`motifs`] → [`actions`] → [`refine`]. Where the patent leaves numbers open, they were
-//! chosen on recorded motion with published cuts. As published, thresholds of the wavelet are
-//! each level's own, and a stretch may be split between motifs that come again after the split.
+//! The way of the data: [`Stage`] (shapes of the body) → distances → [`wavelet`] → [`blur`] →
+//! [`extrema`] → [`motifs`] → [`actions`] → [`refine`]. Where the patent leaves numbers open, they
+//! were chosen on recorded motion with published cuts. As published, thresholds of the wavelet are
+//! each level's own, nothing is blurred, and a stretch may be split between motifs that come again
+//! after the split.
 
 mod actions;
 mod align;
+mod blur;
 mod cluster;
 mod extrema;
 mod motifs;
@@ -48,11 +50,15 @@ pub(super) const METHOD: Entry = Entry {
 /// the patent's threshold.
 const LEAST_CHANGE: f64 = 6.5;
 
-/// Samples of the curve per second: the rate of the motion that the method was published on.
-const RATE: f64 = 120.0;
+/// Samples of the curve per second: frames that clips of 30, 60 and 120 Hz share.
+const RATE: f64 = 30.0;
 
-/// Levels of the wavelet at that rate (patent, section 4.1, step 1).
-const LEVELS: usize = 5;
+/// Levels of the wavelet: with those that no longer are, the patent's five at 120 Hz (section 4.1, step 1).
+const LEVELS: usize = 3;
+
+/// Standard deviation, in samples, over which curve and poses are blurred: 80 ms. By then what noise
+/// does to a curve of 24 Hz is small beside [`LEAST_CHANGE`].
+const BLUR: f64 = 0.08 * RATE;
 
 /// Frames from one report of progress to the next.
 const REPORT: usize = 256;
@@ -65,14 +71,17 @@ fn segment(task: &mut Task) -> Result<Found, SegmentError> {
     let mut stage = Stage::of(task.clip, task.skeleton, &body);
     let grid = Grid::over(task.clip, &task.frames, RATE);
     let published = task.params.published();
+    let deviation = if published { 0.0 } else { BLUR };
 
     let distances = distances(task, &mut stage)?;
-    let values = wavelet::denoised(&grid.sampled(&distances), LEVELS, published);
+    let values = blur::curve(&wavelet::denoised(&grid.sampled(&distances), LEVELS, published), deviation);
     let mut turns = extrema::turning_points(&values, LEAST_CHANGE);
     // A glitch may turn the curve twice between two frames.
     turns.dedup_by_key(|turn| grid.frame(*turn));
 
-    let shapes: Vec<Shape> = turns.iter().map(|&turn| stage.shape(grid.frame(turn))).collect();
+    let mut near =
+        |turn| blur::shape(turn, deviation, grid.count(), |sample| stage.shape(grid.frame(sample)));
+    let shapes: Vec<Shape> = turns.iter().map(|&turn| near(turn)).collect();
     let outlines = motifs::outlines(&values, &turns);
     let classes = motifs::classes(&outlines, &shapes, &mut || (task.progress)(0.9))?;
     let sequence = Sequence {

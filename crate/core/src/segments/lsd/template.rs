@@ -2,23 +2,21 @@
 
 use super::align::Shape;
 use super::stage::Stage;
+use crate::segments::grid::Grid;
+use crate::segments::pose::RECORDED_RATE;
 use crate::segments::task::Task;
 use crate::segments::{SegmentError, Template};
 
 /// Rounds of turning the poses onto their mean: no more change follows that would matter.
 const ROUNDS: usize = 3;
 
-/// Poses per second that the mean is made of: those in between are hardly others.
-const RATE: f64 = 10.0;
-
 /// The template as asked for.
 pub(super) fn template(task: &mut Task, stage: &mut Stage) -> Result<Shape, SegmentError> {
     let frames = task.clip.frame_count();
     match task.params.template() {
         Template::Mean => {
-            let step = (task.clip.rate() / RATE).round() as usize;
-            let taken = task.frames.clone().step_by(step.max(1));
-            let shapes: Vec<Shape> = taken.map(|frame| stage.shape(frame)).collect();
+            let grid = Grid::over(task.clip, &task.frames, RECORDED_RATE);
+            let shapes: Vec<Shape> = (0..grid.count()).map(|pose| stage.shape(grid.frame(pose))).collect();
             (task.progress)(0.1)?;
             Ok(mean(&shapes))
         }
@@ -32,8 +30,7 @@ pub(super) fn template(task: &mut Task, stage: &mut Stage) -> Result<Shape, Segm
 fn mean(shapes: &[Shape]) -> Shape {
     let mut mean = shapes.first().cloned().unwrap_or_default();
     for _ in 0..ROUNDS {
-        let turned: Vec<Shape> = shapes.iter().map(|shape| shape.turned_onto(&mean)).collect();
-        mean = Shape::mean(&turned);
+        mean = Shape::mean(shapes.iter().map(|shape| (shape.turned_onto(&mean), 1.0)));
     }
     mean
 }
