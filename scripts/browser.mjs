@@ -43,7 +43,7 @@ function chromium() {
   const named = process.env.CHROMIUM_PATH;
   if (named && !existsSync(named))
     throw new Stop(`CHROMIUM_PATH names ${named}, which is not there.`);
-  return named ?? onPath(BROWSERS) ?? [MAC, playwrights()].find((path) => path && existsSync(path));
+  return named || onPath(BROWSERS) || [MAC, playwrights()].find((path) => path && existsSync(path));
 }
 
 /** The browser that Playwright has downloaded, if it has. */
