@@ -172,10 +172,10 @@ function using({ app, native, sizes, core: { read, growth } }) {
     ),
     row(
       `drop an hour (${long}) → labels on the timeline`,
-      ms(hour.times.labelled),
+      ms(hour.labelled),
       "-",
       "8 s",
-      hour.times.labelled < 8000,
+      hour.labelled < 8000,
     ),
     row(
       `folder of ${clips} clips of ${count(frames)} frames`,
@@ -241,7 +241,7 @@ ${[...reading(measured), ...labelling(measured), ...cutting(measured), ...using(
 
 An hour (${count(HOUR)} frames, ${megabytes(hour.bytes)}): read in ${ms(hour.read)}, all joints placed in
 ${ms(hour.placed)}, labelled in ${ms(hour.detected)}, anew with another window in ${ms(hour.relabelled)},
-cut into actions in ${ms(hour.cut)}; its skeleton moves after ${ms(app.hour.times.moving)}.
+cut into actions in ${ms(hour.cut)}; its skeleton moves after ${ms(app.hour.moving)}.
 
 ## Where the time goes
 

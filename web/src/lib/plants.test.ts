@@ -11,8 +11,10 @@ function track(labels: string, confidence = 1): Track {
     confidence: new Float32Array(planted.length).fill(confidence),
     intervals: Uint32Array.from(intervals),
     edited: new Uint8Array(intervals.length / 2),
+    doubts: new Uint32Array(),
     height: new Float32Array(planted.length),
     speed: new Float32Array(planted.length),
+    extremes: { height: new Float32Array(), speed: new Float32Array() },
   };
 }
 
@@ -103,5 +105,5 @@ it("swells from air to ground", () => {
 it("lists doubtful stretches only where planted", () => {
   const t = track("0111100");
   t.confidence.set([0.5, 0.6, 0.9, 0.6, 0.6, 0.5, 0.5]);
-  expect([...plants.doubtful(t)]).toEqual([1, 2, 3, 5]);
+  expect([...plants.doubtful(t.intervals, t.confidence)]).toEqual([1, 2, 3, 5]);
 });

@@ -37,7 +37,7 @@ export function plantsOf(detection: Detection): Plant[] {
   for (const side of ["left", "right"] as const) {
     const { intervals, confidence, edited } = tracks[side];
     for (let i = 0; i + 1 < intervals.length; i += 2) {
-      const [start = 0, end = 0] = intervals.subarray(i, i + 2);
+      const [start, end] = [intervals[i] as number, intervals[i + 1] as number];
       plants.push({
         number: 0,
         side,
@@ -147,7 +147,7 @@ export function plantedness(planted: Uint8Array, frame: number, reach: number): 
 }
 
 /** Stretches of planted frames that are not certain: start, end, start, end … */
-export function doubtful({ intervals, confidence }: Track): Uint32Array {
+export function doubtful(intervals: Uint32Array, confidence: Float32Array): Uint32Array {
   const found: number[] = [];
   for (let plant = 0; plant < intervals.length; plant += 2) {
     const [start, end] = [intervals[plant] as number, intervals[plant + 1] as number];

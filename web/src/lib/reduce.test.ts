@@ -1,18 +1,19 @@
 import { expect, it } from "vitest";
-import { minMaxColumns, quantile } from "./reduce";
+import { extremesOf, minMaxColumns, quantile } from "./reduce";
 
 it("keeps every peak and trough of many frames", () => {
   const values = Float32Array.from({ length: 1000 }, (_, i) =>
     i === 437 ? 9 : i === 611 ? -9 : 0,
   );
-  const columns = minMaxColumns(values, 0, 1000, 10);
+  const columns = minMaxColumns(values, extremesOf(values), 0, 1000, 10);
   expect(columns[2 * 4 + 1]).toBe(9);
   expect(columns[2 * 6]).toBe(-9);
   expect(columns[0]).toBe(0);
 });
 
 it("repeats a frame that is wider than a column", () => {
-  const columns = minMaxColumns(Float32Array.of(1, 2), 0, 2, 8);
+  const values = Float32Array.of(1, 2);
+  const columns = minMaxColumns(values, extremesOf(values), 0, 2, 8);
   expect([...columns]).toEqual([1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2]);
 });
 
@@ -23,7 +24,7 @@ it("finds the same from afar as close by", () => {
     [3.5, 9_000.25],
     [-200, 10_100],
   ] as const) {
-    const columns = minMaxColumns(values, start, end, 50);
+    const columns = minMaxColumns(values, extremesOf(values), start, end, 50);
     const each = (end - start) / 50;
     for (let column = 0; column < 50; column++) {
       const from = Math.max(0, Math.floor(start + column * each));
@@ -36,7 +37,8 @@ it("finds the same from afar as close by", () => {
 });
 
 it("does not read outside the series", () => {
-  const columns = minMaxColumns(Float32Array.of(3, 4), -2, 4, 3);
+  const values = Float32Array.of(3, 4);
+  const columns = minMaxColumns(values, extremesOf(values), -2, 4, 3);
   expect([...columns].every(Number.isFinite)).toBe(true);
 });
 

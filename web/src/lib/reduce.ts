@@ -1,21 +1,9 @@
-/** Values that one entry of a summary stands for. */
+/** Values whose extremes are known together. */
 const step = 32;
 
-const summaries = new WeakMap<Float32Array, Float32Array>();
-
-/** Least and greatest value of every `step` values of a series: min, max, min, max … */
-function summaryOf(values: Float32Array): Float32Array {
-  let summary = summaries.get(values);
-  if (!summary) {
-    summary = summarized(values);
-    summaries.set(values, summary);
-  }
-  return summary;
-}
-
-/** In a plain loop of its own: that of an hour is made within the frame that shows it first. */
-function summarized(values: Float32Array): Float32Array {
-  const summary = new Float32Array(2 * Math.ceil(values.length / step));
+/** Least and greatest value of every 32 of a series: min, max, min, max … */
+export function extremesOf(values: Float32Array): Float32Array {
+  const extremes = new Float32Array(2 * Math.ceil(values.length / step));
   for (let start = 0, entry = 0; start < values.length; start += step) {
     const end = Math.min(start + step, values.length);
     let min = values[start] as number;
@@ -25,20 +13,21 @@ function summarized(values: Float32Array): Float32Array {
       if (value < min) min = value;
       if (value > max) max = value;
     }
-    summary[entry++] = min;
-    summary[entry++] = max;
+    extremes[entry++] = min;
+    extremes[entry++] = max;
   }
-  return summary;
+  return extremes;
 }
 
 /**
  * Least and greatest value of a series under each pixel column, so that a curve costs
  * as much to draw as the canvas is wide, however long the clip: from afar it is read
- * from a summary, which is made once. `out` holds min, max, min, max …; columns nobody
+ * from its extremes. `out` holds min, max, min, max …; columns nobody
  * falls in repeat the sample they lie on.
  */
 export function minMaxColumns(
   values: Float32Array,
+  extremes: Float32Array,
   start: number,
   end: number,
   columns: number,
@@ -46,7 +35,7 @@ export function minMaxColumns(
 ): Float32Array {
   const perColumn = (end - start) / columns;
   const last = values.length - 1;
-  const summary = perColumn > 2 * step ? summaryOf(values) : undefined;
+  const isFar = perColumn > 2 * step;
   for (let column = 0; column < columns; column++) {
     const from = clamp(Math.floor(start + column * perColumn), 0, last);
     const to = clamp(Math.ceil(start + (column + 1) * perColumn), from + 1, last + 1);
@@ -55,9 +44,9 @@ export function minMaxColumns(
     for (let i = from; i < to; ) {
       let low = values[i] as number;
       let high = low;
-      if (summary && i % step === 0 && i + step <= to) {
-        low = summary[(2 * i) / step] as number;
-        high = summary[(2 * i) / step + 1] as number;
+      if (isFar && i % step === 0 && i + step <= to) {
+        low = extremes[(2 * i) / step] as number;
+        high = extremes[(2 * i) / step + 1] as number;
         i += step;
       } else i++;
       if (low < min) min = low;

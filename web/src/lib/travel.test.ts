@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { extentOf, facingOf, gridStep, reachOf, travelOf } from "./travel";
+import { extentOf, facingOf, gridStep, groundOf, placeOf, reachOf } from "./travel";
 
 const joints = [{ name: "Hips", kind: "root" as const }];
 
@@ -8,13 +8,18 @@ it("glides along a straight walk without lag, ends included", () => {
   const positions = Float32Array.from({ length: frames * 3 }, (_, i) =>
     i % 3 === 2 ? Math.floor(i / 3) * 0.1 : 1,
   );
-  const path = travelOf({ joints, frames, rate: 30, positions }, 0);
-  for (const frame of [0, 1, 30, 58, 59]) expect(path[2 * frame + 1]).toBeCloseTo(frame * 0.1, 4);
+  const clip = { joints, frames, rate: 30, positions };
+  for (const frame of [0, 1, 30, 58, 59]) {
+    expect(placeOf(clip, 0, frame).z).toBeCloseTo(frame * 0.1, 4);
+  }
+  const { low, high } = groundOf(clip, 0);
+  expect([low.x, high.x, low.z]).toEqual([1, 1, 0]);
+  expect(high.z).toBeCloseTo(5.7);
 });
 
 it("has a place even for a clip without frames", () => {
-  const path = travelOf({ joints, frames: 0, rate: 30, positions: Float32Array.of(1, 2, 3) }, 0);
-  expect([...path]).toEqual([1, 3]);
+  const clip = { joints, frames: 0, rate: 30, positions: Float32Array.of(1, 2, 3) };
+  expect(placeOf(clip, 0, 0)).toEqual({ x: 1, z: 3 });
 });
 
 it("measures a pose", () => {

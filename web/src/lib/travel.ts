@@ -1,35 +1,54 @@
 import type { Clip } from "../worker/types";
 
+/** A place over the ground, metres. */
+export interface Spot {
+  x: number;
+  z: number;
+}
+
 /**
- * Where the character is over the ground, per frame (x, z, x, z …), averaged over
- * ± 0.4 s: a camera on it glides, and is at the same place whichever way time came.
+ * Where the character is over the ground in a frame, averaged over ± 0.4 s: a camera on it
+ * glides, and is at the same place whichever way time came. Told in `spot`.
  */
-export function travelOf(
+export function placeOf(
   clip: Pick<Clip, "positions" | "joints" | "frames" | "rate">,
   joint: number,
-) {
-  const frames = Math.max(clip.frames, 1);
+  frame: number,
+  spot: Spot = { x: 0, z: 0 },
+): Spot {
   const stride = clip.joints.length * 3;
-  const reach = Math.round(0.4 * clip.rate);
-  const path = new Float32Array(2 * frames);
-  const along = new Float32Array(frames);
-  for (let axis = 0; axis < 2; axis++) {
-    for (let frame = 0; frame < frames; frame++) {
-      along[frame] = clip.positions[frame * stride + joint * 3 + 2 * axis] ?? 0;
-    }
-    let sum = 0;
-    let from = 0;
-    let to = 0;
-    for (let frame = 0; frame < frames; frame++) {
-      // Symmetric at the ends too, so that the first frame is its own mean.
-      const half = Math.min(reach, frame, frames - 1 - frame);
-      for (; to <= frame + half; to++) sum += along[to] as number;
-      for (; from < frame - half; from++) sum -= along[from] as number;
-      for (; to > frame + half + 1; to--) sum -= along[to - 1] as number;
-      path[2 * frame + axis] = sum / (2 * half + 1);
-    }
+  const last = Math.max(clip.frames, 1) - 1;
+  // Symmetric at the ends too, so that the first frame is its own mean.
+  const half = Math.min(Math.round(0.4 * clip.rate), frame, last - frame);
+  spot.x = 0;
+  spot.z = 0;
+  for (let near = frame - half; near <= frame + half; near++) {
+    const place = near * stride + joint * 3;
+    spot.x += clip.positions[place] ?? 0;
+    spot.z += clip.positions[place + 2] ?? 0;
   }
-  return path;
+  spot.x /= 2 * half + 1;
+  spot.z /= 2 * half + 1;
+  return spot;
+}
+
+/** The ground that all of its way takes, from ten frames of a second. */
+export function groundOf(
+  clip: Pick<Clip, "positions" | "joints" | "frames" | "rate">,
+  joint: number,
+): { low: Spot; high: Spot } {
+  const low = { x: Number.POSITIVE_INFINITY, z: Number.POSITIVE_INFINITY };
+  const high = { x: Number.NEGATIVE_INFINITY, z: Number.NEGATIVE_INFINITY };
+  const step = Math.max(1, Math.floor(clip.rate / 10));
+  for (let frame = 0; frame < Math.max(clip.frames, 1); frame += step) {
+    const place = (frame * clip.joints.length + joint) * 3;
+    const [x = 0, z = 0] = [clip.positions[place], clip.positions[place + 2]];
+    low.x = Math.min(low.x, x);
+    low.z = Math.min(low.z, z);
+    high.x = Math.max(high.x, x);
+    high.z = Math.max(high.z, z);
+  }
+  return { low, high };
 }
 
 /** Lowest and highest point of one frame, metres. */

@@ -7,8 +7,10 @@ const track = (planted: number[]): Track => ({
   confidence: new Float32Array(planted.length).fill(1),
   intervals: new Uint32Array(),
   edited: new Uint8Array(),
+  doubts: new Uint32Array(),
   height: Float32Array.from(planted, (on) => (on ? 0.021 : 0.2)),
   speed: Float32Array.from(planted, (on) => (on ? 0.1 : 12)),
+  extremes: { height: new Float32Array(), speed: new Float32Array() },
 });
 const tracks: Tracks = { left: track([1, 1, 0, 1]), right: track([0, 0, 0, 1]) };
 const foot = (roots: number[]) => ({

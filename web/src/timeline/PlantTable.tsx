@@ -1,5 +1,6 @@
 import { seekPlant } from "../app/playback";
 import { openClip, plants } from "../app/state";
+import { useSettled } from "./settled";
 
 /** More rows than this help nobody who listens; the Labels panel lists them all. */
 const most = 100;
@@ -7,12 +8,13 @@ const most = 100;
 /** The lanes in words, for screen readers: reached by browsing, not in the way of Tab. */
 export function PlantTable() {
   const rate = openClip.value?.rate ?? 1;
-  const listed = plants.value.slice(0, most);
+  const all = useSettled(plants);
+  const listed = all.slice(0, most);
   if (!listed.length) return null;
   return (
     <table>
       <caption>
-        {plants.value.length} plants{plants.value.length > most ? `, the first ${most} listed` : ""}
+        {all.length} plants{all.length > most ? `, the first ${most} listed` : ""}
       </caption>
       <thead>
         <tr>

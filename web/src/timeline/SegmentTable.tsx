@@ -1,6 +1,7 @@
 import { loopSegment } from "../app/playback";
 import { actions, openClip } from "../app/state";
 import { kindText, titleOf } from "../lib/segments";
+import { useSettled } from "./settled";
 
 /** More rows than this help nobody who listens; the Segment panel lists them all. */
 const most = 100;
@@ -8,13 +9,14 @@ const most = 100;
 /** The lane of segments in words, for screen readers: reached by browsing, not in the way of Tab. */
 export function SegmentTable() {
   const rate = openClip.value?.rate ?? 1;
-  const listed = actions.value.slice(0, most);
+  const all = useSettled(actions);
+  const listed = all.slice(0, most);
   if (!listed.length) return null;
   return (
     <table>
       <caption>
-        {actions.value.length} segments
-        {actions.value.length > most ? `, the first ${most} listed` : ""}
+        {all.length} segments
+        {all.length > most ? `, the first ${most} listed` : ""}
       </caption>
       <thead>
         <tr>

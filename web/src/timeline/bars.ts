@@ -1,5 +1,5 @@
 import { eachInSight } from "../lib/crowd";
-import { doubtful, type Plant, plantsWithin } from "../lib/plants";
+import { type Plant, plantsWithin } from "../lib/plants";
 import { toX } from "../lib/timeView";
 import type { Track } from "../worker/types";
 import type { Ink } from "./ink";
@@ -9,7 +9,6 @@ import { font, type Scene } from "./scene";
 /** Pixels that the shortest number takes with what is left free around it. */
 const leastRoom = 20;
 
-const doubts = new WeakMap<Track, Uint32Array>();
 const edits = new WeakMap<Track, Uint32Array>();
 
 export function bracket(
@@ -83,7 +82,7 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
   if (lane.kind === "contact") numberPlants(pen, scene, lane, inner);
   else {
     pen.fillStyle = ink.erode;
-    eachInSight(doubtsOf(lane.track), view, inner, (from, to, isCrowd) => {
+    eachInSight(lane.track.doubts, view, inner, (from, to, isCrowd) => {
       // From afar there is some doubt in every pixel.
       if (!isCrowd) pen.fillRect(from, lane.y + 2, Math.max(1, to - from), lane.height - 4);
     });
@@ -172,13 +171,4 @@ function editedOf(track: Track): Uint32Array {
     edits.set(track, held);
   }
   return held;
-}
-
-function doubtsOf(track: Track): Uint32Array {
-  let runs = doubts.get(track);
-  if (!runs) {
-    runs = doubtful(track);
-    doubts.set(track, runs);
-  }
-  return runs;
 }

@@ -58,7 +58,8 @@ export function paintCurves(
     pen.beginPath();
     if (isNear) traceFrames(pen, scene, lane[side][lane.kind], inner, low, scale);
     else {
-      minMaxColumns(lane[side][lane.kind], view.start, view.end, n, columns);
+      const { [lane.kind]: values, extremes } = lane[side];
+      minMaxColumns(values, extremes[lane.kind], view.start, view.end, n, columns);
       traceColumns(pen, n, low, scale, top);
     }
     pen.strokeStyle = ink[side];

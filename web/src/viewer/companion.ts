@@ -1,6 +1,6 @@
 import type { Scene } from "three";
 import type { Beside } from "../app/state";
-import { extentOf, facingOf, sizeOf, travelOf } from "../lib/travel";
+import { extentOf, facingOf, placeOf, sizeOf } from "../lib/travel";
 import { Figure } from "./figure";
 import type { Lead } from "./lead";
 import type { Palette } from "./palette";
@@ -23,7 +23,7 @@ export class Companion {
     const { clip } = beside;
     const facing = facingOf(lead.clip, 0);
     const away = apart * lead.size * Math.ceil((place + 1) / 2) * (place % 2 ? -1 : 1);
-    const [x = 0, z = 0] = travelOf(clip, clip.roles.hips ?? 0);
+    const { x, z } = placeOf(clip, clip.roles.hips ?? 0, 0);
     const start = lead.at(0);
     const aside = { x: start.x - x + away * facing.z, z: start.z - z - away * facing.x };
     this.figure = new Figure(clip, sizeOf(clip), palette, aside);

@@ -1,6 +1,7 @@
 import type { Scene } from "three";
 import { footWithSole } from "../lib/footprints";
 import { plantedness } from "../lib/plants";
+import type { Spot } from "../lib/travel";
 import type { Clip, Detection } from "../worker/types";
 import { Bones } from "./bones";
 import type { Palette } from "./palette";
@@ -9,12 +10,6 @@ import { Shadow } from "./shadow";
 
 /** Seconds before and after an edge within which a foot's light swells or fades. */
 const swell = 0.045;
-
-/** A place on the floor, metres. */
-export interface Spot {
-  x: number;
-  z: number;
-}
 
 /** One character on stage: its bones, their shadow, and a ring around each planted foot. */
 export class Figure {

@@ -1,7 +1,7 @@
 import type { Scene } from "three";
-import { extentOf, facingOf, reachOf, sizeOf, travelOf } from "../lib/travel";
+import { extentOf, facingOf, groundOf, placeOf, reachOf, type Spot, sizeOf } from "../lib/travel";
 import type { Clip, Detection } from "../worker/types";
-import { Figure, type Spot } from "./figure";
+import { Figure } from "./figure";
 import { Floor } from "./floor";
 import type { Palette } from "./palette";
 
@@ -10,8 +10,9 @@ export class Lead {
   readonly size: number;
   /** Without labels nobody knows the floor: the lowest joint of the first frame stands on it. */
   readonly lowest: number;
-  private readonly path: Float32Array;
+  private readonly hips: number;
   private readonly spot: Spot = { x: 0, z: 0 };
+  private readonly next: Spot = { x: 0, z: 0 };
   private readonly floor: Floor;
   private readonly figure: Figure;
 
@@ -21,7 +22,7 @@ export class Lead {
   ) {
     this.size = sizeOf(clip);
     this.lowest = extentOf(clip, 0).low;
-    this.path = travelOf(clip, clip.roles.hips ?? 0);
+    this.hips = clip.roles.hips ?? 0;
     this.floor = new Floor(palette, this.size);
     this.figure = new Figure(clip, this.size, palette);
   }
@@ -43,28 +44,20 @@ export class Lead {
 
   /** Where it is over the ground at a moment; the next call tells in the same object. */
   at(moment: number): Spot {
-    const { path, spot } = this;
-    const last = path.length / 2 - 1;
+    const { clip, hips, spot, next } = this;
+    const last = Math.max(clip.frames, 1) - 1;
     const frame = Math.min(Math.floor(moment), last);
-    const next = Math.min(frame + 1, last);
     const share = Math.min(moment, last) - frame;
-    spot.x = mix(path[2 * frame] as number, path[2 * next] as number, share);
-    spot.z = mix(path[2 * frame + 1] as number, path[2 * next + 1] as number, share);
+    placeOf(clip, hips, frame, spot);
+    placeOf(clip, hips, Math.min(frame + 1, last), next);
+    spot.x = mix(spot.x, next.x, share);
+    spot.z = mix(spot.z, next.z, share);
     return spot;
   }
 
   /** The ground that all of its way takes. */
   bounds(): { low: Spot; high: Spot } {
-    const low = { x: Number.POSITIVE_INFINITY, z: Number.POSITIVE_INFINITY };
-    const high = { x: Number.NEGATIVE_INFINITY, z: Number.NEGATIVE_INFINITY };
-    for (let i = 0; i < this.path.length; i += 2) {
-      const [x = 0, z = 0] = [this.path[i], this.path[i + 1]];
-      low.x = Math.min(low.x, x);
-      low.z = Math.min(low.z, z);
-      high.x = Math.max(high.x, x);
-      high.z = Math.max(high.z, z);
-    }
-    return { low, high };
+    return groundOf(this.clip, this.hips);
   }
 
   /** The angle at which it faces in a frame. */

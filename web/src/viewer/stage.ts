@@ -18,10 +18,14 @@ interface Ghost {
   bones: Bones;
 }
 
-/** The labels of that clip, and the prints of the plants near the moment. */
+/** The labels of that clip. */
 interface Labels {
   detection: Detection;
   plants: readonly Plant[];
+}
+
+/** The prints of the plants near the moment. */
+interface Lying {
   near: Near;
   prints: Prints;
 }
@@ -36,6 +40,7 @@ export class Stage {
   private readonly observer: ResizeObserver;
   private lead: Lead | null = null;
   private labels: Labels | null = null;
+  private lying: Lying | null = null;
   private ghost: Ghost | null = null;
   private companions: Companion[] = [];
   private trails: Trails | null = null;
@@ -169,34 +174,28 @@ export class Stage {
 
   /** Shows the labels of the clip on stage. */
   label(detection: Detection | null, plants: readonly Plant[]) {
-    const { lead, labels: before } = this;
-    this.labels = lead && detection ? this.lay(lead, detection, plants) : null;
-    this.lift(before);
+    this.labels = this.lead && detection ? { detection, plants } : null;
+    this.lift();
     this.invalidate();
   }
 
-  private lay({ clip, size }: Lead, detection: Detection, plants: readonly Plant[]): Labels {
-    const near = plantsNear(plants, this.moment);
-    const lying = plants.slice(near.from, near.to);
-    const prints = new Prints(clip, lying, size, readPalette(this.host));
+  /** Prints are laid when they are drawn first, and others where the moment has come too far. */
+  private lay({ clip, size }: Lead) {
+    const { labels, lying, moment } = this;
+    if (!labels || (lying && moment >= lying.near.since && moment < lying.near.until)) return;
+    const near = plantsNear(labels.plants, moment);
+    const plants = labels.plants.slice(near.from, near.to);
+    const prints = new Prints(clip, plants, size, readPalette(this.host));
+    this.lift();
     prints.enter(this.scene);
-    return { detection, plants, near, prints };
+    this.lying = { near, prints };
   }
 
-  private lift(labels: Labels | null) {
-    if (!labels) return;
-    labels.prints.leave(this.scene);
-    this.retired.push(labels.prints);
-  }
-
-  /** Where the moment has come too far, other plants are near. */
-  private renewPrints(lead: Lead) {
-    const before = this.labels;
-    if (!before) return;
-    const { detection, plants, near } = before;
-    if (this.moment >= near.since && this.moment < near.until) return;
-    this.labels = this.lay(lead, detection, plants);
-    this.lift(before);
+  private lift() {
+    if (!this.lying) return;
+    this.lying.prints.leave(this.scene);
+    this.retired.push(this.lying.prints);
+    this.lying = null;
   }
 
   seek(moment: number) {
@@ -281,7 +280,7 @@ export class Stage {
   private draw() {
     const { lead } = this;
     if (lead) {
-      this.renewPrints(lead);
+      this.lay(lead);
       const { clip } = lead;
       const { x, z } = lead.at(this.moment);
       this.camera.travel(x, z, this.follow);
@@ -293,7 +292,7 @@ export class Stage {
       this.ghost?.bones.show(this.ghost.clip, moment, floor);
       this.trails?.show(moment, floor);
       const seconds = this.moment / clip.rate;
-      this.labels?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
+      this.lying?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
       for (const companion of this.companions) companion.show(seconds);
     }
     this.renderer.render(this.scene, this.camera.camera);

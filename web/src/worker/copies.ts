@@ -1,5 +1,7 @@
 /** What the core holds, as plain objects that go to the page. */
 
+import { doubtful } from "../lib/plants";
+import { extremesOf } from "../lib/reduce";
 import type { RawClip, RawDetection } from "../wasm/plantigrade";
 import type { Clip, Detection, DetectOptions, Labels, Part, Side, Track, Tracks } from "./types";
 
@@ -19,20 +21,23 @@ export function copyDetection(raw: RawDetection, options: DetectOptions): Detect
 }
 
 function tracks(raw: RawDetection, part: Part): Tracks {
-  const track = (side: Side): Track => ({
-    ...copyLabels(raw, part, side),
-    height: raw.height(part, side),
-    speed: raw.speed(part, side),
-  });
+  // What curves and bars are drawn by is found here, where no picture waits for it.
+  const track = (side: Side): Track => {
+    const [height, speed] = [raw.height(part, side), raw.speed(part, side)];
+    const extremes = { height: extremesOf(height), speed: extremesOf(speed) };
+    return { ...copyLabels(raw, part, side), height, speed, extremes };
+  };
   return { left: track("left"), right: track("right") };
 }
 
 export function copyLabels(raw: RawDetection, part: Part, side: Side): Labels {
+  const [intervals, confidence] = [raw.intervals(part, side), raw.confidence(part, side)];
   return {
     planted: raw.planted(part, side),
-    confidence: raw.confidence(part, side),
-    intervals: raw.intervals(part, side),
+    confidence,
+    intervals,
     edited: raw.edited(part, side),
+    doubts: doubtful(intervals, confidence),
   };
 }
 

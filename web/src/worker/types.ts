@@ -61,14 +61,18 @@ export interface Track {
   intervals: Uint32Array;
   /** For each interval 1 where it is as a person wants it, else 0. */
   edited: Uint8Array;
+  /** Stretches of planted frames that are less certain than 0.75: start, end, start, end … */
+  doubts: Uint32Array;
   /** Height above the ground in metres, per frame, of the signal that was clustered. */
   height: Float32Array;
   /** Speed in m/s, per frame, of the signal that was clustered. */
   speed: Float32Array;
+  /** Least and greatest height and speed of every 32 frames (min, max, min …): how they look from afar. */
+  extremes: Record<"height" | "speed", Float32Array>;
 }
 
 /** What of a track an edit changes. */
-export type Labels = Pick<Track, "planted" | "confidence" | "intervals" | "edited">;
+export type Labels = Pick<Track, "planted" | "confidence" | "intervals" | "edited" | "doubts">;
 
 export interface Tracks {
   left: Track;

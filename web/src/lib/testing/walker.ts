@@ -1,4 +1,6 @@
 import type { Clip, Joint, Track } from "../../worker/types";
+import { doubtful } from "../plants";
+import { extremesOf } from "../reduce";
 
 /** A made-up walk along +z with exact plants, for tests: no measured data, no claims. */
 const rate = 60;
@@ -181,8 +183,10 @@ export function walkerTrack(
     confidence: new Float32Array(n),
     intervals: new Uint32Array(0),
     edited: new Uint8Array(0),
+    doubts: new Uint32Array(0),
     height: new Float32Array(n),
     speed: new Float32Array(n),
+    extremes: { height: new Float32Array(0), speed: new Float32Array(0) },
   };
   const at = (f: number, axis: number) =>
     clip.positions[(f * clip.joints.length + joint) * 3 + axis] ?? 0;
@@ -205,5 +209,7 @@ export function walkerTrack(
   if (intervals.length % 2) intervals.push(n);
   track.intervals = Uint32Array.from(intervals);
   track.edited = new Uint8Array(intervals.length / 2);
+  track.doubts = doubtful(track.intervals, track.confidence);
+  track.extremes = { height: extremesOf(track.height), speed: extremesOf(track.speed) };
   return track;
 }
