@@ -5,6 +5,9 @@ import type { Track } from "../worker/types";
 import type { Curves } from "./layout";
 import type { Scene } from "./scene";
 
+/** Of a curve, in pixels. */
+const thickness = 1.5;
+
 let columns = new Float32Array(0);
 const tops = new WeakMap<Track, { height: number; speed: number }>();
 
@@ -56,17 +59,19 @@ export function paintCurves(
   const isNear = view.end - view.start < n;
   for (const side of ["right", "left"] as const) {
     pen.beginPath();
-    if (isNear) traceFrames(pen, scene, lane[side][lane.kind], inner, low, scale);
-    else {
+    if (isNear) {
+      traceFrames(pen, scene, lane[side][lane.kind], inner, low, scale);
+      pen.strokeStyle = ink[side];
+      pen.lineWidth = thickness;
+      pen.lineJoin = "round";
+      pen.stroke();
+    } else {
       const { [lane.kind]: values, extremes } = lane[side];
       minMaxColumns(values, extremes[lane.kind], view.start, view.end, n, columns);
       traceColumns(pen, n, low, scale, top);
+      pen.fillStyle = ink[side];
+      pen.fill();
     }
-    pen.strokeStyle = ink[side];
-    pen.lineWidth = 1.5;
-    // From afar there is a corner in every pixel: round ones would be seen by nobody.
-    pen.lineJoin = isNear ? "round" : "bevel";
-    pen.stroke();
   }
   pen.restore();
 }
@@ -86,7 +91,10 @@ function traceFrames(
   }
 }
 
-/** From afar, each column spans from its least to its greatest value. */
+/**
+ * From afar, each column spans from its least to its greatest value: a band between two lines,
+ * which is drawn in half the time of one that goes up and down in every column.
+ */
 function traceColumns(
   pen: CanvasRenderingContext2D,
   n: number,
@@ -94,10 +102,11 @@ function traceColumns(
   scale: number,
   top: number,
 ) {
+  const y = (value: number) => low - Math.min(value, top * 1.02) * scale;
   for (let x = 0; x < n; x++) {
-    const max = Math.min(columns[2 * x + 1] as number, top * 1.02);
-    const min = Math.min(columns[2 * x] as number, top * 1.02);
-    pen.lineTo(x + 0.5, low - max * scale);
-    if (max - min > 0.02 * top) pen.lineTo(x + 0.5, low - min * scale);
+    pen.lineTo(x + 0.5, y(columns[2 * x + 1] as number) - thickness / 2);
+  }
+  for (let x = n - 1; x >= 0; x--) {
+    pen.lineTo(x + 0.5, y(columns[2 * x] as number) + thickness / 2);
   }
 }
