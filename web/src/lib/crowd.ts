@@ -16,27 +16,30 @@ export function eachInSight(
   width: number,
   draw: (from: number, to: number, isCrowd: boolean) => void,
 ) {
+  // Compared in frames: of a crowd, only the ends are turned into pixels.
+  const perPixel = (view.end - view.start) / width;
+  const [short, close] = [narrow * perPixel, near * perPixel];
   let from = 0;
   let to = Number.NEGATIVE_INFINITY;
   let count = 0;
   let isNarrow = false;
+  const hand = () => {
+    if (count) draw(toX(view, from, width), toX(view, to, width), count > 1);
+  };
   for (let i = firstAfter(intervals, view.start); i < intervals.length; i += 2) {
     const start = intervals[i] as number;
     if (start > view.end) break;
-    const left = toX(view, start, width);
-    const right = toX(view, intervals[i + 1] as number, width);
-    if (isNarrow && right - left < narrow && left - to < near) {
-      to = right;
+    const end = intervals[i + 1] as number;
+    if (isNarrow && end - start < short && start - to < close) {
+      to = end;
       count++;
       continue;
     }
-    if (count) draw(from, to, count > 1);
-    from = left;
-    to = right;
-    count = 1;
-    isNarrow = right - left < narrow;
+    hand();
+    [from, to, count] = [start, end, 1];
+    isNarrow = end - start < short;
   }
-  if (count) draw(from, to, count > 1);
+  hand();
 }
 
 /** Place of the first interval that ends after a frame. */

@@ -77,6 +77,21 @@ describe("reigns", () => {
     const [, first, second, third] = reigns([at(0, 0, 2), at(0, 4, 6), at(0, 8, 9)]);
     expect([first, second, third]).toEqual([3, 3, 7]);
   });
+  it("finds what lies on what wherever it lies", () => {
+    const list = Array.from({ length: 300 }, (_, i) => {
+      const [x, z] = [3 * Math.sin(i * i), 3 * Math.cos(7 * i * i)];
+      return { x, z, radius: 0.1 + (i % 3) / 10, start: i, end: i + 2 };
+    });
+    const found = reigns(list);
+    list.forEach((here, i) => {
+      const under = list.filter((it, j) => {
+        const apart = Math.hypot(it.x - here.x, it.z - here.z);
+        return j < i && it.end <= here.start && apart < it.radius + here.radius;
+      });
+      const last = under.at(-1);
+      expect(found[2 * i]).toBe(last ? (last.end + here.start) / 2 : all[0]);
+    });
+  });
 });
 
 describe("plantsNear", () => {

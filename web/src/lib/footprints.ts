@@ -97,35 +97,44 @@ export interface Lying {
   end: number;
 }
 
-/** Further back than this nobody looks for what lies below. */
-const lookBack = 200;
-
 /**
  * Where things lie on each other, the one nearest in time is seen: from when until when
  * that is each one, [from, until, from, until …] in their unit of time. `list` is in order of start.
  */
 export function reigns(list: readonly Lying[]): Float32Array {
   const found = new Float32Array(2 * list.length);
-  list.forEach((_, i) => {
+  // What lies on something lies in the same cell as that or in one beside it.
+  const width = 2 * Math.max(0, ...list.map(({ radius }) => radius));
+  const cells = new Map<number, number[]>();
+  list.forEach((late, i) => {
     found[2 * i] = -1e9;
     found[2 * i + 1] = 1e9;
-  });
-  list.forEach((late, i) => {
-    for (let j = i - 1; j >= Math.max(0, i - lookBack); j--) {
-      const early = list[j];
-      // Both at once are seen both: feet side by side.
-      if (!early || early.end > late.start) continue;
-      const x = early.x - late.x;
-      const z = early.z - late.z;
-      const apart = early.radius + late.radius;
-      if (x * x + z * z >= apart * apart) continue;
-      const handover = (early.end + late.start) / 2;
-      found[2 * i] = Math.max(found[2 * i] as number, handover);
-      found[2 * j + 1] = Math.min(found[2 * j + 1] as number, handover);
+    const [column, row] = [Math.floor(late.x / width), Math.floor(late.z / width)];
+    for (let beside = 0; beside < 9; beside++) {
+      const cell = cellOf(column + (beside % 3) - 1, row + Math.floor(beside / 3) - 1);
+      for (const j of cells.get(cell) ?? []) {
+        const early = list[j] as Lying;
+        // Both at once are seen both: feet side by side.
+        if (early.end > late.start) continue;
+        const x = early.x - late.x;
+        const z = early.z - late.z;
+        const apart = early.radius + late.radius;
+        if (x * x + z * z >= apart * apart) continue;
+        const handover = (early.end + late.start) / 2;
+        found[2 * i] = Math.max(found[2 * i] as number, handover);
+        found[2 * j + 1] = Math.min(found[2 * j + 1] as number, handover);
+      }
     }
+    const own = cellOf(column, row);
+    const others = cells.get(own);
+    if (others) others.push(i);
+    else cells.set(own, [i]);
   });
   return found;
 }
+
+/** Where the floor is so wide that two cells share a number, those in both are only looked at in vain. */
+const cellOf = (column: number, row: number) => 65_536 * column + row;
 
 /** Before and after a moment so many plants leave prints, and never fewer than half of that. */
 const around = 300;

@@ -22,8 +22,8 @@ export function extremesOf(values: Float32Array): Float32Array {
 /**
  * Least and greatest value of a series under each pixel column, so that a curve costs
  * as much to draw as the canvas is wide, however long the clip: from afar it is read
- * from its extremes. `out` holds min, max, min, max …; columns nobody
- * falls in repeat the sample they lie on.
+ * from its extremes, whole ones, which reach over a column's edges by a quarter of its width at
+ * most. `out` holds min, max, min, max …; columns nobody falls in repeat the sample they lie on.
  */
 export function minMaxColumns(
   values: Float32Array,
@@ -34,21 +34,18 @@ export function minMaxColumns(
   out = new Float32Array(2 * columns),
 ): Float32Array {
   const perColumn = (end - start) / columns;
-  const last = values.length - 1;
-  const isFar = perColumn > 2 * step;
+  // A series of pairs, or one in which each value is both.
+  const isFar = perColumn >= 4 * step;
+  const [series, apart, upper, each] = isFar ? [extremes, 2, 1, step] : [values, 1, 0, 1];
+  const last = series.length / apart - 1;
   for (let column = 0; column < columns; column++) {
-    const from = clamp(Math.floor(start + column * perColumn), 0, last);
-    const to = clamp(Math.ceil(start + (column + 1) * perColumn), from + 1, last + 1);
-    let min = values[from] ?? 0;
-    let max = min;
-    for (let i = from; i < to; ) {
-      let low = values[i] as number;
-      let high = low;
-      if (isFar && i % step === 0 && i + step <= to) {
-        low = extremes[(2 * i) / step] as number;
-        high = extremes[(2 * i) / step + 1] as number;
-        i += step;
-      } else i++;
+    const from = clamp(Math.floor((start + column * perColumn) / each), 0, last);
+    const to = clamp(Math.ceil((start + (column + 1) * perColumn) / each), from + 1, last + 1);
+    let min = series[apart * from] ?? 0;
+    let max = series[apart * from + upper] ?? 0;
+    for (let i = from + 1; i < to; i++) {
+      const low = series[apart * i] as number;
+      const high = series[apart * i + upper] as number;
       if (low < min) min = low;
       if (high > max) max = high;
     }

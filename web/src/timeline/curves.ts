@@ -102,11 +102,15 @@ function traceColumns(
   scale: number,
   top: number,
 ) {
-  const y = (value: number) => low - Math.min(value, top * 1.02) * scale;
+  const most = top * 1.02;
+  const upper = low - thickness / 2;
+  const lower = low + thickness / 2;
   for (let x = 0; x < n; x++) {
-    pen.lineTo(x + 0.5, y(columns[2 * x + 1] as number) - thickness / 2);
+    const value = columns[2 * x + 1] as number;
+    pen.lineTo(x + 0.5, upper - (value < most ? value : most) * scale);
   }
   for (let x = n - 1; x >= 0; x--) {
-    pen.lineTo(x + 0.5, y(columns[2 * x] as number) + thickness / 2);
+    const value = columns[2 * x] as number;
+    pen.lineTo(x + 0.5, lower - (value < most ? value : most) * scale);
   }
 }

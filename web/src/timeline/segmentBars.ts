@@ -148,6 +148,8 @@ function nameAction(
   }
   let x = Math.max(0, toX(view, from, inner)) + 7;
   const end = Math.min(inner, toX(view, to, inner)) - 7;
+  // From afar there is room for nothing.
+  if (end <= x) return;
   const middle = lane.y + lane.height / 2 + (action.kind === "action" ? 0.5 : -1);
   pen.fillStyle = color;
   pen.strokeStyle = color;

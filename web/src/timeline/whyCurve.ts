@@ -94,33 +94,38 @@ function trace(
   low: number,
 ) {
   const gap = 1.9 * ((frames[1] ?? 0) - (frames[0] ?? 0)) + 0.01;
-  pen.beginPath();
-  let column = Number.NaN;
+  const perPixel = (view.end - view.start) / inner;
+  const yOf = (value: number) => bottom - (value - low) * scale;
+  let column = 0;
+  /** The frame with which the next column begins. */
+  let edge = Number.NEGATIVE_INFINITY;
   let min = 0;
   let max = 0;
+  const span = () => {
+    if (min === max) return;
+    pen.lineTo(column + 0.5, yOf(max));
+    pen.lineTo(column + 0.5, yOf(min));
+  };
+  pen.beginPath();
   for (let i = before(frames, view.start); i < values.length; i++) {
-    const x = toX(view, frames[i] as number, inner);
-    const y = bottom - ((values[i] as number) - low) * scale;
-    if (Math.floor(x) !== column) {
-      if (min !== max) {
-        pen.lineTo(column + 0.5, min);
-        pen.lineTo(column + 0.5, max);
-      }
-      if (i > 0 && (frames[i] as number) - (frames[i - 1] as number) > gap) pen.moveTo(x, y);
-      else pen.lineTo(x, y);
-      column = Math.floor(x);
-      min = y;
-      max = y;
-    } else {
-      min = Math.min(min, y);
-      max = Math.max(max, y);
+    const frame = frames[i] as number;
+    const value = values[i] as number;
+    if (frame < edge) {
+      if (value < min) min = value;
+      else if (value > max) max = value;
+      continue;
     }
-    if (x > inner) break;
+    span();
+    const x = toX(view, frame, inner);
+    if (i > 0 && frame - (frames[i - 1] as number) > gap) pen.moveTo(x, yOf(value));
+    else pen.lineTo(x, yOf(value));
+    if (x > inner) return;
+    column = Math.floor(x);
+    edge = view.start + (column + 1) * perPixel;
+    min = value;
+    max = value;
   }
-  if (min !== max) {
-    pen.lineTo(column + 0.5, min);
-    pen.lineTo(column + 0.5, max);
-  }
+  span();
 }
 
 /** The turning points, where they stand apart. */

@@ -1,6 +1,6 @@
 import {
   CanvasTexture,
-  type Color,
+  Color,
   LinearMipmapLinearFilter,
   Mesh,
   ShaderMaterial,
@@ -74,8 +74,19 @@ function digitsTexture(): CanvasTexture {
   return texture;
 }
 
-/** Drawn once, for all numbers there will be. */
-let digits: CanvasTexture | undefined;
+const uniforms = {
+  uNow: { value: 0 },
+  uNumber: { value: 0 },
+  uRight: { value: new Vector2(1, 0) },
+  uCenter: { value: new Vector2() },
+  uReach: { value: 1 },
+  uStretch: { value: 1 },
+  uDigits: { value: null as CanvasTexture | null },
+  uColor: { value: new Color() },
+};
+
+/** One for all of them, so that its shader stays compiled while none lie. */
+const material = new ShaderMaterial({ ...flat, vertexShader, fragmentShader, uniforms });
 
 export interface Numeral {
   x: number;
@@ -91,9 +102,6 @@ export interface Numeral {
 /** Numbers lying on the floor, turned towards the camera. */
 export class Numerals {
   readonly mesh: Mesh;
-  private readonly material: ShaderMaterial;
-  private readonly right = new Vector2(1, 0);
-  private readonly center = new Vector2();
 
   constructor(
     private readonly numerals: readonly Numeral[],
@@ -107,25 +115,13 @@ export class Numerals {
       place.set([x, z, height, number], 4 * i);
       spans.set([from, to], 2 * i);
     });
-    digits ??= digitsTexture();
-    this.material = new ShaderMaterial({
-      ...flat,
-      vertexShader,
-      fragmentShader,
-      uniforms: {
-        uNow: { value: 0 },
-        uNumber: { value: 0 },
-        uRight: { value: this.right },
-        uCenter: { value: this.center },
-        uReach: { value: reach },
-        uStretch: { value: 1 },
-        uDigits: { value: digits },
-        uColor: { value: color },
-      },
-    });
+    // Drawn once, for all numbers there will be.
+    uniforms.uDigits.value ??= digitsTexture();
+    uniforms.uReach.value = reach;
+    uniforms.uColor.value = color;
     this.mesh = new Mesh(
       quads(numerals.length, { aPlace: [4, place], aSpan: [2, spans], aReign: [2, reign] }),
-      this.material,
+      material,
     );
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = -5;
@@ -133,13 +129,12 @@ export class Numerals {
 
   /** `azimuth` and `polar` are the camera's, `x` and `z` where the character is. */
   show(seconds: number, azimuth: number, polar: number, x: number, z: number) {
-    this.right.set(Math.cos(azimuth), -Math.sin(azimuth));
-    this.center.set(x, z);
-    const { uNow, uNumber, uStretch } = this.material.uniforms;
-    if (uNow) uNow.value = seconds;
-    if (uNumber) uNumber.value = this.numberAt(seconds);
+    uniforms.uRight.value.set(Math.cos(azimuth), -Math.sin(azimuth));
+    uniforms.uCenter.value.set(x, z);
+    uniforms.uNow.value = seconds;
+    uniforms.uNumber.value = this.numberAt(seconds);
     // Seen at a low angle digits are drawn taller, as on a road.
-    if (uStretch) uStretch.value = Math.min(2.6, 1 / Math.max(Math.cos(polar), 0.1));
+    uniforms.uStretch.value = Math.min(2.6, 1 / Math.max(Math.cos(polar), 0.1));
   }
 
   /** The number of the moment: between two plants, between their numbers. */
@@ -156,6 +151,5 @@ export class Numerals {
 
   dispose() {
     this.mesh.geometry.dispose();
-    this.material.dispose();
   }
 }

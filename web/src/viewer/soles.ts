@@ -70,10 +70,14 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
+const uniforms = { uNow: { value: 0 } };
+
+/** One for all soles there will be, so that its shader stays compiled while none lie. */
+const material = new ShaderMaterial({ ...flat, vertexShader, fragmentShader, uniforms });
+
 /** A footprint for every plant. Time is a uniform: fading costs the page nothing. */
 export class Soles {
   readonly mesh: Mesh;
-  private readonly material: ShaderMaterial;
 
   constructor(
     plants: readonly Plant[],
@@ -95,12 +99,6 @@ export class Soles {
       span.set([plant.start / rate, plant.end / rate], 2 * i);
       (plant.side === "left" ? palette.left : palette.right).toArray(color, 3 * i);
     });
-    this.material = new ShaderMaterial({
-      ...flat,
-      vertexShader,
-      fragmentShader,
-      uniforms: { uNow: { value: 0 } },
-    });
     const geometry = quads(n, {
       aPlace: [4, place],
       aShape: [2, shape],
@@ -108,18 +106,16 @@ export class Soles {
       aReign: [2, reign],
       aColor: [3, color],
     });
-    this.mesh = new Mesh(geometry, this.material);
+    this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = -6;
   }
 
   show(seconds: number) {
-    const now = this.material.uniforms.uNow;
-    if (now) now.value = seconds;
+    uniforms.uNow.value = seconds;
   }
 
   dispose() {
     this.mesh.geometry.dispose();
-    this.material.dispose();
   }
 }

@@ -95,8 +95,7 @@ export class Stage {
     if (renderer.getPixelRatio() === ratio && measured.equals(wanted.set(width, height))) {
       return false;
     }
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height);
+    renderer.setDrawingBufferSize(width, height, ratio);
     return true;
   }
 
@@ -296,9 +295,14 @@ export class Stage {
       for (const companion of this.companions) companion.show(seconds);
     }
     this.renderer.render(this.scene, this.camera.camera);
+    // Not in the same task: a clip's first picture takes long enough.
+    if (this.retired.length) setTimeout(this.clear);
+  }
+
+  private readonly clear = () => {
     for (const part of this.retired) part.dispose();
     this.retired.length = 0;
-  }
+  };
 
   dispose() {
     cancelAnimationFrame(this.due);
@@ -310,7 +314,7 @@ export class Stage {
     this.trace(false);
     cancelAnimationFrame(this.due);
     this.strike();
-    for (const part of this.retired) part.dispose();
+    this.clear();
     this.camera.dispose();
     this.renderer.dispose();
     this.canvas.remove();
