@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Detection, Track } from "../worker/types";
 import * as plants from "./plants";
+import { digestOf } from "./reduce";
 
 function track(labels: string, confidence = 1): Track {
   const planted = Uint8Array.from(labels, Number);
@@ -14,7 +15,7 @@ function track(labels: string, confidence = 1): Track {
     doubts: new Uint32Array(),
     height: new Float32Array(planted.length),
     speed: new Float32Array(planted.length),
-    extremes: { height: new Float32Array(), speed: new Float32Array() },
+    digests: { height: digestOf(new Float32Array()), speed: digestOf(new Float32Array()) },
   };
 }
 

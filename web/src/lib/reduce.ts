@@ -1,6 +1,18 @@
 /** Values whose extremes are known together. */
 const step = 32;
 
+/** What a series of any length is drawn by, found once. */
+export interface Digest {
+  /** Least and greatest value of every 32: min, max, min, max … */
+  extremes: Float32Array;
+  /** All but one in 200 values lie below it: one spike must not flatten a curve. */
+  top: number;
+}
+
+export function digestOf(values: Float32Array): Digest {
+  return { extremes: extremesOf(values), top: quantile(values, 0.995) };
+}
+
 /** Least and greatest value of every 32 of a series: min, max, min, max … */
 export function extremesOf(values: Float32Array): Float32Array {
   const extremes = new Float32Array(2 * Math.ceil(values.length / step));
@@ -55,7 +67,7 @@ export function minMaxColumns(
   return out;
 }
 
-/** The value below which `share` of a series lies, from an even sample of it: one spike must not flatten a curve. */
+/** The value below which `share` of a series lies, from an even sample of it. */
 export function quantile(values: Float32Array, share: number): number {
   const stride = Math.max(1, Math.floor(values.length / 2000));
   const sample = new Float32Array(Math.ceil(values.length / stride));

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import type { Evidence, Side, Track, Tracks, Why } from "../worker/types";
+import { digestOf } from "./reduce";
 import { verdict } from "./verdict";
 
 const track = (planted: number[]): Track => ({
@@ -10,7 +11,7 @@ const track = (planted: number[]): Track => ({
   doubts: new Uint32Array(),
   height: Float32Array.from(planted, (on) => (on ? 0.021 : 0.2)),
   speed: Float32Array.from(planted, (on) => (on ? 0.1 : 12)),
-  extremes: { height: new Float32Array(), speed: new Float32Array() },
+  digests: { height: digestOf(new Float32Array()), speed: digestOf(new Float32Array()) },
 });
 const tracks: Tracks = { left: track([1, 1, 0, 1]), right: track([0, 0, 0, 1]) };
 const foot = (roots: number[]) => ({

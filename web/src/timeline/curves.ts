@@ -1,7 +1,6 @@
-import { minMaxColumns, quantile } from "../lib/reduce";
+import { minMaxColumns } from "../lib/reduce";
 import { niceTop } from "../lib/ruler";
 import { toX } from "../lib/timeView";
-import type { Track } from "../worker/types";
 import type { Curves } from "./layout";
 import type { Scene } from "./scene";
 
@@ -9,19 +8,8 @@ import type { Scene } from "./scene";
 const thickness = 1.5;
 
 let columns = new Float32Array(0);
-const tops = new WeakMap<Track, { height: number; speed: number }>();
-
-function topOf(track: Track, kind: "height" | "speed"): number {
-  let top = tops.get(track);
-  if (!top) {
-    top = { height: quantile(track.height, 0.995), speed: quantile(track.speed, 0.995) };
-    tops.set(track, top);
-  }
-  return top[kind];
-}
-
-function laneTop(lane: Curves): number {
-  return niceTop(Math.max(topOf(lane.left, lane.kind), topOf(lane.right, lane.kind)));
+function laneTop({ left, right, kind }: Curves): number {
+  return niceTop(Math.max(left.digests[kind].top, right.digests[kind].top));
 }
 
 /** What the curves of a lane show: `Toe height`. */
@@ -66,8 +54,8 @@ export function paintCurves(
       pen.lineJoin = "round";
       pen.stroke();
     } else {
-      const { [lane.kind]: values, extremes } = lane[side];
-      minMaxColumns(values, extremes[lane.kind], view.start, view.end, n, columns);
+      const { [lane.kind]: values, digests } = lane[side];
+      minMaxColumns(values, digests[lane.kind].extremes, view.start, view.end, n, columns);
       traceColumns(pen, n, low, scale, top);
       pen.fillStyle = ink[side];
       pen.fill();

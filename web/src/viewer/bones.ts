@@ -6,7 +6,9 @@ import {
   InstancedBufferAttribute,
   InstancedMesh,
   MeshStandardMaterial,
+  type MeshStandardMaterialParameters,
   Quaternion,
+  Sphere,
   SphereGeometry,
   Vector3,
 } from "three";
@@ -63,6 +65,18 @@ function glowing(material: MeshStandardMaterial): MeshStandardMaterial {
   return material;
 }
 
+/** What bones and joints are made of: one for all skeletons, so that its shader stays compiled. */
+function skin(more: MeshStandardMaterialParameters) {
+  const kind = { roughness: 0.62, metalness: 0.05, ...more };
+  return {
+    bones: glowing(new MeshStandardMaterial({ ...kind, flatShading: true })),
+    joints: glowing(new MeshStandardMaterial(kind)),
+  };
+}
+
+const solid = skin({});
+const ghostly = skin({ transparent: true, opacity: 0.28, depthWrite: false });
+
 /** The skeleton as solid bones, two instanced meshes whose matrices change in place. */
 export class Bones {
   readonly group = new Group();
@@ -106,23 +120,13 @@ export class Bones {
       this.radius[parent] = Math.max(this.radius[parent] ?? 0, 0.62 * width);
       this.radius[joint] = Math.max(this.radius[joint] ?? 0, 0.46 * width);
     });
-    const skin = {
-      roughness: 0.62,
-      metalness: 0.05,
-      ...(isGhost && { transparent: true, opacity: 0.28, depthWrite: false }),
-    };
-    this.bones = new InstancedMesh(
-      boneGeometry(),
-      glowing(new MeshStandardMaterial({ ...skin, flatShading: true })),
-      drawn.length,
-    );
-    this.joints = new InstancedMesh(
-      new SphereGeometry(1, 20, 14),
-      glowing(new MeshStandardMaterial(skin)),
-      clip.joints.length,
-    );
+    const skin = isGhost ? ghostly : solid;
+    this.bones = new InstancedMesh(boneGeometry(), skin.bones, drawn.length);
+    this.joints = new InstancedMesh(new SphereGeometry(1, 20, 14), skin.joints, clip.joints.length);
     for (const mesh of [this.bones, this.joints]) {
       mesh.frustumCulled = false;
+      // For the order in which things are drawn any will do; three.js would go through all of them.
+      mesh.boundingSphere = new Sphere();
       mesh.geometry.setAttribute(
         "aGlow",
         new InstancedBufferAttribute(new Float32Array(mesh.count), 1),
@@ -243,7 +247,6 @@ export class Bones {
   dispose() {
     for (const mesh of [this.bones, this.joints]) {
       mesh.geometry.dispose();
-      (mesh.material as MeshStandardMaterial).dispose();
       mesh.dispose();
     }
   }

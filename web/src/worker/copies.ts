@@ -1,7 +1,7 @@
 /** What the core holds, as plain objects that go to the page. */
 
 import { doubtful } from "../lib/plants";
-import { extremesOf } from "../lib/reduce";
+import { digestOf } from "../lib/reduce";
 import type { RawClip, RawDetection } from "../wasm/plantigrade";
 import type { Clip, Detection, DetectOptions, Labels, Part, Side, Track, Tracks } from "./types";
 
@@ -24,8 +24,8 @@ function tracks(raw: RawDetection, part: Part): Tracks {
   // What curves and bars are drawn by is found here, where no picture waits for it.
   const track = (side: Side): Track => {
     const [height, speed] = [raw.height(part, side), raw.speed(part, side)];
-    const extremes = { height: extremesOf(height), speed: extremesOf(speed) };
-    return { ...copyLabels(raw, part, side), height, speed, extremes };
+    const digests = { height: digestOf(height), speed: digestOf(speed) };
+    return { ...copyLabels(raw, part, side), height, speed, digests };
   };
   return { left: track("left"), right: track("right") };
 }

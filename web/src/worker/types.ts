@@ -3,6 +3,7 @@
  * times are seconds; frames count from 0.
  */
 
+import type { Digest } from "../lib/reduce";
 import type {
   CleanedPlantFacts,
   ClipFacts,
@@ -67,8 +68,8 @@ export interface Track {
   height: Float32Array;
   /** Speed in m/s, per frame, of the signal that was clustered. */
   speed: Float32Array;
-  /** Least and greatest height and speed of every 32 frames (min, max, min …): how they look from afar. */
-  extremes: Record<"height" | "speed", Float32Array>;
+  /** What the curves of both are drawn by. */
+  digests: Record<"height" | "speed", Digest>;
 }
 
 /** What of a track an edit changes. */

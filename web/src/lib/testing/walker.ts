@@ -1,6 +1,6 @@
 import type { Clip, Joint, Track } from "../../worker/types";
 import { doubtful } from "../plants";
-import { extremesOf } from "../reduce";
+import { digestOf } from "../reduce";
 
 /** A made-up walk along +z with exact plants, for tests: no measured data, no claims. */
 const rate = 60;
@@ -186,7 +186,7 @@ export function walkerTrack(
     doubts: new Uint32Array(0),
     height: new Float32Array(n),
     speed: new Float32Array(n),
-    extremes: { height: new Float32Array(0), speed: new Float32Array(0) },
+    digests: { height: digestOf(new Float32Array(0)), speed: digestOf(new Float32Array(0)) },
   };
   const at = (f: number, axis: number) =>
     clip.positions[(f * clip.joints.length + joint) * 3 + axis] ?? 0;
@@ -210,6 +210,6 @@ export function walkerTrack(
   track.intervals = Uint32Array.from(intervals);
   track.edited = new Uint8Array(intervals.length / 2);
   track.doubts = doubtful(track.intervals, track.confidence);
-  track.extremes = { height: extremesOf(track.height), speed: extremesOf(track.speed) };
+  track.digests = { height: digestOf(track.height), speed: digestOf(track.speed) };
   return track;
 }
