@@ -36,7 +36,9 @@ export function eachInSight(
       continue;
     }
     hand();
-    [from, to, count] = [start, end, 1];
+    from = start;
+    to = end;
+    count = 1;
     isNarrow = end - start < short;
   }
   hand();

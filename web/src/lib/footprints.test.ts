@@ -84,12 +84,14 @@ describe("reigns", () => {
     });
     const found = reigns(list);
     list.forEach((here, i) => {
-      const under = list.filter((it, j) => {
-        const apart = Math.hypot(it.x - here.x, it.z - here.z);
-        return j < i && it.end <= here.start && apart < it.radius + here.radius;
-      });
-      const last = under.at(-1);
-      expect(found[2 * i]).toBe(last ? (last.end + here.start) / 2 : all[0]);
+      const touching = list.filter(
+        (it) => Math.hypot(it.x - here.x, it.z - here.z) < it.radius + here.radius,
+      );
+      const before = touching.filter(({ end }) => end <= here.start).at(-1);
+      const after = touching.find(({ start }) => start >= here.end);
+      const [from, until] = found.subarray(2 * i, 2 * i + 2);
+      expect(from).toBe(before ? (before.end + here.start) / 2 : all[0]);
+      expect(until).toBe(after ? (here.end + after.start) / 2 : all[1]);
     });
   });
 });

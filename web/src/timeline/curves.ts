@@ -8,6 +8,7 @@ import type { Scene } from "./scene";
 const thickness = 1.5;
 
 let columns = new Float32Array(0);
+
 function laneTop({ left, right, kind }: Curves): number {
   return niceTop(Math.max(left.digests[kind].top, right.digests[kind].top));
 }

@@ -3,7 +3,7 @@ import { type ReadonlySignal, useSignal, useSignalEffect } from "@preact/signals
 /** Milliseconds without a change. */
 const wait = 100;
 
-/** A list once it has stopped changing, and empty before: rows that nobody waits for must not hold up a picture. */
+/** A list as it was when it last stopped changing, empty at first: rows that nobody waits for must not hold up a picture. */
 export function useSettled<T>(list: ReadonlySignal<readonly T[]>): readonly T[] {
   const settled = useSignal<readonly T[]>([]);
   useSignalEffect(() => {

@@ -296,13 +296,10 @@ export class Stage {
     }
     this.renderer.render(this.scene, this.camera.camera);
     // Not in the same task: a clip's first picture takes long enough.
-    if (this.retired.length) setTimeout(this.clear);
+    if (!this.retired.length) return;
+    const parts = this.retired.splice(0);
+    setTimeout(() => dispose(parts));
   }
-
-  private readonly clear = () => {
-    for (const part of this.retired) part.dispose();
-    this.retired.length = 0;
-  };
 
   dispose() {
     cancelAnimationFrame(this.due);
@@ -314,11 +311,15 @@ export class Stage {
     this.trace(false);
     cancelAnimationFrame(this.due);
     this.strike();
-    this.clear();
+    dispose(this.retired);
     this.camera.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
+}
+
+function dispose(parts: readonly { dispose: () => void }[]) {
+  for (const part of parts) part.dispose();
 }
 
 const measured = new Vector2();
