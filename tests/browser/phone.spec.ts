@@ -24,6 +24,15 @@ test("a tap on a sample opens it on a phone", async ({ app, page }) => {
   await expect(app.timeline.getByRole("button", { name: "Play" })).toBeInViewport({ ratio: 1 });
 });
 
+test("the frame and their number are whole on a phone", async ({ app, page }) => {
+  await app.with(repeated(sample("frog-jumps"), 10));
+  await page.keyboard.press("End");
+  const frames = page.locator(".frame-count");
+  await expect(frames).toContainText(/4.999 \/ 5.000/);
+  const [inner = 0, wide = 1] = await frames.evaluate((it) => [it.clientWidth, it.scrollWidth]);
+  expect(wide).toBeLessThanOrEqual(inner);
+});
+
 test("the panel rises and sinks on a phone", async ({ app, page }) => {
   await app.sample("frog-jumps");
   const r = page.getByRole("slider", { name: "Sensitivity r" });
