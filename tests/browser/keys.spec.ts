@@ -69,8 +69,11 @@ test("the theme button goes from the system's to light to dark and is remembered
 }) => {
   await app.empty();
   await app.head.getByRole("button", { name: "Theme: system" }).click();
+  // A page that is left while its picture comes complains.
+  const picture = page.waitForResponse(/-dark-.*\.webp$/);
   await app.head.getByRole("button", { name: "Theme: light" }).click();
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+  await (await picture).finished();
   await page.reload();
   await expect(app.head.getByRole("button", { name: "Theme: dark" })).toBeVisible();
 });
