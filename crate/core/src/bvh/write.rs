@@ -49,8 +49,8 @@ fn write_number(value: f64, text: &mut String) {
 fn is_tie(value: f64, digits: &str) -> bool {
     const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
     let bits = value.to_bits();
-    let exponent = (bits >> MANTISSA_BITS & 0x7ff) as i32 - 1075;
-    let mantissa = bits & ((1 << MANTISSA_BITS) - 1) | 1 << MANTISSA_BITS;
+    let exponent = ((bits >> MANTISSA_BITS) & 0x7ff) as i32 - 1075;
+    let mantissa = (bits & ((1 << MANTISSA_BITS) - 1)) | (1 << MANTISSA_BITS);
     let binary_places = -(exponent + mantissa.trailing_zeros() as i32);
     let decimal_places = digits.find('.').map_or(0, |point| digits.len() - point - 1);
     binary_places == decimal_places as i32 + 1
