@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
-use plantigrade::labels::Part;
+use plantigrade::foot::Part;
 use plantigrade::plants;
 use plantigrade::segments::{self, Residual, Template};
 use plantigrade::skeleton::{Role, Up};

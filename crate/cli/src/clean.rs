@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh;
-use plantigrade::labels;
+use plantigrade::formats;
 use plantigrade::plants::{self, Feet};
 use plantigrade::skate::{self, Cleaned, Contacts, Options};
 use plantigrade::skeleton::Skeleton;
@@ -44,7 +44,7 @@ fn clean(
     let contacts = match &args.labels {
         Some(path) => {
             let text = read(path)?;
-            let labelling = labels::read(&text, clip.frame_count());
+            let labelling = formats::read(&text, clip.frame_count());
             let truth = |error| Failure::Truth { path: path.clone(), error };
             Contacts::from(&labelling.map_err(truth)?)
         }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::Parsed;
-use plantigrade::labels::{self, Document, Labelled};
+use plantigrade::formats::{self, Document, Labelled};
 use plantigrade::plants::{self, DetectError, Detection, Feet, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
@@ -85,11 +85,11 @@ fn detect(
         .collect();
     let source = loaded.source(input);
     let text = match args.format {
-        Format::Npz => return Ok(labels::npz(&labelled, &source.name, clip.frame_time())),
-        Format::Blender => labels::blender_script(&labelled, &source.name, clip.frame_time()),
-        Format::Csv => labels::frames_csv(&labelled, clip.frame_time()),
-        Format::Intervals => labels::intervals_csv(&labelled, clip.frame_time()),
-        Format::Events => labels::events_csv(&labelled, clip.frame_time()),
+        Format::Npz => return Ok(formats::npz(&labelled, &source.name, clip.frame_time())),
+        Format::Blender => formats::blender_script(&labelled, &source.name, clip.frame_time()),
+        Format::Csv => formats::frames_csv(&labelled, clip.frame_time()),
+        Format::Intervals => formats::intervals_csv(&labelled, clip.frame_time()),
+        Format::Events => formats::events_csv(&labelled, clip.frame_time()),
         Format::Json => {
             let document = |(skeleton, _, detection): &Found| {
                 Document::of(source.clone(), clip, skeleton, detection, notices)

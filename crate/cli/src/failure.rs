@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh;
-use plantigrade::labels::LabelsError;
+use plantigrade::formats::LabelsError;
 use plantigrade::plants::DetectError;
 use plantigrade::segments::SegmentError;
 use plantigrade::skate::SkateError;

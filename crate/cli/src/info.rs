@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use plantigrade::bvh::{JointKind, Parsed};
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 use plantigrade::notice::Notice;
 use plantigrade::skeleton::{self, LegRoles, Role, Skeleton};
 use serde::Serialize;

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{self, Clip, Limits, Options, Parsed, Reader};
-use plantigrade::labels::Source;
+use plantigrade::formats::Source;
 use plantigrade::skeleton::{Overrides, Role};
 use sha2::{Digest, Sha256};
 use walkdir::WalkDir;

@@ -1,7 +1,7 @@
 //! `plantigrade segment`
 
 use plantigrade::bvh::Parsed;
-use plantigrade::labels::{self, SegmentsDocument};
+use plantigrade::formats::{self, SegmentsDocument};
 use plantigrade::segments::{self, SegmentError, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
@@ -45,8 +45,8 @@ fn segment(
         return Err(Failure::Segment { path: input.path.clone(), error: refused });
     }
     Ok(match args.format {
-        SegmentFormat::Csv => labels::segments_csv(&documents),
-        SegmentFormat::Babel => labels::babel_json(&documents),
+        SegmentFormat::Csv => formats::segments_csv(&documents),
+        SegmentFormat::Babel => formats::babel_json(&documents),
         SegmentFormat::Json if clip.roots().count() > 1 => SegmentsDocument::all_to_json(&documents),
         SegmentFormat::Json => documents[0].to_json(),
     })

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
-use plantigrade::labels;
+use plantigrade::formats;
 use plantigrade::segments::Segment;
 use serde_json::Value;
 
@@ -228,7 +228,7 @@ fn actions_come_in_every_format() {
         });
         assert_eq!(end, frames, "{method}");
         // What is written reads back alike from every format.
-        let read = |text: &str| labels::read_segments(text, "limp-to-run", frames, rate.expect("a rate"));
+        let read = |text: &str| formats::read_segments(text, "limp-to-run", frames, rate.expect("a rate"));
         let segments = read(&table).expect(method);
         assert_eq!(read(&segment("json", method)).as_ref(), Ok(&segments));
         let cuts = |segments: &[Segment]| segments.iter().map(|s| s.frames.clone()).collect::<Vec<_>>();

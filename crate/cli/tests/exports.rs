@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
-use plantigrade::labels::{self, Part};
+use plantigrade::foot::Part;
+use plantigrade::formats;
 use serde_json::Value;
 
 fn project(path: &str) -> PathBuf {
@@ -52,12 +53,12 @@ fn archives_are_written_and_read_back() {
     let folder = exported(&["npz", "csv"]);
     let bytes = fs::read(folder.path().join("curved-walk.npz")).expect("an archive");
     let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
-    let labels = labels::read_bytes(&bytes, 245).expect("labels");
-    assert_eq!(labels, labels::read_bytes(&table, 245).expect("labels"));
+    let labels = formats::read_bytes(&bytes, 245).expect("labels");
+    assert_eq!(labels, formats::read_bytes(&table, 245).expect("labels"));
     let piped = plantigrade(&["detect", "curved-walk.bvh", "--format", "npz"]);
     assert_eq!(piped.stdout, bytes);
     let toes = plantigrade(&["detect", "curved-walk.bvh", "--format", "npz", "--method", "paper"]);
-    let toes = labels::read_bytes(&toes.stdout, 245).expect("labels");
+    let toes = formats::read_bytes(&toes.stdout, 245).expect("labels");
     assert_eq!(toes.parts.iter().map(|(part, _)| *part).collect::<Vec<_>>(), [Part::Toe]);
 }
 
@@ -88,11 +89,11 @@ for save, name in [(numpy.savez, "stored.npz"), (numpy.savez_compressed, "packed
 "#;
     python("numpy, pandas", script, folder.path());
     let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
-    let table = labels::read_bytes(&table, 245).expect("labels");
+    let table = formats::read_bytes(&table, 245).expect("labels");
     for name in ["stored.npz", "packed.npz"] {
         // Without Python there are none.
         let Ok(bytes) = fs::read(folder.path().join(name)) else { continue };
-        let labels = labels::read_bytes(&bytes, 245).expect(name);
+        let labels = formats::read_bytes(&bytes, 245).expect(name);
         assert_eq!(labels.part(Part::Toe), table.part(Part::Toe), "{name}");
     }
 }

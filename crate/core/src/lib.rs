@@ -3,7 +3,7 @@
 //! and gait measures. No I/O, no `unsafe`, and it compiles to WebAssembly.
 //!
 //! ```rust
-//! use plantigrade::{bvh, gait::Gait, labels::{self, Side}, plants, skate, skeleton};
+//! use plantigrade::{bvh, foot::Side, gait::Gait, intervals::intervals, plants, skate, skeleton};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # let bytes = include_bytes!("../../../samples/curved-walk.bvh");
@@ -15,7 +15,7 @@
 //! let feet = plants::Feet::of(clip, &skeleton)?;
 //! let detection = plants::detect(&feet, plants::ValidParams::default());
 //! let left = &detection.principal().foot(Side::Left);
-//! for plant in labels::intervals(&left.planted) {
+//! for plant in intervals(&left.planted) {
 //!     println!("left foot down in frames {} to {}", plant.start, plant.end);
 //! }
 //!
@@ -25,7 +25,7 @@
 //! let contacts = skate::Contacts::from(&detection);
 //! let cleaned = skate::clean(clip, &skeleton, &contacts, &skate::Options::default())?;
 //! let text = bvh::write(&cleaned.clip);
-//! # assert_eq!(labels::intervals(&left.planted).len(), 3);
+//! # assert_eq!(intervals(&left.planted).len(), 3);
 //! # assert!(cleaned.plants.iter().all(|plant| plant.after < 1e-3) && text.starts_with("HIERARCHY"));
 //! # Ok(())
 //! # }
@@ -39,15 +39,16 @@
 #![forbid(unsafe_code)]
 
 pub mod bvh;
+pub mod foot;
+pub mod formats;
 pub mod gait;
-pub mod labels;
-pub mod motion;
-mod named;
+pub mod intervals;
+pub mod kinematics;
+mod lookup;
 pub mod notice;
-mod order;
+mod numeric;
 pub mod plants;
 pub mod score;
 pub mod segments;
 pub mod skate;
 pub mod skeleton;
-mod spline;

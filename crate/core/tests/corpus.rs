@@ -3,7 +3,7 @@
 mod support;
 
 use plantigrade::bvh::{self, Clip};
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 use plantigrade::plants::{self, DetectError, Feet, Params, ValidParams};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
@@ -75,7 +75,7 @@ fn what_is_read_survives_writing() {
             assert_eq!(back, clip, "{}", path.display());
         }
         // However the rule is written, the pose is the same.
-        let first = |clip| plantigrade::motion::Kinematics::of(clip).pose(0).to_vec();
+        let first = |clip| plantigrade::kinematics::Kinematics::of(clip).pose(0).to_vec();
         for (found, expected) in first(&back).iter().zip(first(&clip)) {
             assert!((found - expected).norm() < 1e-9, "{}", path.display());
         }

@@ -5,7 +5,7 @@ mod support;
 use std::fs;
 use std::path::Path;
 
-use plantigrade::labels::{Part, Side};
+use plantigrade::foot::{Part, Side};
 use plantigrade::plants::{self, Feet, Method, Params};
 use plantigrade::score::{self, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};

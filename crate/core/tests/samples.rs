@@ -7,7 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{Clip, Joint, JointKind};
-use plantigrade::labels::{Document, Part, Side};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats::Document;
 use plantigrade::plants::{self, Feet, Method, Params};
 use plantigrade::score::{self, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};

@@ -5,7 +5,7 @@ mod support;
 use std::fs;
 
 use plantigrade::bvh::Clip;
-use plantigrade::labels;
+use plantigrade::formats;
 use plantigrade::score::{self, CutTally, Tolerance, TrueCut};
 use plantigrade::segments::{self, Kind, Method, Params, SegmentError, Segmentation};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -25,7 +25,7 @@ fn trials() -> Option<Vec<(&'static str, Clip, Vec<TrueCut>)>> {
     let trial = |(name, truth)| {
         let clip = support::read(&folder.join(name).with_extension("bvh")).clip;
         let text = fs::read_to_string(folder.join(truth)).expect("the truth");
-        let cuts = labels::read_cuts(&text, name, clip.frame_count(), clip.rate()).expect("cuts");
+        let cuts = formats::read_cuts(&text, name, clip.frame_count(), clip.rate()).expect("cuts");
         (name, clip, cuts)
     };
     Some([("86_01", "segmentation.json"), ("13_30", "segmentation_mocap6.json")].map(trial).into())

@@ -4,8 +4,8 @@ mod support;
 
 use nalgebra::Vector3;
 use plantigrade::bvh::Clip;
-use plantigrade::labels::{self, Side};
-use plantigrade::motion::{self, Track};
+use plantigrade::foot::Side;
+use plantigrade::kinematics::{self, Track};
 use plantigrade::notice::Code;
 use plantigrade::plants::{self, Feet, ValidParams};
 use plantigrade::skate::{self, Cleaned, CleanedPlant, Contacts, Options, WhyNot};
@@ -38,7 +38,7 @@ fn accelerations(track: &Track) -> Vec<f64> {
 fn knee_rates(clip: &Clip, skeleton: &Skeleton, side: Side) -> Vec<f64> {
     let roles = LegRoles::of(side);
     let joints = [roles.thigh, roles.shank, roles.ankle].map(|role| skeleton.roles.get(role).expect("a leg"));
-    let [hip, knee, ankle] = <[Track; 3]>::try_from(motion::tracks(clip, &joints)).expect("three");
+    let [hip, knee, ankle] = <[Track; 3]>::try_from(kinematics::tracks(clip, &joints)).expect("three");
     let bend = |n: usize| (knee[n] - hip[n]).angle(&(ankle[n] - knee[n]));
     (1..hip.len()).map(|n| (bend(n) - bend(n - 1)).abs()).collect()
 }
@@ -47,7 +47,7 @@ fn knee_rates(clip: &Clip, skeleton: &Skeleton, side: Side) -> Vec<f64> {
 fn roughness(before: &Clip, after: &Clip, skeleton: &Skeleton) -> (f64, f64, String) {
     let half = (AROUND / before.frame_time()).round() as usize;
     let joints: Vec<usize> = (0..before.joints().len()).collect();
-    let [from, to] = [before, after].map(|clip| motion::tracks(clip, &joints));
+    let [from, to] = [before, after].map(|clip| kinematics::tracks(clip, &joints));
     let mut worst = (0.0, String::new());
     for joint in joints {
         let (share, frame) = excess(&accelerations(&to[joint]), &accelerations(&from[joint]), half);
@@ -84,10 +84,10 @@ fn stands(cleaned: &Cleaned, truth: &Clip, skeleton: &Skeleton, contacts: &Conta
     let (mut slides, mut errors) = (Vec::new(), Vec::new());
     for plant in &cleaned.plants {
         for (joint, down) in parts(skeleton, contacts, plant.side) {
-            for run in labels::intervals(&down[plant.frames.clone()]) {
+            for run in plantigrade::intervals::intervals(&down[plant.frames.clone()]) {
                 let frames = run.start + plant.frames.start..run.end + plant.frames.start;
                 let [found, truth] = [&cleaned.clip, truth]
-                    .map(|clip| motion::tracks_at(clip, &[joint], frames.clone()).remove(0));
+                    .map(|clip| kinematics::tracks_at(clip, &[joint], frames.clone()).remove(0));
                 let share = skeleton.metres_per_unit / found.len() as f64;
                 let mean = found.iter().sum::<Vector3<f64>>() / found.len() as f64;
                 let farthest = found.iter().map(|position| (position - mean).norm()).fold(0.0, f64::max);

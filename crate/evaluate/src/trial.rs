@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use plantigrade::bvh::{self, Clip};
-use plantigrade::labels::{self, Part, Side};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats;
 use plantigrade::plants::{self, Detection, Feet, Method, Params};
 use plantigrade::score::{self, Events, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -43,7 +44,7 @@ impl Trial {
     pub fn recorded(path: &Path) -> anyhow::Result<Trial> {
         let clip = bvh::parse(&std::fs::read(path)?, bvh::Options::default())?.clip;
         let text = std::fs::read_to_string(path.with_extension("json"))?;
-        let truth = labels::read(&text, clip.frame_count())?;
+        let truth = formats::read(&text, clip.frame_count())?;
         let masked = truth.parts.into_iter().map(|(part, feet)| {
             (part, feet.map(|labels| score::mask_near_unknown(&labels, clip.frame_time())))
         });

@@ -1,7 +1,8 @@
 //! The same motion at a lower frame rate.
 
 use plantigrade::bvh::Clip;
-use plantigrade::labels::{Part, Side, SpanSource};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats::SpanSource;
 
 use crate::recipe::Generated;
 

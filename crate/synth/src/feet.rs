@@ -1,7 +1,7 @@
 //! From the plan to the path of each foot: where the ankle is and how the foot is
 //! turned at any time.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use crate::character::{Build, outward};
 use crate::curve::{Key, Track, bump, ramped, smooth_step};

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use nalgebra::Vector3;
 use plantigrade::bvh::Clip;
-use plantigrade::motion::Kinematics;
+use plantigrade::kinematics::Kinematics;
 use plantigrade::skeleton::{Overrides, Role, Skeleton};
 
 /// Width and height of the drawing.

@@ -1,7 +1,8 @@
 //! A recipe for a clip, and the cooking of it.
 
 use plantigrade::bvh::Clip;
-use plantigrade::labels::{Document, Side};
+use plantigrade::foot::Side;
+use plantigrade::formats::Document;
 
 use crate::character::{Bone, Build, Character, character};
 use crate::feet::{FootPath, FootPose};

@@ -1,7 +1,8 @@
 //! The truth about each frame, read off the plan.
 
-use plantigrade::labels::{Document, FORMAT, Foot, FootJoints, Joints, MethodUsed, Part, Side};
-use plantigrade::labels::{Source, SpanSource, VERSION};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats::{Document, FORMAT, Foot, FootJoints, Joints, MethodUsed};
+use plantigrade::formats::{Source, SpanSource, VERSION};
 
 use crate::character::{Bone, Character};
 use crate::feet::FootPath;

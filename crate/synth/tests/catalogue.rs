@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use plantigrade::labels::{Part, Side, intervals};
+use plantigrade::foot::{Part, Side};
+use plantigrade::intervals::intervals;
 use plantigrade_synth::{Recipe, catalogue, files, full_set, generate, hard_cases, index};
 
 /// Frames and rates of the thirteen files, in the catalogue's order.

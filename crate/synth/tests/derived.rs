@@ -1,6 +1,6 @@
 //! Clips made from others or of others: lower rates, sequences, long mixes.
 
-use plantigrade::labels::{Part, Side};
+use plantigrade::foot::{Part, Side};
 use plantigrade_synth::{catalogue, chained, decimated, generate, long, sequences};
 
 #[test]

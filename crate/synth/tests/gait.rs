@@ -1,7 +1,7 @@
 //! Gait measures of generated clips against the plans that they realise.
 
+use plantigrade::foot::{Part, Side};
 use plantigrade::gait::{Gait, PerSide, Spread};
-use plantigrade::labels::{Part, Side};
 use plantigrade::plants::{self, Feet, Params};
 use plantigrade::skeleton::{Overrides, Skeleton};
 use plantigrade_synth::maths::{Vec3, forward, leftward};

@@ -3,7 +3,7 @@
 mod kinematics;
 
 use kinematics::{Positions, positions};
-use plantigrade::labels::{Part, Side};
+use plantigrade::foot::{Part, Side};
 use plantigrade_synth::character::Bone;
 use plantigrade_synth::pose::STRETCH_LIMIT;
 use plantigrade_synth::setting::Setting;

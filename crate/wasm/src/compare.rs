@@ -1,6 +1,7 @@
 //! Labels from elsewhere, beside ours.
 
-use plantigrade::labels::{self, Labelling};
+use plantigrade::formats;
+use plantigrade::plants::Annotation;
 use plantigrade::score::{self, DisagreementKind, PartScore};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
@@ -11,7 +12,7 @@ use crate::{RawClip, RawDetection};
 
 /// Labels of the clip by someone else.
 #[wasm_bindgen]
-pub struct RawLabelling(Labelling);
+pub struct RawLabelling(Annotation);
 
 #[wasm_bindgen]
 impl RawLabelling {
@@ -22,7 +23,7 @@ impl RawLabelling {
     /// If the file is none of these, or is of another clip.
     #[wasm_bindgen(constructor)]
     pub fn new(file: &[u8], frames: usize) -> Result<RawLabelling, Failure> {
-        Ok(RawLabelling(labels::read_bytes(file, frames)?))
+        Ok(RawLabelling(formats::read_bytes(file, frames)?))
     }
 
     /// The parts that were labelled.

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use plantigrade::labels;
+use plantigrade::formats;
 use plantigrade::score::{self, CutTally, Tolerance};
 use plantigrade::segments::{self, ValidParams};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -31,7 +31,7 @@ fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<(
     let name = input.path.file_stem().unwrap_or_default().to_string_lossy();
     let Some((path, text)) = truth(&input.path, &name)? else { return Ok(None) };
     let clip = inputs::load(input, read)?.parsed.clip;
-    let truth = labels::read_cuts(&text, &name, clip.frame_count(), clip.rate())
+    let truth = formats::read_cuts(&text, &name, clip.frame_count(), clip.rate())
         .map_err(|error| Failure::Truth { path, error })?;
     let skeleton = Skeleton::main(&clip, &Overrides::default());
     let found = segments::segment(&clip, &skeleton, params, &mut |_| Ok(()))
@@ -61,7 +61,7 @@ fn truth(clip: &Path, name: &str) -> Result<Option<(PathBuf, String)>, Failure> 
     let own = ["segments.json", "json"].map(|ending| clip.with_extension(ending));
     for path in own.into_iter().chain(shared).filter(|path| path.is_file()) {
         let text = fs::read_to_string(&path).map_err(|error| read_error(&path, error))?;
-        if labels::has_segments(&text, name) {
+        if formats::has_segments(&text, name) {
             return Ok(Some((path, text)));
         }
     }

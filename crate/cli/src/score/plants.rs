@@ -2,7 +2,9 @@
 
 use std::fs;
 
-use plantigrade::labels::{self, Labelling, Part, Side};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats;
+use plantigrade::plants::Annotation;
 use plantigrade::plants::{self, Detection, Feet, ValidParams};
 use plantigrade::score::{self, Events, FUZZY, Tally};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -16,7 +18,7 @@ struct Trial {
     name: String,
     frame_time: f64,
     detection: Detection,
-    truth: Labelling,
+    truth: Annotation,
 }
 
 /// Scores all clips of a folder that have truth, and counts those that failed.
@@ -40,7 +42,7 @@ fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<T
     }
     let clip = inputs::load(input, read)?.parsed.clip;
     let text = fs::read_to_string(&path).map_err(|error| Failure::Read { path: path.clone(), error })?;
-    let truth = labels::read(&text, clip.frame_count()).map_err(|error| Failure::Truth { path, error })?;
+    let truth = formats::read(&text, clip.frame_count()).map_err(|error| Failure::Truth { path, error })?;
     let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default()))
         .map_err(|error| Failure::Detect { path: input.path.clone(), error })?;
     Ok(Some(Trial {
@@ -52,11 +54,11 @@ fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<T
 }
 
 /// Off a force plate, "no contact" beside an unknown frame only means that there is no plate.
-fn masked(truth: Labelling, frame_time: f64) -> Labelling {
+fn masked(truth: Annotation, frame_time: f64) -> Annotation {
     let mask = |(part, feet): (Part, [Vec<Option<bool>>; 2])| {
         (part, feet.map(|labels| score::mask_near_unknown(&labels, frame_time)))
     };
-    Labelling { parts: truth.parts.into_iter().map(mask).collect() }
+    Annotation { parts: truth.parts.into_iter().map(mask).collect() }
 }
 
 /// Labels of one foot with their truth.

@@ -55,16 +55,16 @@ pub enum Problem {
     /// Decimal commas and decimal points in one file.
     #[error("the file mixes decimal commas and decimal points")]
     MixedDecimals,
-    /// More bytes than [`Limits::bytes`](super::Limits::bytes).
+    /// More bytes than [`Limits::bytes`](crate::bvh::Limits::bytes).
     #[error("the file is larger than the limit of {0} bytes")]
     TooLarge(u64),
-    /// A line longer than [`Limits::line_bytes`](super::Limits::line_bytes).
+    /// A line longer than [`Limits::line_bytes`](crate::bvh::Limits::line_bytes).
     #[error("the line is longer than the limit of {0} bytes")]
     LineTooLong(usize),
-    /// More joints than [`Limits::joints`](super::Limits::joints).
+    /// More joints than [`Limits::joints`](crate::bvh::Limits::joints).
     #[error("the skeleton has more than {0} joints")]
     TooManyJoints(usize),
-    /// A deeper hierarchy than [`Limits::depth`](super::Limits::depth).
+    /// A deeper hierarchy than [`Limits::depth`](crate::bvh::Limits::depth).
     #[error("the hierarchy is more than {0} joints deep")]
     TooDeep(usize),
 }
@@ -144,19 +144,19 @@ impl std::error::Error for Error {}
 
 impl Error {
     /// An error about the file as a whole.
-    pub(super) fn whole(problem: Problem) -> Error {
+    pub(crate) fn whole(problem: Problem) -> Error {
         Error { problem, place: None, excerpt: None }
     }
 
     /// An error at byte `at` of line number `line` whose text is `text`.
-    pub(super) fn at(problem: Problem, line: usize, text: &[u8], at: usize) -> Error {
+    pub(crate) fn at(problem: Problem, line: usize, text: &[u8], at: usize) -> Error {
         let place = place(line, text, at);
         Error { problem, place: Some(place), excerpt: Some(Excerpt::around(text, place.column - 1)) }
     }
 }
 
 /// The place of byte `at` in line number `line` whose text is `text`.
-pub(super) fn place(line: usize, text: &[u8], at: usize) -> Place {
+pub(crate) fn place(line: usize, text: &[u8], at: usize) -> Place {
     Place { line, column: String::from_utf8_lossy(&text[..at.min(text.len())]).chars().count() + 1 }
 }
 

@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::error::place;
-use super::number::{self, Decimals};
-use super::{Axis, Channel, END_SITE, Error, Joint, JointKind, Limits, Problem};
+use crate::bvh::error::place;
+use crate::bvh::number::Decimals;
+use crate::bvh::{Axis, Channel, END_SITE, Error, Joint, JointKind, Limits, Problem, number};
 use crate::notice::{Code, Notice};
 
 /// Builds the joints from lines.
 #[derive(Debug)]
-pub(super) struct Hierarchy {
+pub(crate) struct Hierarchy {
     limits: Limits,
     expect: Expect,
     /// Finished and unfinished joints in file order.
@@ -36,7 +36,7 @@ enum Expect {
 }
 
 /// Whether the hierarchy goes on.
-pub(super) enum Progress {
+pub(crate) enum Progress {
     Hierarchy,
     /// `MOTION` was read; what follows it on its line starts at this byte.
     Motion(usize),

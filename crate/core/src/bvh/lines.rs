@@ -2,7 +2,7 @@
 
 /// Cuts text that comes in chunks into lines and counts them.
 #[derive(Debug, Default)]
-pub(super) struct Lines {
+pub(crate) struct Lines {
     /// The beginning of a line whose end has not come yet.
     carry: Vec<u8>,
     /// The last line that was put together from several chunks.

@@ -5,19 +5,19 @@
 //! that names line and column. [`write`](fn@write) is its inverse.
 
 mod clip;
-mod decode;
+mod encoding;
 mod error;
+mod fast_row;
 mod hierarchy;
 mod lines;
+mod motion_section;
 mod number;
-mod plain;
-mod read;
-mod rows;
+mod reader;
 #[cfg(test)]
 mod tests;
-mod write;
+mod writer;
 
 pub use clip::{Axis, Channel, Clip, END_SITE, Joint, JointKind, PositionRule};
 pub use error::{Error, Excerpt, Problem};
-pub use read::{Limits, Options, Parsed, Reader, parse};
-pub use write::write;
+pub use reader::{Limits, Options, Parsed, Reader, parse};
+pub use writer::write;

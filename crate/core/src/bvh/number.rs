@@ -1,11 +1,11 @@
 //! Numbers straight from bytes, correctly rounded.
 
-use super::error::place;
+use crate::bvh::error::place;
 use crate::notice::Place;
 
 /// A number found at the beginning of some bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number {
+pub(crate) struct Number {
     pub value: f64,
     /// Bytes it takes up.
     pub len: usize,
@@ -14,7 +14,7 @@ pub(super) struct Number {
 
 /// The decimal mark of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mark {
+pub(crate) enum Mark {
     None,
     Point,
     Comma,
@@ -22,7 +22,7 @@ pub(super) enum Mark {
 
 /// The decimal marks that a file has used so far.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Decimals {
+pub(crate) struct Decimals {
     pub points: bool,
     /// Where the first comma stands.
     pub commas: Option<Place>,
@@ -44,7 +44,7 @@ impl Decimals {
 }
 
 /// Powers of ten that a double holds exactly.
-pub(super) const EXACT_POWERS: [f64; 23] = [
+pub(crate) const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
     1e19, 1e20, 1e21, 1e22,
 ];
@@ -53,7 +53,7 @@ pub(super) const EXACT_POWERS: [f64; 23] = [
 ///
 /// It must end with the bytes, at a blank, or at the sign of a number run
 /// together with it, as in `0.0-7.5`; otherwise the word is no number.
-pub(super) fn leading(bytes: &[u8]) -> Option<Number> {
+pub(crate) fn leading(bytes: &[u8]) -> Option<Number> {
     let mut at = 0;
     let negative = match bytes.first()? {
         b'-' => {
@@ -124,17 +124,17 @@ fn slowly(bytes: &[u8], mark: Mark) -> Option<f64> {
 }
 
 /// The bytes up to the next blank.
-pub(super) fn word(bytes: &[u8]) -> &[u8] {
+pub(crate) fn word(bytes: &[u8]) -> &[u8] {
     let end = bytes.iter().position(|&byte| is_blank(byte)).unwrap_or(bytes.len());
     &bytes[..end]
 }
 
 /// Index of the first byte from `at` on that is no blank.
-pub(super) fn skip_blanks(bytes: &[u8], at: usize) -> usize {
+pub(crate) fn skip_blanks(bytes: &[u8], at: usize) -> usize {
     at + bytes[at..].iter().take_while(|&&byte| is_blank(byte)).count()
 }
 
-pub(super) fn is_blank(byte: u8) -> bool {
+pub(crate) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0x0b | 0x0c)
 }
 

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
-use super::number::Decimals;
-use super::rows::Rows;
 use super::*;
+use crate::bvh::motion_section::Rows;
+use crate::bvh::number::Decimals;
 use crate::notice::Code;
 
 const HEAD: &str = "HIERARCHY\nROOT Hips\n{\n\tOFFSET 0 0 0\n\tCHANNELS 3 Xposition Yposition Zposition\n\

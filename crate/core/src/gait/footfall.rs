@@ -2,14 +2,16 @@
 
 use std::ops::Range;
 
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector2;
+use nalgebra::Vector3;
 
-use crate::labels::{Side, intervals};
-use crate::order;
+use crate::foot::Side;
+use crate::intervals::intervals;
+use crate::numeric::sort;
 use crate::plants::Feet;
 
 /// One plant of one foot, with its place on the ground in metres: (x, z) of axes with Y up.
-pub(super) struct Footfall {
+pub(crate) struct Footfall {
     pub side: Side,
     pub frames: Range<usize>,
     /// Where the heel stands.
@@ -21,10 +23,10 @@ pub(super) struct Footfall {
 /// The plants of both feet in order of foot strike.
 ///
 /// Of two feet that are down when the clip begins, the one that leaves first came first.
-pub(super) fn footfalls(feet: &Feet, planted: [&[bool]; 2]) -> Vec<Footfall> {
+pub(crate) fn footfalls(feet: &Feet, planted: [&[bool]; 2]) -> Vec<Footfall> {
     let found: Vec<Footfall> =
         Side::BOTH.into_iter().flat_map(|side| of_foot(feet, side, planted[side as usize])).collect();
-    order::by_frames(found, |footfall| (footfall.frames.start, footfall.frames.end))
+    sort::by_frames(found, |footfall| (footfall.frames.start, footfall.frames.end))
 }
 
 /// The plants of one foot.

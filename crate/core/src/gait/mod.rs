@@ -21,15 +21,18 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use spread::{PerSide, Spread};
+pub use spread::PerSide;
+pub use spread::Spread;
 pub use symmetry::Symmetry;
 
 use nalgebra::Vector2;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde::Serialize;
 
-use crate::labels::Side;
+use crate::foot::Side;
 use crate::plants::{Detection, Feet};
-use footfall::{Footfall, footfalls};
+use footfall::Footfall;
+use footfall::footfalls;
 
 /// Seconds that a stride may take: at 48 steps a minute, less than half of a usual cadence
 /// (100 to 120), one stands between the steps rather than walks.

@@ -1,6 +1,7 @@
 //! Means with their spread.
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde::Serialize;
 
 /// Mean and spread of a measure, in its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -15,7 +16,7 @@ pub struct Spread {
 
 impl Spread {
     /// Mean and spread of values; `None` where there are none.
-    pub(super) fn of(values: &[f64]) -> Option<Spread> {
+    pub(crate) fn of(values: &[f64]) -> Option<Spread> {
         let count = values.len();
         let mean = (count > 0).then(|| values.iter().sum::<f64>() / count as f64)?;
         let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
@@ -34,12 +35,12 @@ pub struct PerSide {
 }
 
 impl PerSide {
-    pub(super) fn of([left, right]: &[Vec<f64>; 2]) -> PerSide {
+    pub(crate) fn of([left, right]: &[Vec<f64>; 2]) -> PerSide {
         PerSide { left: Spread::of(left), right: Spread::of(right) }
     }
 
     /// The means of left and right, if there are both.
-    pub(super) fn means(&self) -> Option<[f64; 2]> {
+    pub(crate) fn means(&self) -> Option<[f64; 2]> {
         Some([self.left?.mean, self.right?.mean])
     }
 }

@@ -1,8 +1,9 @@
 //! Left against right.
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde::Serialize;
 
-use super::PerSide;
+use crate::gait::PerSide;
 
 /// Symmetry indices of a gait, in percent: 0 where both sides are alike, positive where the
 /// right side's measure is the greater.
@@ -23,7 +24,7 @@ pub struct Symmetry {
 }
 
 impl Symmetry {
-    pub(super) fn of(
+    pub(crate) fn of(
         stance: &PerSide,
         swing: &PerSide,
         step_time: &PerSide,

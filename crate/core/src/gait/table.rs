@@ -1,6 +1,6 @@
 //! Gait measures as columns of a table.
 
-use super::{Gait, PerSide, Spread};
+use crate::gait::{Gait, PerSide, Spread};
 
 impl Gait {
     /// The measures as columns with names that tell their units: of each foot's measures the

@@ -2,12 +2,12 @@
 
 use std::cell::Cell;
 
-use super::methods::{Kept, Task};
-use super::{Detection, Feet, ValidParams};
+use crate::plants::methods::{Kept, Task};
+use crate::plants::{Detection, Feet, ValidParams};
 
 /// A clip's feet, with what need not be found anew when parameters change.
 ///
-/// Labels are those of [`detect`](super::detect). What depends on no parameter is kept, and so is what
+/// Labels are those of [`detect`](crate::plants::detect). What depends on no parameter is kept, and so is what
 /// depends on the window alone: about 240 bytes for each frame with the feet, and at most
 /// 20 MB for the samples of one window.
 pub struct Detector {
@@ -26,8 +26,8 @@ impl Detector {
         &self.feet
     }
 
-    /// Finds the frames in which each foot is planted; see [`detect`](super::detect).
+    /// Finds the frames in which each foot is planted; see [`detect`](crate::plants::detect).
     pub fn detect(&self, params: ValidParams) -> Detection {
-        super::run(Task { feet: &self.feet, still: None, params, kept: Some(&self.kept) })
+        crate::plants::run(Task { feet: &self.feet, still: None, params, kept: Some(&self.kept) })
     }
 }

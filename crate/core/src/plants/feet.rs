@@ -1,8 +1,9 @@
 //! The positions that detection needs: ankle and toe of both feet.
 
 use crate::bvh::Clip;
-use crate::labels::Side;
-use crate::motion::{self, Track};
+use crate::foot::Side;
+use crate::kinematics;
+use crate::kinematics::Track;
 use crate::skeleton::{LegRoles, Role, Skeleton, Up};
 
 /// Both feet of a clip in motion, with the measures that make them comparable.
@@ -66,7 +67,7 @@ impl Feet {
             joints.extend(tip);
         }
         // One pass for all: the feet share the joints above them.
-        let mut tracks = motion::tracks(clip, &joints).into_iter();
+        let mut tracks = kinematics::tracks(clip, &joints).into_iter();
         let mut next = || tracks.next().expect("each joint has a track");
         Ok(Feet {
             hips: next(),
@@ -88,7 +89,7 @@ impl Feet {
     }
 
     /// Frames that last `seconds`, rounded down; the margin keeps 0.0333 and 1/30 s alike.
-    pub(super) fn frames_in(&self, seconds: f64) -> usize {
+    pub(crate) fn frames_in(&self, seconds: f64) -> usize {
         (seconds / self.frame_time + 0.05).floor() as usize
     }
 }

@@ -11,43 +11,31 @@
 //! summed by expansion about cells of alike ones, and made exact where they decide.
 //! [`Method::Paper`] is the published method; [`Method::Robust`] the one to use.
 
-mod cells;
-mod clean;
-mod cluster;
-mod confidence;
-mod degree;
-mod derivative;
+mod annotation;
 mod detector;
-mod drag;
-mod expansion;
+mod edits;
 mod feet;
-mod field;
-mod floor;
-mod lanczos;
-mod methods;
+pub(crate) mod methods;
 mod params;
-mod plausible;
-mod refine;
-mod roots;
-mod samples;
-mod scale;
+mod postprocess;
 mod signal;
-mod trim;
-mod two_means;
+mod spectral;
 
-pub use cluster::Evidence;
-pub use degree::Kernel;
+pub use annotation::Annotation;
 pub use detector::Detector;
+pub use edits::{Edit, edited};
 pub use feet::{DetectError, Feet, FootTracks};
-pub use field::Field;
 pub use methods::{Family, Method};
 pub use params::{Limits, ParamError, Params, ValidParams};
+pub use spectral::affinity::Kernel;
+pub use spectral::field::Field;
+pub use spectral::threshold::Evidence;
 
-use methods::{Found, Task};
-
-use crate::labels::{Edit, Part, Side};
-use crate::motion::Track;
+use crate::foot::{Part, Side};
+use crate::kinematics::Track;
 use crate::notice::Notice;
+use methods::{Found, Task};
+use postprocess::{ground_height, plausibility};
 
 /// The labels of a clip with how they came about.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,14 +134,14 @@ struct Whole {
 
 impl Whole {
     fn of(feet: &Feet) -> Whole {
-        Whole { rate: plausible::rate(feet), lowest: floor::lowest(feet) }
+        Whole { rate: plausibility::rate(feet), lowest: ground_height::lowest(feet) }
     }
 }
 
 fn run_in(whole: Whole, task: Task) -> Detection {
     let Found { parts, mut notices } = task.params.method().detect(&task);
-    notices.extend(whole.rate.into_iter().chain(plausible::airborne(&parts)));
-    let floor = floor::height(&whole.lowest, &parts[0]);
+    notices.extend(whole.rate.into_iter().chain(plausibility::airborne(&parts)));
+    let floor = ground_height::height(&whole.lowest, &parts[0]);
     Detection { params: task.params, floor, parts, notices, edits: Vec::new() }
 }
 

@@ -1,7 +1,7 @@
 //! Parameters of detection and the rules they keep.
 
-use super::roots::Pairs;
-use super::{Method, methods};
+use crate::plants::spectral::degree::Pairs;
+use crate::plants::{Method, methods};
 
 /// What can be set; the defaults serve any clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,7 +146,7 @@ impl ValidParams {
         }
     }
 
-    pub(super) fn pairs(&self) -> Pairs {
+    pub(crate) fn pairs(&self) -> Pairs {
         if self.0.exact { Pairs::All } else { Pairs::Few }
     }
 

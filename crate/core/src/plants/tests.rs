@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::bvh::Axis;
-use crate::labels;
+use crate::intervals::intervals;
 use crate::notice::Code;
 use crate::skeleton::Up;
 
@@ -247,7 +247,7 @@ proptest! {
                 prop_assert!(foot.confidence.iter().all(|p| (0.5..=1.0).contains(p)), "{:?}", foot.confidence);
                 prop_assert!(foot.height.iter().chain(&foot.speed).all(|value| value.is_finite()));
             }
-            let _ = labels::intervals(&detection.principal().feet[0].planted);
+            let _ = intervals(&detection.principal().feet[0].planted);
         }
     }
 }

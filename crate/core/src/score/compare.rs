@@ -2,10 +2,12 @@
 
 use serde::Serialize;
 
-use super::{EventScore, Events, Tally, events, lenient, strict};
-use crate::labels::{Labelling, Part, Side, intervals};
-use crate::order;
+use crate::foot::{Part, Side};
+use crate::intervals::intervals;
+use crate::numeric::sort;
+use crate::plants::Annotation;
 use crate::plants::Detection;
+use crate::score::{EventScore, Events, Tally, events, lenient, strict};
 
 /// The fuzzy periods that accuracy is reported for, in seconds.
 pub const FUZZY: [f64; 5] = [0.0, 0.1, 0.2, 0.3, 0.4];
@@ -67,7 +69,7 @@ pub enum DisagreementKind {
 ///
 /// # Panics
 /// If they are of different numbers of frames.
-pub fn compare(detection: &Detection, other: &Labelling, frame_time: f64) -> Vec<PartScore> {
+pub fn compare(detection: &Detection, other: &Annotation, frame_time: f64) -> Vec<PartScore> {
     let score = |(part, truth): &(Part, [Vec<Option<bool>>; 2])| {
         let labels = detection.part(*part)?;
         let feet = Side::BOTH.map(|side| (&labels.foot(side).planted, &truth[side as usize]));
@@ -104,7 +106,7 @@ pub fn compare(detection: &Detection, other: &Labelling, frame_time: f64) -> Vec
                 }));
             }
         }
-        let disagreements = order::by_frames(disagreements, |run| (run.start, run.end));
+        let disagreements = sort::by_frames(disagreements, |run| (run.start, run.end));
         Some(PartScore { part: *part, rows: rows.to_vec(), events: all.score(), disagreements })
     };
     other.parts.iter().filter_map(score).collect()

@@ -2,7 +2,7 @@
 
 use std::ops::AddAssign;
 
-use crate::order;
+use crate::numeric::sort;
 
 /// A true cut: somewhere in a range of frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +102,7 @@ pub fn cuts(found: &[usize], truth: &[TrueCut], frame_time: f64, tolerance: Tole
     let distances: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
     let (mut is_used, mut is_met) = (vec![false; found.len()], vec![false; truth.len()]);
     let mut right = 0;
-    for (_, f, t) in order::ascending(&distances).into_iter().map(|place| pairs[place]) {
+    for (_, f, t) in sort::ascending(&distances).into_iter().map(|place| pairs[place]) {
         if !is_used[f] && !is_met[t] {
             (is_used[f], is_met[t]) = (true, true);
             right += 1;

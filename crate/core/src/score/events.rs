@@ -1,6 +1,7 @@
 //! Plants as events: which were found, and how early or late.
 
-use std::ops::{AddAssign, Range};
+use std::ops::AddAssign;
+use std::ops::Range;
 
 use serde::Serialize;
 
@@ -111,7 +112,7 @@ impl AddAssign for Events {
 }
 
 fn runs(frames: usize, planted: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
-    crate::labels::intervals(&(0..frames).map(planted).collect::<Vec<_>>())
+    crate::intervals::intervals(&(0..frames).map(planted).collect::<Vec<_>>())
 }
 
 /// The value below which `share` of the values lie; 0 where there are none.

@@ -4,7 +4,7 @@ use crate::bvh::Clip;
 use crate::notice::{Code, Notice};
 use crate::skeleton::{Role, Skeleton};
 
-use super::SegmentError;
+use crate::segments::SegmentError;
 
 /// Fewer joints than this say too little of a pose.
 const FEWEST: usize = 4;
@@ -24,7 +24,7 @@ const ENDS: [Role; 6] =
 
 /// Joints to measure, and what is not there.
 #[derive(Debug)]
-pub(super) struct Body {
+pub(crate) struct Body {
     pub joints: Vec<usize>,
     pub missing: Vec<&'static str>,
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::bvh::Clip;
-use crate::spline;
+use crate::numeric::interpolate;
 
 /// Most samples from one frame to the next: clips of a few frames a second have fewer per second.
 const DENSEST: f64 = 12.0;
@@ -13,7 +13,7 @@ const SPARSEST: f64 = 1e9;
 
 /// Samples over some frames of a clip.
 #[derive(Debug)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     first: usize,
     last: usize,
     /// Frames from one sample to the next.
@@ -63,7 +63,7 @@ impl Grid {
     pub fn sampled(&self, values: &[f64]) -> Vec<f64> {
         let sample = |sample: usize| {
             let (frames, t) = self.about(sample);
-            spline::cubic(frames.map(|frame| values[frame - self.first]), t)
+            interpolate::cubic(frames.map(|frame| values[frame - self.first]), t)
         };
         (0..self.count()).map(sample).collect()
     }

@@ -9,27 +9,28 @@
 //! are in seconds inside, so that the frame rate does not matter.
 
 mod grid;
-mod growing;
-mod lsd;
-mod method;
-mod mvu;
+mod methods;
 mod params;
 mod pose;
 mod task;
 
-mod auto;
 mod body;
-mod pca;
-mod ppca;
 
-pub use method::{Method, MethodOption};
-pub use params::{ParamError, Params, Residual, Template, ValidParams};
-pub use task::{Cancelled, Progress};
+pub use crate::segments::methods::{Method, MethodOption};
+pub use params::ParamError;
+pub use params::Params;
+pub use params::Residual;
+pub use params::Template;
+pub use params::ValidParams;
+pub use task::Cancelled;
+pub use task::Progress;
 
 use std::ops::Range;
 
-use serde::{Deserialize, Serialize};
-use task::{Found, Task};
+use serde::Deserialize;
+use serde::Serialize;
+use task::Found;
+use task::Task;
 
 use crate::bvh::Clip;
 use crate::notice::{Code, Notice};

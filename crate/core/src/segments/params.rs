@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::{Method, MethodOption};
+use crate::segments::{Method, MethodOption};
 
 /// What can be set; the defaults serve any clip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -2,13 +2,16 @@
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::DMatrix;
+use nalgebra::Quaternion;
+use nalgebra::UnitQuaternion;
+use nalgebra::Vector3;
 
-use super::body::Body;
-use super::grid::Grid;
 use crate::bvh::{Channel, Clip};
+use crate::numeric::interpolate;
+use crate::segments::body::Body;
+use crate::segments::grid::Grid;
 use crate::skeleton::Skeleton;
-use crate::spline;
 
 /// Steps after the first with which it is compared.
 const STEPS: usize = 10;
@@ -21,13 +24,13 @@ const LEAST_JUMP: f64 = 0.2;
 ///
 /// Methods that start anew at each cut carry the least difference between poses on to all that follows;
 /// so they take poses that were recorded rather than ones between them.
-pub(super) const RECORDED_RATE: f64 = 6.0;
+pub(crate) const RECORDED_RATE: f64 = 6.0;
 
 /// Poses at a fixed rate: one column for each instant, four rows for each joint.
 ///
 /// Rotations are local and the root's are left out, so that neither place nor heading counts.
 #[derive(Debug)]
-pub(super) struct Poses {
+pub(crate) struct Poses {
     /// Quaternions of all joints, w first; each joint's are continuous and have w ≥ 0 on average.
     pub columns: DMatrix<f64>,
     grid: Grid,
@@ -81,7 +84,7 @@ fn between(clip: &Clip, joint: usize, grid: &Grid, sample: usize) -> Quaternion<
     }
     let near = at(frames[1]);
     let turns = frames.map(|frame| towards(near, at(frame)));
-    let turn = spline::cubic(turns, t);
+    let turn = interpolate::cubic(turns, t);
     // Opposite turns in neighbouring frames leave nothing between them.
     if turn.norm() > 1e-6 { turn.normalize() } else { near }
 }
@@ -92,7 +95,7 @@ fn towards(other: Quaternion<f64>, turn: Quaternion<f64>) -> Quaternion<f64> {
 }
 
 /// A joint's rotation in its parent.
-pub(super) fn rotation(clip: &Clip, joint: usize, frame: usize) -> UnitQuaternion<f64> {
+pub(crate) fn rotation(clip: &Clip, joint: usize, frame: usize) -> UnitQuaternion<f64> {
     let values = &clip.row(frame)[clip.channel_range(joint)];
     let mut rotation = UnitQuaternion::identity();
     for (channel, value) in clip.joints()[joint].channels.iter().zip(values) {
@@ -106,7 +109,7 @@ pub(super) fn rotation(clip: &Clip, joint: usize, frame: usize) -> UnitQuaternio
 }
 
 /// The first frame that is motion: 1 where frame 0 is a pose that was stuck on, otherwise 0.
-pub(super) fn lead_in(clip: &Clip, skeleton: &Skeleton) -> usize {
+pub(crate) fn lead_in(clip: &Clip, skeleton: &Skeleton) -> usize {
     let Ok(body) = Body::turning(clip, skeleton) else { return 0 };
     if clip.frame_count() < STEPS + 2 {
         return 0;

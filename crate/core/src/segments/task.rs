@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::{Curve, Kind, Motif, Segment, ValidParams};
 use crate::bvh::Clip;
 use crate::notice::Notice;
+use crate::segments::{Curve, Kind, Motif, Segment, ValidParams};
 use crate::skeleton::Skeleton;
 
 /// Somebody wanted no more of it.
@@ -15,10 +15,10 @@ pub struct Cancelled;
 pub type Progress<'a> = dyn FnMut(f64) -> Result<(), Cancelled> + 'a;
 
 /// Is told that work on the same goes on, and may cancel it.
-pub(super) type Pause<'a> = dyn FnMut() -> Result<(), Cancelled> + 'a;
+pub(crate) type Pause<'a> = dyn FnMut() -> Result<(), Cancelled> + 'a;
 
 /// What a method is told.
-pub(super) struct Task<'a> {
+pub(crate) struct Task<'a> {
     pub clip: &'a Clip,
     pub skeleton: &'a Skeleton,
     pub params: ValidParams,
@@ -28,7 +28,7 @@ pub(super) struct Task<'a> {
 }
 
 /// What a method finds.
-pub(super) struct Found {
+pub(crate) struct Found {
     pub segments: Vec<Segment>,
     pub transitions: Vec<Range<usize>>,
     pub motifs: Vec<Motif>,
@@ -47,7 +47,7 @@ impl Found {
 }
 
 /// The ranges between ascending cuts, from frame 0 on; cuts at the ends of the clip are none.
-pub(super) fn tiles(frames: usize, cuts: &[usize]) -> impl Iterator<Item = Range<usize>> {
+pub(crate) fn tiles(frames: usize, cuts: &[usize]) -> impl Iterator<Item = Range<usize>> {
     let inner = cuts.iter().copied().filter(move |&cut| cut > 0 && cut < frames);
     let starts: Vec<usize> = std::iter::once(0).chain(inner).collect();
     let ends: Vec<usize> = starts[1..].iter().copied().chain([frames]).collect();

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 /// From one held range to the next on a quintic that keeps value and speed and has no
 /// acceleration at either end; where they are more than two windows apart, by way of zero.
 /// `held` has to be in order, its ranges neither empty nor overlapping.
-pub(super) fn fill(values: &mut [Vector3<f64>], held: &[Range<usize>], window: usize) {
+pub(crate) fn fill(values: &mut [Vector3<f64>], held: &[Range<usize>], window: usize) {
     let window = window.max(1);
     let leaving = |values: &[Vector3<f64>], run: &Range<usize>| {
         let last = run.end - 1;
@@ -53,7 +53,7 @@ pub(super) fn fill(values: &mut [Vector3<f64>], held: &[Range<usize>], window: u
 }
 
 /// The smooth rise from 0 at 0 to 1 at 1, without slope or bend at either end.
-pub(super) fn ease(u: f64) -> f64 {
+pub(crate) fn ease(u: f64) -> f64 {
     u * u * u * (10.0 + u * (6.0 * u - 15.0))
 }
 

@@ -3,15 +3,17 @@
 use std::fmt;
 use std::ops::Range;
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::Matrix3;
+use nalgebra::Rotation3;
+use nalgebra::Vector3;
 
-use super::constraints::{Correction, Planted, Setting};
-use super::leg::{self, Joints, Leg};
-use super::{Feet, euler, knee, root};
 use crate::bvh::{Channel, Clip};
-use crate::labels::Side;
-use crate::motion::Kinematics;
+use crate::foot::Side;
+use crate::kinematics::Kinematics;
 use crate::notice::{Code, Notice};
+use crate::skate::constraints::{Correction, Planted, Setting};
+use crate::skate::leg::{Joints, Leg};
+use crate::skate::{Feet, euler, knee, leg, root};
 use crate::skeleton::{Role, Skeleton};
 
 /// How to clean up.
@@ -53,7 +55,7 @@ pub struct CleanedPlant {
     /// Where the foot is held, in file units and axes: its toe, or its heel where the toe never
     /// stands. `None` where it is not held.
     pub position: Option<Vector3<f64>>,
-    /// How far it slid, in metres, as [`super::Slide::farthest`].
+    /// How far it slid, in metres, as [`crate::skate::Slide::farthest`].
     pub before: f64,
     /// How far it still does.
     pub after: f64,
@@ -101,7 +103,7 @@ const STILL: f64 = 0.001;
 const NOTHING: f64 = 1e-9;
 
 /// Cleans up.
-pub(super) fn run(clip: &Clip, skeleton: &Skeleton, feet: Feet, options: &Options) -> Cleaned {
+pub(crate) fn run(clip: &Clip, skeleton: &Skeleton, feet: Feet, options: &Options) -> Cleaned {
     let before = feet.skate(skeleton);
     let frames = |seconds: f64| {
         let frames = (seconds / clip.frame_time()).round();

@@ -2,19 +2,20 @@
 
 use std::ops::Range;
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::Matrix3;
+use nalgebra::Rotation3;
+use nalgebra::Vector3;
 
-use super::blend;
-use super::ground;
-use super::leg::{Leg, median, scaled_axis, smallest_turn, upright};
-use super::phases::{Phase, runs};
+use crate::skate::leg::{Leg, median, scaled_axis, smallest_turn, upright};
+use crate::skate::phases::{Phase, runs};
+use crate::skate::{blend, ground};
 use crate::skeleton::Up;
 
 /// A flat foot that turns farther than this from its mean pose is not held by its heel, in radians.
 const TURN: f64 = 0.8;
 
 /// One foot with its plants.
-pub(super) struct Planted {
+pub(crate) struct Planted {
     /// What it stands on in each frame.
     pub phases: Vec<Phase>,
     /// The runs of frames in which it stands.
@@ -26,7 +27,7 @@ pub(super) struct Planted {
 }
 
 /// What has to change for a foot to stand still.
-pub(super) struct Correction {
+pub(crate) struct Correction {
     /// How far the ankle has to move, per frame, in file units.
     pub ankle: Vec<Vector3<f64>>,
     /// How the foot has to turn, per frame, as axis times angle in the file's axes.
@@ -37,7 +38,7 @@ pub(super) struct Correction {
 
 /// Seconds, units and switches of clean-up, turned into frames and file units.
 #[derive(Clone, Copy)]
-pub(super) struct Setting {
+pub(crate) struct Setting {
     pub up: Up,
     /// Thigh plus shank.
     pub length: f64,

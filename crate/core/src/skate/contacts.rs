@@ -1,6 +1,8 @@
 //! What is planted when: labels from a detector, a document or a table, seen alike.
 
-use crate::labels::{Document, Labelling, Part, Side};
+use crate::foot::{Part, Side};
+use crate::formats::Document;
+use crate::plants::Annotation;
 use crate::plants::Detection;
 
 /// The frames in which each part of each foot is planted; `None` for a part without labels.
@@ -38,7 +40,7 @@ impl Contacts {
     }
 
     /// The length of labels that are not of `frames` frames, if there are any.
-    pub(super) fn other_length(&self, frames: usize) -> Option<usize> {
+    pub(crate) fn other_length(&self, frames: usize) -> Option<usize> {
         let labels = self.feet.iter().flat_map(|foot| [&foot.contact, &foot.heel, &foot.toe]);
         labels.flatten().map(Vec::len).find(|&length| length != frames)
     }
@@ -57,8 +59,8 @@ impl From<&Document> for Contacts {
 }
 
 /// Frames whose label is not known are taken for not planted.
-impl From<&Labelling> for Contacts {
-    fn from(labelling: &Labelling) -> Contacts {
+impl From<&Annotation> for Contacts {
+    fn from(labelling: &Annotation) -> Contacts {
         Contacts::of(|side, part| {
             let labels = &labelling.part(part)?[side as usize];
             Some(labels.iter().map(|label| *label == Some(true)).collect())

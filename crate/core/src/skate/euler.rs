@@ -1,9 +1,14 @@
 //! Channel values for a rotation, near those that were there.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Unit, Vector3};
+use nalgebra::DMatrix;
+use nalgebra::DVector;
+use nalgebra::Matrix3;
+use nalgebra::Rotation3;
+use nalgebra::Unit;
+use nalgebra::Vector3;
 
-use super::leg::scaled_axis;
 use crate::bvh::{Axis, Channel};
+use crate::skate::leg::scaled_axis;
 
 /// Steps towards a rotation that a joint's channels cannot make exactly.
 const STEPS: usize = 4;
@@ -11,7 +16,7 @@ const STEPS: usize = 4;
 /// Sets the rotation among `values` (a joint's channels, degrees) to `target`, or as near to it as
 /// its channels can come, continuing from the values that are there: without turning a channel
 /// around, on the branch that is nearest.
-pub(super) fn set(channels: &[Channel], values: &mut [f64], target: &Matrix3<f64>) {
+pub(crate) fn set(channels: &[Channel], values: &mut [f64], target: &Matrix3<f64>) {
     let slots: Vec<(usize, Axis)> = channels
         .iter()
         .enumerate()
@@ -35,7 +40,7 @@ pub(super) fn set(channels: &[Channel], values: &mut [f64], target: &Matrix3<f64
 }
 
 /// Whether a joint can be turned any way: it has three rotations about different axes.
-pub(super) fn is_free(channels: &[Channel]) -> bool {
+pub(crate) fn is_free(channels: &[Channel]) -> bool {
     let has = |axis| channels.contains(&Channel::Rotation(axis));
     let count = channels.iter().filter(|channel| matches!(channel, Channel::Rotation(_))).count();
     count == 3 && Axis::ALL.into_iter().all(has)
@@ -43,7 +48,8 @@ pub(super) fn is_free(channels: &[Channel]) -> bool {
 
 /// The angles of R(i)·R(j)·R(k) for three different axes that are nearest to `last`, in radians.
 fn nearest(matrix: &Matrix3<f64>, [i, j, k]: [usize; 3], last: [f64; 3]) -> [f64; 3] {
-    use std::f64::consts::{PI, TAU};
+    use std::f64::consts::PI;
+    use std::f64::consts::TAU;
     let sign = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
     let at = |row: usize, column: usize| matrix[(row, column)];
     let across = at(k, k).hypot(at(j, k));

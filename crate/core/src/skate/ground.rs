@@ -1,6 +1,6 @@
 //! The height that plants are put on.
 
-use crate::order;
+use crate::numeric::sort;
 
 /// Heights nearer to each other than this may be of one ground, in legs: feet float and sink ...
 const GAP: f64 = 0.03;
@@ -11,10 +11,10 @@ const RANGE: f64 = 0.04;
 ///
 /// Heights that are close together are taken for those of one level ground, at their median.
 /// Steps of stairs are so many grounds; on a slope every plant has the height it has.
-pub(super) fn levels(heights: &[f64], length: f64) -> Vec<f64> {
+pub(crate) fn levels(heights: &[f64], length: f64) -> Vec<f64> {
     let mut levels = heights.to_vec();
     for ground in
-        order::ascending(heights).chunk_by(|&low, &high| heights[high] - heights[low] <= GAP * length)
+        sort::ascending(heights).chunk_by(|&low, &high| heights[high] - heights[low] <= GAP * length)
     {
         let (low, high) = (heights[ground[0]], heights[ground[ground.len() - 1]]);
         if high - low <= RANGE * length {

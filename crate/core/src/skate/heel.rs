@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
+use nalgebra::Vector3;
 
-use super::leg::{Leg, median, upright};
-use super::phases::{Phase, runs};
+use crate::skate::leg::{Leg, median, upright};
+use crate::skate::phases::{Phase, runs};
 use crate::skeleton::Up;
 
 /// What a frame's say in the fit is set against, in squared radians: how much a guess weighs.
@@ -18,7 +19,7 @@ const NEAR: f64 = 0.12;
 ///
 /// The one that moves least while the heel alone stands (least squares over all such frames);
 /// where these say little, the point of the sole right under the ankle of the flat foot.
-pub(super) fn heel(
+pub(crate) fn heel(
     leg: &Leg,
     phases: &[Phase],
     plants: &[Range<usize>],

@@ -1,8 +1,10 @@
 //! The leg's inverse kinematics: two bones in closed form.
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::Matrix3;
+use nalgebra::Rotation3;
+use nalgebra::Vector3;
 
-use super::leg::{Leg, smallest_turn};
+use crate::skate::leg::{Leg, smallest_turn};
 
 /// A knee may always be straightened up to this bend, in radians ...
 const STRAIGHT: f64 = 0.15;
@@ -27,14 +29,14 @@ fn distance(thigh: f64, shank: f64, bend: f64) -> f64 {
 
 /// How far from the hip joint the ankle may be put: with the knee as straight as it is, or nearly
 /// so (Kovar et al. 2002, section 4.3: a straightening knee goes ever faster).
-pub(super) fn reach(leg: &Leg, frame: usize) -> f64 {
+pub(crate) fn reach(leg: &Leg, frame: usize) -> f64 {
     let (thigh, shank, bend) = bones(leg, frame);
     distance(thigh, shank, bend.min(STRAIGHT))
 }
 
 /// How much the knee has to bend for the leg to become a little shorter, next to one bent by
 /// [`EASY`]: the straighter it is, the more.
-pub(super) fn stiffness(leg: &Leg, frame: usize) -> f64 {
+pub(crate) fn stiffness(leg: &Leg, frame: usize) -> f64 {
     let (_, _, bend) = bones(leg, frame);
     (EASY.sin() / bend.sin().max(STRAIGHT)).powi(2)
 }
@@ -43,7 +45,7 @@ pub(super) fn stiffness(leg: &Leg, frame: usize) -> f64 {
 ///
 /// The knee bends about its own axis, then the leg swings the shortest way: the knee goes on
 /// pointing where it did. Where the leg is too short or too long it gets as near as it can.
-pub(super) fn turns(leg: &Leg, frame: usize, hinge: Vector3<f64>, apart: Vector3<f64>) -> [Matrix3<f64>; 2] {
+pub(crate) fn turns(leg: &Leg, frame: usize, hinge: Vector3<f64>, apart: Vector3<f64>) -> [Matrix3<f64>; 2] {
     let upper = leg.knee[frame] - leg.hip[frame];
     let lower = leg.ankle[frame] - leg.knee[frame];
     let own = upper.cross(&lower) / (upper.norm() * lower.norm());

@@ -1,15 +1,20 @@
 //! One leg of a clip: its joints and where they are in each frame.
 
-use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::Matrix3;
+use nalgebra::Quaternion;
+use nalgebra::Rotation3;
+use nalgebra::UnitQuaternion;
+use nalgebra::Vector3;
 
 use crate::bvh::Clip;
-use crate::labels::Side;
-use crate::motion::{self, Kinematics, Track};
+use crate::foot::Side;
+use crate::kinematics;
+use crate::kinematics::{Kinematics, Track};
 use crate::skeleton::{LegRoles, Skeleton, Up};
 
 /// The joints of one leg.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Joints {
+pub(crate) struct Joints {
     /// Hip joint and knee, where both are known and in one chain with the ankle.
     pub upper: Option<[usize; 2]>,
     /// The ankle.
@@ -40,7 +45,7 @@ impl Joints {
 }
 
 /// One leg in motion, in file units and axes.
-pub(super) struct Leg {
+pub(crate) struct Leg {
     /// Its joints.
     pub joints: Joints,
     /// Hip joint and knee; at the ankle where they are not known.
@@ -58,8 +63,8 @@ pub(super) struct Leg {
 }
 
 /// Both legs of a clip, in one pass over it.
-pub(super) fn legs(clip: &Clip, joints: [Joints; 2]) -> [Leg; 2] {
-    let count = motion::pose_count(clip);
+pub(crate) fn legs(clip: &Clip, joints: [Joints; 2]) -> [Leg; 2] {
+    let count = kinematics::pose_count(clip);
     let mut legs = joints.map(|joints| Leg {
         joints,
         hip: Track::with_capacity(count),
@@ -106,24 +111,24 @@ impl Leg {
 }
 
 /// The unit vector that points up.
-pub(super) fn upright(up: Up) -> Vector3<f64> {
+pub(crate) fn upright(up: Up) -> Vector3<f64> {
     Vector3::ith(up.axis.index(), if up.negative { -1.0 } else { 1.0 })
 }
 
 /// The middle value, the lower of two; `None` of none.
-pub(super) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
+pub(crate) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
     let mut values: Vec<f64> = values.collect();
     let middle = values.len().checked_sub(1)? / 2;
     Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// A rotation as axis times angle; small ones exactly, for which the trace of the matrix says little.
-pub(super) fn scaled_axis(rotation: Matrix3<f64>) -> Vector3<f64> {
+pub(crate) fn scaled_axis(rotation: Matrix3<f64>) -> Vector3<f64> {
     UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation)).scaled_axis()
 }
 
 /// The smallest rotation that turns `from` to point along `to`; none where there is no such one.
-pub(super) fn smallest_turn(from: Vector3<f64>, to: Vector3<f64>) -> Rotation3<f64> {
+pub(crate) fn smallest_turn(from: Vector3<f64>, to: Vector3<f64>) -> Rotation3<f64> {
     let lengths = from.norm() * to.norm();
     let turn = Quaternion::from_parts(lengths + from.dot(&to), from.cross(&to)) / lengths;
     UnitQuaternion::try_new(turn, 1e-9).unwrap_or_default().to_rotation_matrix()

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::leg::{Leg, upright};
-use super::phases::{Phase, runs};
-use crate::labels::Side;
+use crate::foot::Side;
+use crate::skate::leg::{Leg, upright};
+use crate::skate::phases::{Phase, runs};
 use crate::skeleton::Up;
 
 /// The slide of every plant of a clip.
@@ -46,7 +46,7 @@ impl Skate {
 }
 
 /// The farthest and the path of one plant in file units: of toe or of heel, whichever is more.
-pub(super) fn slide(
+pub(crate) fn slide(
     leg: &Leg,
     phases: &[Phase],
     frames: &Range<usize>,

@@ -2,15 +2,15 @@
 
 use std::ops::Range;
 
-use super::contacts::FootContacts;
-use super::leg::{Leg, median};
-use crate::labels::intervals;
-use crate::motion::Track;
+use crate::intervals::intervals;
+use crate::kinematics::Track;
+use crate::skate::contacts::FootContacts;
+use crate::skate::leg::{Leg, median};
 use crate::skeleton::Up;
 
 /// What a foot stands on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Phase {
+pub(crate) enum Phase {
     /// Nothing.
     Free,
     /// The heel alone: the foot rolls about it.
@@ -43,7 +43,7 @@ const SUDDEN: f64 = 3.0;
 ///
 /// Heel and toe as labelled. Where neither of them has a label throughout a contact, how the
 /// foot is pitched tells which of them bears it. With toes alone labelled, toes alone stand.
-pub(super) fn phases(leg: &Leg, contacts: &FootContacts, up: Up, length: f64) -> Vec<Phase> {
+pub(crate) fn phases(leg: &Leg, contacts: &FootContacts, up: Up, length: f64) -> Vec<Phase> {
     let count = leg.ankle.len();
     let at = |labels: &Option<Vec<bool>>, frame: usize| labels.as_ref().is_some_and(|labels| labels[frame]);
     let mut phases: Vec<Phase> = (0..count)
@@ -95,7 +95,7 @@ fn flat_rise(leg: &Leg, contact: &[bool], up: Up) -> f64 {
 }
 
 /// The plants: runs of frames in which something stands, cut where the foot is all at once elsewhere.
-pub(super) fn plants(leg: &Leg, phases: &[Phase], length: f64) -> Vec<Range<usize>> {
+pub(crate) fn plants(leg: &Leg, phases: &[Phase], length: f64) -> Vec<Range<usize>> {
     let standing: Vec<bool> = phases.iter().map(|&phase| phase != Phase::Free).collect();
     let step = |frame: usize| {
         let by = |track: &Track| (track[frame] - track[frame - 1]).norm();
@@ -120,7 +120,7 @@ pub(super) fn plants(leg: &Leg, phases: &[Phase], length: f64) -> Vec<Range<usiz
 }
 
 /// The runs of frames within `frames` whose phase is `wanted`.
-pub(super) fn runs(phases: &[Phase], frames: &Range<usize>, wanted: fn(Phase) -> bool) -> Vec<Range<usize>> {
+pub(crate) fn runs(phases: &[Phase], frames: &Range<usize>, wanted: fn(Phase) -> bool) -> Vec<Range<usize>> {
     let labels: Vec<bool> = phases[frames.clone()].iter().map(|&phase| wanted(phase)).collect();
     let shift = |run: Range<usize>| run.start + frames.start..run.end + frames.start;
     intervals(&labels).into_iter().map(shift).collect()

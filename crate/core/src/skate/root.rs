@@ -1,10 +1,12 @@
 //! How the hips go along, so that legs keep their length and reach their feet.
 
-use nalgebra::{Matrix3, SVector, Vector3};
+use nalgebra::Matrix3;
+use nalgebra::SVector;
+use nalgebra::Vector3;
 
-use super::constraints::{Correction, Setting};
-use super::knee;
-use super::leg::{Leg, upright};
+use crate::skate::constraints::{Correction, Setting};
+use crate::skate::knee;
+use crate::skate::leg::{Leg, upright};
 
 /// What a free foot's say in the hips' way is, next to a planted one's.
 const FREE: f64 = 0.05;
@@ -20,7 +22,7 @@ const DOWN: f64 = 0.3;
 /// The way that changes the lengths of the legs least (least squares along each of them, the
 /// standing ones first), smoothed over `smooth` frames; and then down, smoothly over `spread`
 /// frames, wherever a leg would have to be straighter than [`knee::reach`] lets it.
-pub(super) fn way(
+pub(crate) fn way(
     legs: &[Leg; 2],
     corrections: &[Correction; 2],
     planted: &[Vec<bool>; 2],

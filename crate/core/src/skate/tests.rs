@@ -3,8 +3,9 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::bvh::{self, Channel, Joint};
-use crate::labels::Part;
+use crate::bvh;
+use crate::bvh::{Channel, Joint};
+use crate::foot::Part;
 use crate::notice::Code;
 use crate::skeleton::{Overrides, Role};
 
@@ -13,7 +14,7 @@ const TRUTH: &str = include_str!("../../../../samples/curved-walk.json");
 
 fn sample() -> (Clip, Contacts) {
     let clip = bvh::parse(SAMPLE, bvh::Options::default()).expect("a sample").clip;
-    let truth = crate::labels::read(TRUTH, clip.frame_count()).expect("its truth");
+    let truth = crate::formats::read(TRUTH, clip.frame_count()).expect("its truth");
     (clip, Contacts::from(&truth))
 }
 

@@ -2,15 +2,15 @@
 
 use nalgebra::Vector3;
 
-use super::names::{self, BodyPart, Reading};
-use super::{LegRoles, Role, Roles};
 use crate::bvh::{Clip, JointKind};
-use crate::labels::Side;
-use crate::motion;
-use crate::order;
+use crate::foot::Side;
+use crate::kinematics;
+use crate::numeric::sort;
+use crate::skeleton::names::{BodyPart, Reading};
+use crate::skeleton::{LegRoles, Role, Roles, names};
 
 /// Finds the roles in the skeleton that hangs from `root`.
-pub(super) fn roles(clip: &Clip, root: usize) -> Roles {
+pub(crate) fn roles(clip: &Clip, root: usize) -> Roles {
     let tree = Tree::of(clip, root);
     let mut roles = Roles::default();
     let legs = Side::BOTH.map(|side| tree.named_leg(side));
@@ -150,10 +150,10 @@ impl<'a> Tree<'a> {
             .collect();
         let mut wanted = tips.clone();
         wanted.push(self.root);
-        let frames = motion::spread_frames(self.clip, 64);
-        let mut tracks = motion::tracks_at(self.clip, &wanted, frames);
+        let frames = kinematics::spread_frames(self.clip, 64);
+        let mut tracks = kinematics::tracks_at(self.clip, &wanted, frames);
         let root = tracks.pop()?;
-        let mean_from_root = |track: &motion::Track| {
+        let mean_from_root = |track: &kinematics::Track| {
             let sum: Vector3<f64> = track.iter().zip(&root).map(|(tip, root)| tip - root).sum();
             sum / root.len() as f64
         };
@@ -167,7 +167,7 @@ impl<'a> Tree<'a> {
             }
         }
         let reaches: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
-        let pairs: Vec<_> = order::descending(&reaches).into_iter().map(|place| pairs[place]).collect();
+        let pairs: Vec<_> = sort::descending(&reaches).into_iter().map(|place| pairs[place]).collect();
         let &(reach, a, b) = pairs.first()?;
         let own = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
         // A rival is a pair of other limbs that reaches nearly as far.
@@ -217,7 +217,7 @@ impl<'a> Tree<'a> {
         let (Some(here), Some(there)) = (leg.ankle, other.ankle) else { return true };
         let tips = [here, there].map(|ankle| self.tip(ankle).unwrap_or(ankle));
         let joints = [here, there, tips[0], tips[1]];
-        let tracks = motion::tracks_at(self.clip, &joints, motion::spread_frames(self.clip, 64));
+        let tracks = kinematics::tracks_at(self.clip, &joints, kinematics::spread_frames(self.clip, 64));
         let votes = (0..tracks[0].len()).map(|frame| {
             let [here, there, tip, other_tip] = [0, 1, 2, 3].map(|joint| tracks[joint][frame]);
             let forward = (tip - here) + (other_tip - there);

@@ -5,16 +5,20 @@ mod names;
 mod roles;
 mod world;
 
-pub use roles::{LegRoles, Role, Roles};
-pub use world::{Up, unit_name};
+pub use roles::LegRoles;
+pub use roles::Role;
+pub use roles::Roles;
+pub use world::Up;
+pub use world::unit_name;
 
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
 use crate::bvh::Clip;
-use crate::labels::Side;
-use crate::motion::{self, Track};
+use crate::foot::Side;
+use crate::kinematics;
+use crate::kinematics::Track;
 use crate::notice::{Code, Notice};
 
 /// What a person knows better than the file.
@@ -110,7 +114,7 @@ impl Skeleton {
     ///
     /// A clip without motion gives its rest pose.
     pub fn positions(&self, clip: &Clip) -> Vec<f32> {
-        self.positions_in(clip, 0..motion::pose_count(clip))
+        self.positions_in(clip, 0..kinematics::pose_count(clip))
     }
 
     /// As [`Skeleton::positions`], of some of the poses.
@@ -118,7 +122,7 @@ impl Skeleton {
     /// # Panics
     /// If there are no such poses.
     pub fn positions_in(&self, clip: &Clip, poses: Range<usize>) -> Vec<f32> {
-        let mut kinematics = motion::Kinematics::of(clip);
+        let mut kinematics = kinematics::Kinematics::of(clip);
         let mut positions = Vec::with_capacity(poses.len() * clip.joints().len() * 3);
         for frame in poses {
             for position in kinematics.pose(frame) {
@@ -146,9 +150,10 @@ impl Body {
             let leg = LegRoles::of(side);
             [leg.thigh, leg.shank, leg.ankle, leg.toe, leg.tip].map(|role| roles.get(role))
         };
-        let track =
-            |joint: usize| motion::tracks_at(clip, &[joint], motion::spread_frames(clip, POSES)).remove(0);
-        let pose = motion::Kinematics::of(clip).pose(0).to_vec();
+        let track = |joint: usize| {
+            kinematics::tracks_at(clip, &[joint], kinematics::spread_frames(clip, POSES)).remove(0)
+        };
+        let pose = kinematics::Kinematics::of(clip).pose(0).to_vec();
         let distances = pose.iter().flat_map(|a| pose.iter().map(move |b| (a - b).norm()));
         Body {
             hips: track(roles.get(Role::Hips).unwrap_or(root)),

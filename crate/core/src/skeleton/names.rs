@@ -1,10 +1,10 @@
 //! Joint names as they occur, reduced to a side and a body part.
 
-use crate::labels::Side;
+use crate::foot::Side;
 
 /// A body part as joints are called after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum BodyPart {
+pub(crate) enum BodyPart {
     Hips,
     Spine,
     Neck,
@@ -24,7 +24,7 @@ pub(super) enum BodyPart {
 
 /// What a name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Reading {
+pub(crate) struct Reading {
     pub side: Option<Side>,
     pub part: Option<BodyPart>,
 }
@@ -48,7 +48,7 @@ const PREFIXES: [&str; 14] = [
 ];
 
 /// Reads a joint's name.
-pub(super) fn read(name: &str) -> Reading {
+pub(crate) fn read(name: &str) -> Reading {
     let name = name.rsplit(':').next().unwrap_or(name);
     let (side_by_sign, name) = strip_sign(name);
     let mut words = words(&name);

@@ -1,8 +1,9 @@
 //! Roles: which joint is the left ankle, and so on.
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde::Serialize;
 
-use crate::labels::Side;
+use crate::foot::Side;
 
 /// What a joint is to the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -82,7 +82,7 @@ const UNITS: [(f64, &str); 6] =
 /// Metres per file unit, for a figure whose legs are `leg` file units from hip joint to sole.
 ///
 /// The nearest known unit is taken where it comes within 10 % of legs of 0.9 m.
-pub(super) fn metres_per_unit(leg: f64) -> f64 {
+pub(crate) fn metres_per_unit(leg: f64) -> f64 {
     let metres = LEG_METRES / leg;
     let off = |unit: f64| (unit / metres - 1.0).abs();
     let nearest = UNITS.iter().map(|&(unit, _)| unit).min_by(|&a, &b| off(a).total_cmp(&off(b)));

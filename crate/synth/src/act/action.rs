@@ -1,6 +1,6 @@
 //! Actions by name, to be put in a row.
 
-use plantigrade::labels::Side::{Left, Right};
+use plantigrade::foot::Side::{Left, Right};
 
 use super::{Actor, Style};
 

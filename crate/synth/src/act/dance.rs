@@ -1,6 +1,6 @@
 //! Salsa.
 
-use plantigrade::labels::Side::{Left, Right};
+use plantigrade::foot::Side::{Left, Right};
 
 use super::{Actor, Carriage, STANCE};
 use crate::plan::{Carry, Gait, Landing, Lift, beside};

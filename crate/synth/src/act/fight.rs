@@ -1,6 +1,6 @@
 //! Kicking, boxing.
 
-use plantigrade::labels::Side::{self, Left, Right};
+use plantigrade::foot::Side::{self, Left, Right};
 
 use super::{Actor, Carriage, STANCE, other};
 use crate::curve::Track;

@@ -1,6 +1,6 @@
 //! Jumping, on both feet and on one.
 
-use plantigrade::labels::Side::{self, Left};
+use plantigrade::foot::Side::{self, Left};
 
 use super::{Actor, Carriage, STANCE, Style, other};
 use crate::curve::Track;

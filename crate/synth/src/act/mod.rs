@@ -17,7 +17,7 @@ pub use action::{Action, Performed};
 pub use carriage::Carriage;
 pub use style::Style;
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use crate::character::Build;
 use crate::plan::{Gait, Place, Plan, Planner};

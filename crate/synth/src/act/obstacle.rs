@@ -150,7 +150,7 @@ impl Actor<'_> {
             }
             let heave =
                 |pitch, lean| Carriage { trunk: [pitch, 0.0, lean], pelvis: [4.0, 0.0, -0.7 * lean], ..limp };
-            let lean = if good == plantigrade::labels::Side::Left { 8.0 } else { -8.0 };
+            let lean = if good == plantigrade::foot::Side::Left { 8.0 } else { -8.0 };
             self.carry(strike - 0.1, &heave(8.0, -0.3 * lean));
             self.carry(strike + 0.4, &heave(14.0, lean));
         }

@@ -1,6 +1,6 @@
 //! What people do on the spot: turning, stepping aside, bending, stretching, sitting.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::{Actor, Carriage, STANCE, other};
 use crate::plan::{ArmStyle, Carry, Gait, Landing, Lift};

@@ -1,6 +1,6 @@
 //! The full set: the samples and the everyday range of motion libraries.
 
-use plantigrade::labels::Side::{Left, Right};
+use plantigrade::foot::Side::{Left, Right};
 
 use super::catalogue;
 use crate::act::{Actor, Carriage, Style};

@@ -1,6 +1,6 @@
 //! Clips that plant detectors stumble over, kept apart from the full set.
 
-use plantigrade::labels::Side::{self, Left};
+use plantigrade::foot::Side::{self, Left};
 
 use crate::act::{Actor, Carriage, Style};
 use crate::curve::Track;

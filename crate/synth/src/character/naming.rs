@@ -1,6 +1,6 @@
 //! What the joints of a skeleton are called, in the conventions met in the field.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::Bone;
 

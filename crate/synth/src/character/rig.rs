@@ -1,6 +1,6 @@
 //! The skeleton in the generator's own frame: metres, y up, z forward, x left, T-pose.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::Build;
 use crate::maths::Vec3;

@@ -1,6 +1,6 @@
 //! Ballet: plié, relevé, tendu, a pirouette, two small jumps, an arabesque.
 
-use plantigrade::labels::Side::{self, Left, Right};
+use plantigrade::foot::Side::{self, Left, Right};
 
 use crate::character::{Build, outward};
 use crate::curve::Track;

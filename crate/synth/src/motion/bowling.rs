@@ -1,6 +1,6 @@
 //! Bowling: four steps with the ball swinging, a slide on the left foot, the release.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use crate::character::Build;
 use crate::plan::{ArmStyle, Carry, Gait, Landing, Lift, Place, Plan, Planner, beside};

@@ -1,6 +1,6 @@
 //! Walking on a curve to the left, caught in mid-stride.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::other;
 use crate::character::Build;

@@ -1,6 +1,6 @@
 //! A drunk on the way home: lurching, catching the balance, stopping, giving ground.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::other;
 use crate::character::{Build, outward};

@@ -1,7 +1,7 @@
 //! Walking with a bad right leg: the left foot steps, the right is dragged after it
 //! with its toes on the floor.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use crate::character::Build;
 use crate::plan::{ArmStyle, Carry, Gait, Landing, Lift, Place, Plan, Planner};

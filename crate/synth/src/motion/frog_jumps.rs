@@ -1,6 +1,6 @@
 //! Frog jumps: from a deep crouch, both feet, one after the other.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use crate::character::Build;
 use crate::plan::{ArmStyle, Carry, Gait, Hop, Landing, Lift, Place, Plan, Planner};

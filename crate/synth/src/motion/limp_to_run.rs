@@ -1,6 +1,6 @@
 //! A limping walk that becomes a limping run.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::other;
 use crate::character::Build;

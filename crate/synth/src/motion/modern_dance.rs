@@ -1,7 +1,7 @@
 //! Modern dance: a side lunge, a turn on the ball of the foot, a split leap, a fall
 //! into the low lunge.
 
-use plantigrade::labels::Side::{Left, Right};
+use plantigrade::foot::Side::{Left, Right};
 
 use crate::character::Build;
 use crate::curve::Track;

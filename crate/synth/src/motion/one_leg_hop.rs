@@ -1,6 +1,6 @@
 //! Hopping on the left leg, the right foot held up behind.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use crate::character::Build;
 use crate::curve::Track;

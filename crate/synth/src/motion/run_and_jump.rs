@@ -1,6 +1,6 @@
 //! Running and jumping out of rhythm: strides, a leap, a jump off both feet, on again.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::other;
 use crate::character::Build;

@@ -1,6 +1,6 @@
 //! Skipping along: step and hop on one foot, step and hop on the other.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::other;
 use crate::character::Build;

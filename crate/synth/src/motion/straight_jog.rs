@@ -1,6 +1,6 @@
 //! Jogging straight on: standing, getting going, an even jog, coming to a stop.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::other;
 use crate::character::Build;

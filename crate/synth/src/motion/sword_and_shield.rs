@@ -1,6 +1,6 @@
 //! A bout with the shield on the left arm and the sword in the right hand.
 
-use plantigrade::labels::Side::{self, Left, Right};
+use plantigrade::foot::Side::{self, Left, Right};
 
 use crate::character::Build;
 use crate::plan::{Carry, Gait, Landing, Lift, Place, Plan, Planner};

@@ -1,6 +1,6 @@
 //! Keeps the pelvis where standing legs can reach the ground without being stretched.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::PelvisPose;
 use crate::character::{Build, outward};

@@ -1,6 +1,6 @@
 //! How trunk, head and arms are carried.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use crate::curve::Track;
 

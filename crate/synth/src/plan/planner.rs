@@ -1,6 +1,6 @@
 //! Writing a plan step by step, along a way.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::{Body, FootPlan, Gait, Hop, Place, Plan, Step};
 use crate::character::outward;

@@ -1,6 +1,6 @@
 //! Legs: two bones and a foot, solved in closed form.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::Pose;
 use crate::character::{Bone, Build, outward};

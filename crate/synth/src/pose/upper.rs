@@ -1,6 +1,6 @@
 //! The upper body: spine, head and arms, following pelvis and plan.
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 
 use super::Pose;
 use crate::character::{Bone, outward};

@@ -1,6 +1,7 @@
 //! What plants are found by, and what a person says of them.
 
-use plantigrade::labels::{Edit, Part, Side};
+use plantigrade::foot::{Part, Side};
+use plantigrade::plants::Edit;
 use plantigrade::plants::{Family, Method, Params};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;

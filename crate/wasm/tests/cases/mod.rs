@@ -2,7 +2,8 @@
 
 use js_sys::Function;
 use plantigrade::bvh;
-use plantigrade::labels::{Document, Part, Side};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats::Document;
 use plantigrade::plants::{self, Feet};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{

@@ -1,10 +1,10 @@
 //! A rule of motion-learning code: hardly moved since the frame before.
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "displacement",
     title: "Squared displacement 0.002",
     about: "Toes whose squared displacement from the frame before is below 0.002 m², whatever the frame rate.",

@@ -1,10 +1,10 @@
 //! The published method with one scale for all clips (paper, section 3.4).
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "sigma",
     title: "Fixed scale",
     about: "The published method with σ = 0.17 for every clip instead of each clip's own.",

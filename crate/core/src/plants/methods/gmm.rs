@@ -1,13 +1,14 @@
 //! Two Gaussians on the logarithms of height and speed.
 
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::Matrix2;
+use nalgebra::Vector2;
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
 use crate::plants::signal::Signals;
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "gmm",
     title: "Gaussian mixture",
     about: "Two Gaussians on the logarithms of height and speed, fitted to each clip.",
@@ -30,7 +31,7 @@ fn detect(task: &Task) -> Found {
 }
 
 /// Logarithms of height and speed in legs; the floor keeps rest finite.
-pub(super) fn points(signals: &Signals, leg: f64) -> Vec<Vector2<f64>> {
+pub(crate) fn points(signals: &Signals, leg: f64) -> Vec<Vector2<f64>> {
     let log = |value: f64, floor: f64| (value / leg + floor).ln();
     let point = |(height, speed): (&f64, &f64)| Vector2::new(log(*height, 0.005), log(*speed, 0.02));
     signals.iter().flat_map(|signal| signal.height.iter().zip(&signal.speed).map(point)).collect()
@@ -38,7 +39,7 @@ pub(super) fn points(signals: &Signals, leg: f64) -> Vec<Vector2<f64>> {
 
 /// One Gaussian with its share.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Gaussian {
+pub(crate) struct Gaussian {
     pub share: f64,
     mean: Vector2<f64>,
     covariance: Matrix2<f64>,
@@ -74,7 +75,7 @@ impl Gaussian {
 
 /// Planted and not.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mixture {
+pub(crate) struct Mixture {
     pub planted: Gaussian,
     pub moving: Gaussian,
 }

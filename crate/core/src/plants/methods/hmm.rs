@@ -2,12 +2,12 @@
 
 use nalgebra::Vector2;
 
-use super::gmm::{self, Gaussian, Mixture};
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::gmm::{Gaussian, Mixture};
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task, gmm};
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "hmm",
     title: "Hidden Markov model",
     about: "Two Gaussian states on the logarithms of height and speed that tend to last, fitted to each clip.",

@@ -1,12 +1,12 @@
 //! A scale for each sample (Zelnik-Manor and Perona, *Self-tuning spectral
 //! clustering*, NIPS 2005), which the paper rejects (section 2.2).
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
-use crate::plants::samples::Samples;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::signal::samples::Samples;
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "local",
     title: "Local scale",
     about: "The published method with a scale for each sample: the distance of its seventh neighbour.",

@@ -1,11 +1,11 @@
 //! A rule of motion-learning code: slow after a median filter.
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
 use crate::plants::Limits;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "median-speed",
     title: "0.15 m/s, median filter",
     about: "Toes slower than 0.15 m/s, the labels smoothed by a median filter of seven frames.",
@@ -17,7 +17,7 @@ pub(super) const METHOD: Entry = Entry {
 /// In metres per second.
 const SPEED: f64 = 0.15;
 
-pub(in crate::plants) const LIMITS: Limits = Limits { height: None, speed: Some(SPEED) };
+pub(crate) const LIMITS: Limits = Limits { height: None, speed: Some(SPEED) };
 
 /// Frames to either side of the filter.
 const HALF: usize = 3;

@@ -1,11 +1,11 @@
 //! The slower of toe and ankle under a threshold: the strongest simple rule for contact.
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
 use crate::plants::signal;
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "min-speed",
     title: "Slower of toe and ankle",
     about: "Contact where toe or ankle is slower than a threshold in metres per second.",

@@ -24,14 +24,14 @@ use std::cell::Cell;
 use std::fmt;
 use std::str::FromStr;
 
-pub(super) use height_speed::LIMITS as HEIGHT_SPEED;
-pub(super) use median_speed::LIMITS as MEDIAN_SPEED;
-pub(super) use robust::Kept;
+pub(crate) use height_speed::LIMITS as HEIGHT_SPEED;
+pub(crate) use median_speed::LIMITS as MEDIAN_SPEED;
+pub(crate) use robust::Kept;
 
-use super::{Feet, PartLabels, ValidParams};
-use crate::labels::Part;
-use crate::named::named;
+use crate::foot::Part;
+use crate::lookup::named;
 use crate::notice::Notice;
+use crate::plants::{Feet, PartLabels, ValidParams};
 
 /// How plants are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -83,7 +83,7 @@ pub enum Family {
 }
 
 /// What a method is told.
-pub(super) struct Task<'a> {
+pub(crate) struct Task<'a> {
     pub feet: &'a Feet,
     /// The feet of the same character standing still, to be clustered along.
     pub still: Option<&'a Feet>,
@@ -93,13 +93,13 @@ pub(super) struct Task<'a> {
 }
 
 /// What a method finds.
-pub(super) struct Found {
+pub(crate) struct Found {
     pub parts: Vec<PartLabels>,
     pub notices: Vec<Notice>,
 }
 
 /// What a method's file says of it.
-pub(super) struct Entry {
+pub(crate) struct Entry {
     name: &'static str,
     title: &'static str,
     about: &'static str,
@@ -176,7 +176,7 @@ impl Method {
         self.entry().parts
     }
 
-    pub(super) fn detect(self, task: &Task) -> Found {
+    pub(crate) fn detect(self, task: &Task) -> Found {
         (self.entry().detect)(task)
     }
 }

@@ -1,14 +1,14 @@
 //! Normalised cut: the second eigenvector (Shi and Malik, *Normalized cuts and
 //! image segmentation*, PAMI 22(8), 2000).
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
-use crate::plants::degree::{Graph, Kernel};
-use crate::plants::lanczos;
-use crate::plants::samples::Samples;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::signal::samples::Samples;
+use crate::plants::spectral::affinity::{Graph, Kernel};
+use crate::plants::spectral::lanczos;
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "ncut",
     title: "Normalised cut",
     about: "The second eigenvector of the same graph, parted by two-means.",
@@ -28,7 +28,7 @@ fn detect(task: &Task) -> Found {
 }
 
 /// The two leading eigenvectors of D^-½ A D^-½, of unit length.
-pub(super) fn leading_vectors(samples: &Samples, sigma: f64) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn leading_vectors(samples: &Samples, sigma: f64) -> (Vec<f64>, Vec<f64>) {
     let count = samples.len();
     if sigma <= 1e-30 {
         return (vec![0.0; count], vec![0.0; count]);

@@ -1,11 +1,11 @@
 //! Two eigenvectors with rows of unit length (Ng, Jordan and Weiss, *On spectral
 //! clustering: analysis and an algorithm*, NIPS 2002).
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task, ncut};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task, ncut};
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "njw",
     title: "Ng–Jordan–Weiss",
     about: "Two eigenvectors with rows of unit length, as the algorithm that the paper builds on has them.",

@@ -1,10 +1,10 @@
 //! The published method (paper, section 2.3).
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "paper",
     title: "Paper 2014",
     about: "The published method, word for word: toes only, and no answer for feet that never move.",

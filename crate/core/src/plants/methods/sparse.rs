@@ -1,12 +1,12 @@
 //! Likeness cut off at a distance, which makes the matrix sparse (paper, section 3.3).
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
-use crate::order;
-use crate::plants::samples::Samples;
+use crate::foot::Part;
+use crate::numeric::sort;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::signal::samples::Samples;
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "sparse",
     title: "Sparse",
     about: "The published method without the likeness of samples more than 2σ apart.",
@@ -29,7 +29,7 @@ fn detect(task: &Task) -> Found {
 fn roots(samples: &Samples, sigma: f64) -> Vec<f64> {
     let count = samples.len();
     let mut degrees = vec![0.0; count];
-    let order = order::ascending(&samples.norms);
+    let order = sort::ascending(&samples.norms);
     for (place, &i) in order.iter().enumerate() {
         let near = |&&j: &&usize| samples.norms[j] - samples.norms[i] <= REACH * sigma;
         for &j in order[place + 1..].iter().take_while(near) {

@@ -1,10 +1,10 @@
 //! Thresholds on height and speed: the baselines of the paper's table 3.
 
-use super::toes::Toes;
-use super::{Entry, Family, Found, Task};
-use crate::labels::Part;
+use crate::foot::Part;
+use crate::plants::methods::toes::Toes;
+use crate::plants::methods::{Entry, Family, Found, Task};
 
-pub(super) const HEIGHT: Entry = Entry {
+pub(crate) const HEIGHT: Entry = Entry {
     name: "height",
     title: "Height threshold",
     about: "Toes lower than a threshold in metres, the same for every clip.",
@@ -13,7 +13,7 @@ pub(super) const HEIGHT: Entry = Entry {
     detect: |task| by(task, true, false),
 };
 
-pub(super) const SPEED: Entry = Entry {
+pub(crate) const SPEED: Entry = Entry {
     name: "speed",
     title: "Speed threshold",
     about: "Toes slower than a threshold in metres per second, the same for every clip.",
@@ -22,7 +22,7 @@ pub(super) const SPEED: Entry = Entry {
     detect: |task| by(task, false, true),
 };
 
-pub(super) const DUAL: Entry = Entry {
+pub(crate) const DUAL: Entry = Entry {
     name: "dual",
     title: "Height and speed thresholds",
     about: "Toes both lower and slower than thresholds, the same for every clip.",

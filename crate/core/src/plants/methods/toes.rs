@@ -2,23 +2,25 @@
 
 use std::cell::OnceCell;
 
-use super::{Found, Task};
-use crate::labels::Part;
-use crate::plants::cells::Grouped;
-use crate::plants::cluster::{self, Between, Evidence};
-use crate::plants::degree::Kernel;
-use crate::plants::field::Field;
-use crate::plants::roots::{Among, Pairs};
-use crate::plants::samples::{Ranges, Samples};
-use crate::plants::scale::{self, Scale};
-use crate::plants::signal::{self, Signal, Signals};
-use crate::plants::{Feet, FootLabels, PartLabels, confidence};
+use crate::foot::Part;
+use crate::plants::methods::{Found, Task};
+use crate::plants::postprocess::confidence;
+use crate::plants::signal::samples::{Ranges, Samples};
+use crate::plants::signal::{Signal, Signals};
+use crate::plants::spectral::affinity::Kernel;
+use crate::plants::spectral::bandwidth::Scale;
+use crate::plants::spectral::cells::Grouped;
+use crate::plants::spectral::degree::{Among, Pairs};
+use crate::plants::spectral::field::Field;
+use crate::plants::spectral::threshold::{Between, Evidence};
+use crate::plants::spectral::{bandwidth, threshold};
+use crate::plants::{Feet, FootLabels, PartLabels, signal};
 
 /// Half the window over which confidence is averaged, in seconds.
 const CONFIDENCE_WINDOW: f64 = 0.04;
 
 /// The toes of a clip as the published method sees them (paper, section 2.3, steps 1 to 4).
-pub(super) struct Toes<'a> {
+pub(crate) struct Toes<'a> {
     feet: &'a Feet,
     pub signals: Signals,
     /// Those of the clip: left frames, then right ones; those of a standing clip after them.
@@ -54,7 +56,7 @@ impl<'a> Toes<'a> {
 
     /// σ by the knee of the norms, unless set by hand.
     pub fn scale(&self, task: &Task) -> (Scale, f64) {
-        let scale = Scale::find(scale::sorted(&self.samples.norms), task.params.tolerance());
+        let scale = Scale::find(bandwidth::sorted(&self.samples.norms), task.params.tolerance());
         let sigma = task.params.scale().unwrap_or(scale.sigma());
         (scale, sigma)
     }
@@ -62,7 +64,7 @@ impl<'a> Toes<'a> {
     /// Labels by a value that each sample has, parted at the gap (paper, section 2.3, steps 10 to 12).
     pub fn parted_by(self, values: Vec<f64>, scale: Scale, sigma: f64) -> Found {
         let frames = (0..self.feet.frame_count()).collect();
-        let parted = cluster::divide(frames, &self.samples, scale, sigma, values, Between::Gap);
+        let parted = threshold::divide(frames, &self.samples, scale, sigma, values, Between::Gap);
         self.parted(parted)
     }
 
@@ -74,7 +76,7 @@ impl<'a> Toes<'a> {
         let grouped = Grouped::from(std::mem::take(&mut self.samples));
         let among = Among { samples: &grouped, weights: &weights, sigma, kernel, pairs, expansion };
         let (mut evidence, planted) =
-            cluster::divide(frames, &grouped.samples, scale, sigma, among.own(), Between::Gap);
+            threshold::divide(frames, &grouped.samples, scale, sigma, among.own(), Between::Gap);
         evidence.field = Some(Field::of(&among, self.ranges));
         self.parted((evidence, planted))
     }
@@ -115,7 +117,7 @@ impl<'a> Toes<'a> {
                     .collect(),
                 None => vec![1.0; count],
             };
-            let (height, speed) = (cluster::single(&signal.height), cluster::single(&signal.speed));
+            let (height, speed) = (threshold::single(&signal.height), threshold::single(&signal.speed));
             FootLabels { planted, confidence, height, speed }
         };
         let feet = [labels(0, left), labels(1, right)];

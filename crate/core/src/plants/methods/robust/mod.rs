@@ -10,26 +10,29 @@
 //! bears weight; heels are clustered by themselves. Runs too short for a person are
 //! dropped, and feet that are dragged.
 
-mod kept;
+mod cache;
 
-use std::cell::{Cell, OnceCell};
+use std::cell::Cell;
+use std::cell::OnceCell;
 
-pub(in crate::plants) use kept::Kept;
-use kept::{Cloud, Clouds, Motion};
+pub(crate) use crate::plants::methods::robust::cache::Kept;
+use crate::plants::methods::robust::cache::{Cloud, Clouds, Motion};
 
-use super::{Entry, Family, Found, Task};
-use crate::labels::{Part, Side};
+use crate::foot::{Part, Side};
 use crate::notice::{Code, Notice};
-use crate::plants::cells::Grouped;
-use crate::plants::cluster::{self, Between, Evidence};
-use crate::plants::degree::Kernel;
-use crate::plants::expansion::Expansion;
-use crate::plants::field::Field;
-use crate::plants::roots::Among;
-use crate::plants::samples::{Ranges, Samples};
-use crate::plants::scale::Scale;
+use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::postprocess::{confidence, dragging, short_runs};
 use crate::plants::signal::Signal;
-use crate::plants::{Feet, FootLabels, PartLabels, ValidParams, clean, confidence, drag};
+use crate::plants::signal::samples::{Ranges, Samples};
+use crate::plants::spectral::affinity::Kernel;
+use crate::plants::spectral::bandwidth::Scale;
+use crate::plants::spectral::cells::Grouped;
+use crate::plants::spectral::degree::Among;
+use crate::plants::spectral::expansion::Expansion;
+use crate::plants::spectral::field::Field;
+use crate::plants::spectral::threshold;
+use crate::plants::spectral::threshold::{Between, Evidence};
+use crate::plants::{Feet, FootLabels, PartLabels, ValidParams};
 
 /// The samples of longer clips are not kept for another detection: those of so many frames take
 /// about 20 MB with all that goes with them.
@@ -50,7 +53,7 @@ const SHORTEST_RUN: f64 = 0.1;
 /// Half the window over which confidence is averaged, in seconds.
 const CONFIDENCE_WINDOW: f64 = 0.04;
 
-pub(super) const METHOD: Entry = Entry {
+pub(crate) const METHOD: Entry = Entry {
     name: "robust",
     title: "Robust spectral",
     about: "Contact, heel and toe apart; mends glitches first, and reads motion alike at any frame rate.",
@@ -175,7 +178,7 @@ impl Work<'_> {
         let among = Among { samples: &cloud.samples, weights: &anchors, sigma, kernel, pairs, expansion };
         let frames = self.motion.pieces.iter().cloned().flatten().collect();
         let (mut evidence, planted) =
-            cluster::divide(frames, samples, scale, sigma, among.own(), Between::Medians);
+            threshold::divide(frames, samples, scale, sigma, among.own(), Between::Medians);
         evidence.field = Some(Field::of(&among, cloud.ranges));
         let expansion = among.expansion;
         Clustering { cloud, anchors, expansion, evidence, planted }
@@ -213,7 +216,7 @@ impl Work<'_> {
         for piece in &self.motion.pieces {
             let samples = done..done + piece.len();
             let mut piece_labels = planted[samples.clone()].to_vec();
-            clean::drop_short_runs(&mut piece_labels, shortest);
+            short_runs::drop_short_runs(&mut piece_labels, shortest);
             let probability = confidence::planted_probability(&roots[samples.clone()], evidence, half);
             for ((frame, label), p) in piece.clone().zip(piece_labels).zip(probability) {
                 labels[frame] = label;
@@ -230,7 +233,7 @@ impl Work<'_> {
         let planted = |foot: &FootLabels| foot.planted.iter().filter(|planted| **planted).count();
         let before = contact.each_ref().map(planted);
         for piece in &self.motion.pieces {
-            drag::drop_dragged(self.feet, piece, contact);
+            dragging::drop_dragged(self.feet, piece, contact);
         }
         for labels in &mut *contact {
             self.fill_ends(&mut labels.planted, &mut labels.confidence);
@@ -269,8 +272,8 @@ fn compare(own: &Cloud, clustering: &mut Clustering, params: ValidParams) -> Clu
     roots.settle(evidence.threshold);
     let planted = roots.values.iter().map(|&root| root > evidence.threshold).collect();
     let evidence = Evidence {
-        roots: cluster::single(&roots.values),
-        norms: cluster::single(&own.samples.samples.norms),
+        roots: threshold::single(&roots.values),
+        norms: threshold::single(&own.samples.samples.norms),
         frames: evidence.frames.clone(),
         sorted_norms: evidence.sorted_norms.clone(),
         field: evidence.field.clone(),

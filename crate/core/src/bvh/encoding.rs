@@ -1,0 +1,136 @@
+//! Text encodings: UTF-8 or UTF-16, with or without byte order mark, to UTF-8 bytes.
+
+/// Turns chunks of a file into UTF-8, whatever way they are cut.
+#[derive(Debug, Default)]
+pub(crate) struct Decoder {
+    encoding: Option<Encoding>,
+    /// Bytes that wait for more: at most three.
+    pending: Vec<u8>,
+    /// A UTF-16 high surrogate that waits for its low one.
+    surrogate: Option<u16>,
+    text: Vec<u8>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Encoding {
+    Utf8,
+    Utf16 { big_endian: bool },
+}
+
+impl Decoder {
+    /// The text of the next chunk; borrowed from the chunk where it is UTF-8 as it stands.
+    pub fn decode<'a>(&'a mut self, chunk: &'a [u8]) -> &'a [u8] {
+        match self.encoding {
+            Some(Encoding::Utf8) => return chunk,
+            Some(Encoding::Utf16 { big_endian }) => {
+                self.pending.extend_from_slice(chunk);
+                self.transcode(big_endian);
+            }
+            None => {
+                self.pending.extend_from_slice(chunk);
+                // Three bytes tell a UTF-8 mark from everything else.
+                if self.pending.len() >= 3 {
+                    self.begin();
+                } else {
+                    self.text.clear();
+                }
+            }
+        }
+        &self.text
+    }
+
+    /// What is left when the file ends.
+    pub fn finish(&mut self) -> &[u8] {
+        self.text.clear();
+        if self.encoding.is_none() {
+            self.begin();
+        }
+        if self.surrogate.take().is_some() || !self.pending.is_empty() {
+            push_char(&mut self.text, char::REPLACEMENT_CHARACTER);
+            self.pending.clear();
+        }
+        &self.text
+    }
+
+    fn begin(&mut self) {
+        let (encoding, mark) = match self.pending[..] {
+            [0xef, 0xbb, 0xbf, ..] => (Encoding::Utf8, 3),
+            [0xff, 0xfe, ..] => (Encoding::Utf16 { big_endian: false }, 2),
+            [0xfe, 0xff, ..] => (Encoding::Utf16 { big_endian: true }, 2),
+            // Without a mark: BVH begins with ASCII, one byte of each pair is zero.
+            [1..=255, 0, ..] => (Encoding::Utf16 { big_endian: false }, 0),
+            [0, 1..=255, ..] => (Encoding::Utf16 { big_endian: true }, 0),
+            _ => (Encoding::Utf8, 0),
+        };
+        self.encoding = Some(encoding);
+        self.pending.drain(..mark);
+        match encoding {
+            Encoding::Utf8 => self.text = std::mem::take(&mut self.pending),
+            Encoding::Utf16 { big_endian } => self.transcode(big_endian),
+        }
+    }
+
+    fn transcode(&mut self, big_endian: bool) {
+        self.text.clear();
+        let whole = self.pending.len() / 2 * 2;
+        let units = self.pending[..whole].chunks_exact(2).map(|pair| {
+            let pair = [pair[0], pair[1]];
+            if big_endian { u16::from_be_bytes(pair) } else { u16::from_le_bytes(pair) }
+        });
+        let mut units: Vec<u16> = self.surrogate.take().into_iter().chain(units).collect();
+        if units.last().is_some_and(|unit| (0xd800..0xdc00).contains(unit)) {
+            self.surrogate = units.pop();
+        }
+        for c in char::decode_utf16(units) {
+            push_char(&mut self.text, c.unwrap_or(char::REPLACEMENT_CHARACTER));
+        }
+        self.pending.drain(..whole);
+    }
+}
+
+fn push_char(text: &mut Vec<u8>, c: char) {
+    text.extend_from_slice(c.encode_utf8(&mut [0; 4]).as_bytes());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn decode(bytes: &[u8], chunk: usize) -> String {
+        let mut decoder = Decoder::default();
+        let mut text = Vec::new();
+        for chunk in bytes.chunks(chunk) {
+            text.extend_from_slice(decoder.decode(chunk));
+        }
+        text.extend_from_slice(decoder.finish());
+        String::from_utf8(text).unwrap()
+    }
+
+    fn encode(text: &str, big_endian: bool, mark: bool) -> Vec<u8> {
+        let units = mark.then_some(0xfeff).into_iter().chain(text.encode_utf16());
+        units.flat_map(|unit| if big_endian { unit.to_be_bytes() } else { unit.to_le_bytes() }).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn any_encoding_in_any_chunks(tail in "\\PC{0,20}", chunk in 1_usize..9) {
+            let text = format!("HIERARCHY {tail}");
+            prop_assert_eq!(&decode(text.as_bytes(), chunk), &text);
+            prop_assert_eq!(&decode(format!("\u{feff}{text}").as_bytes(), chunk), &text);
+            for big_endian in [false, true] {
+                for mark in [false, true] {
+                    prop_assert_eq!(&decode(&encode(&text, big_endian, mark), chunk), &text);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn short_files_survive() {
+        assert_eq!(decode(b"", 1), "");
+        assert_eq!(decode(b"H", 1), "H");
+        assert_eq!(decode(&[0xff, 0xfe], 1), "");
+        assert_eq!(decode(&[0xff, 0xfe, b'H', 0, b'I'], 2), "H\u{fffd}");
+    }
+}

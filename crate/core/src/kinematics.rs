@@ -1,0 +1,199 @@
+//! Forward kinematics: channel values to joint positions.
+
+use nalgebra::Matrix3;
+use nalgebra::Vector3;
+
+use crate::bvh::{Axis, Channel, Clip, PositionRule};
+
+/// A joint's position in each frame, in file units and file axes.
+pub type Track = Vec<Vector3<f64>>;
+
+/// Poses of a clip, for some joints or all of them.
+///
+/// Keeps the working memory between frames, so that a long clip allocates once.
+#[derive(Debug)]
+pub struct Kinematics<'a> {
+    clip: &'a Clip,
+    /// The joints to place: those asked for and all above them, parents first.
+    needed: Vec<usize>,
+    rotations: Vec<Matrix3<f64>>,
+    positions: Vec<Vector3<f64>>,
+}
+
+impl<'a> Kinematics<'a> {
+    /// Kinematics of all joints.
+    pub fn of(clip: &'a Clip) -> Kinematics<'a> {
+        Kinematics::of_joints(clip, &(0..clip.joints().len()).collect::<Vec<_>>())
+    }
+
+    /// Kinematics of `joints` and the joints above them; others stay at the origin.
+    pub fn of_joints(clip: &'a Clip, joints: &[usize]) -> Kinematics<'a> {
+        let count = clip.joints().len();
+        let mut is_needed = vec![false; count];
+        for &joint in joints {
+            let mut next = Some(joint);
+            while let Some(joint) = next.filter(|&joint| !is_needed[joint]) {
+                is_needed[joint] = true;
+                next = clip.joints()[joint].parent;
+            }
+        }
+        Kinematics {
+            clip,
+            needed: (0..count).filter(|&joint| is_needed[joint]).collect(),
+            rotations: vec![Matrix3::identity(); count],
+            positions: vec![Vector3::zeros(); count],
+        }
+    }
+
+    /// Positions of the joints in `frame`, in file units and axes, by joint index.
+    ///
+    /// A clip without motion has one frame: its rest pose, all rotations zero.
+    ///
+    /// # Panics
+    /// If there is no such frame.
+    pub fn pose(&mut self, frame: usize) -> &[Vector3<f64>] {
+        let row = if frame == 0 && self.clip.frame_count() == 0 { &[][..] } else { self.clip.row(frame) };
+        for &index in &self.needed {
+            let joint = &self.clip.joints()[index];
+            let is_added = joint.parent.is_some() && self.clip.position_rule() == PositionRule::Add;
+            let mut position = joint.offset;
+            let mut rotation = Matrix3::identity();
+            // A rest pose has no values: its joints keep offset and identity.
+            let values = row.get(self.clip.channel_range(index)).unwrap_or_default();
+            for (channel, value) in joint.channels.iter().zip(values) {
+                match channel {
+                    Channel::Position(axis) if is_added => position[axis.index()] += value,
+                    Channel::Position(axis) => position[axis.index()] = *value,
+                    Channel::Rotation(axis) => turn(&mut rotation, *axis, value.to_radians()),
+                }
+            }
+            if let Some(parent) = joint.parent {
+                self.positions[index] = self.positions[parent] + self.rotations[parent] * position;
+                self.rotations[index] = self.rotations[parent] * rotation;
+            } else {
+                self.positions[index] = position;
+                self.rotations[index] = rotation;
+            }
+        }
+        &self.positions
+    }
+
+    /// How each joint is turned against the file's axes in the pose last asked for, by joint index.
+    pub fn rotations(&self) -> &[Matrix3<f64>] {
+        &self.rotations
+    }
+}
+
+/// Multiplies `rotation` from the right by a turn of `angle` radians about `axis`.
+fn turn(rotation: &mut Matrix3<f64>, axis: Axis, angle: f64) {
+    let (sin, cos) = angle.sin_cos();
+    // The axis' own column stays; the two others turn in their plane.
+    let (a, b) = match axis {
+        Axis::X => (1, 2),
+        Axis::Y => (2, 0),
+        Axis::Z => (0, 1),
+    };
+    let (from_a, from_b) = (rotation.column(a).into_owned(), rotation.column(b).into_owned());
+    rotation.set_column(a, &(from_a * cos + from_b * sin));
+    rotation.set_column(b, &(from_b * cos - from_a * sin));
+}
+
+/// The number of poses: frames, or the rest pose alone.
+pub fn pose_count(clip: &Clip) -> usize {
+    clip.frame_count().max(1)
+}
+
+/// The track of each of `joints` over all frames, or the rest pose alone.
+pub fn tracks(clip: &Clip, joints: &[usize]) -> Vec<Track> {
+    tracks_at(clip, joints, 0..pose_count(clip))
+}
+
+/// The track of each of `joints` over some frames.
+pub fn tracks_at(clip: &Clip, joints: &[usize], frames: impl ExactSizeIterator<Item = usize>) -> Vec<Track> {
+    let mut kinematics = Kinematics::of_joints(clip, joints);
+    // A copy of an empty vector would have no capacity.
+    let mut tracks: Vec<Track> = joints.iter().map(|_| Track::with_capacity(frames.len())).collect();
+    for frame in frames {
+        let pose = kinematics.pose(frame);
+        for (track, &joint) in tracks.iter_mut().zip(joints) {
+            track.push(pose[joint]);
+        }
+    }
+    tracks
+}
+
+/// At most `most` frames spread evenly over the clip.
+pub fn spread_frames(clip: &Clip, most: usize) -> impl ExactSizeIterator<Item = usize> + Clone {
+    let count = pose_count(clip);
+    let taken = count.min(most);
+    (0..taken).map(move |index| index * count / taken)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Rotation3;
+    use nalgebra::Unit;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::bvh::{END_SITE, Joint, JointKind};
+
+    fn arm(channels: Vec<Channel>, values: Vec<f64>) -> Clip {
+        let joint = |name: &str, kind, parent, offset, channels| Joint {
+            name: name.into(),
+            kind,
+            parent,
+            offset,
+            channels,
+        };
+        Clip::new(
+            vec![
+                joint("root", JointKind::Root, None, Vector3::new(9.0, 9.0, 9.0), vec![]),
+                joint("elbow", JointKind::Joint, Some(0), Vector3::new(1.0, 0.0, 0.0), channels),
+                joint(END_SITE, JointKind::EndSite, Some(1), Vector3::new(0.0, 2.0, 0.0), vec![]),
+            ],
+            0.01,
+            values,
+        )
+    }
+
+    #[test]
+    fn rotations_apply_in_channel_order() {
+        use Axis::{X, Z};
+        let order = vec![Channel::Rotation(Z), Channel::Rotation(X)];
+        let clip = arm(order, vec![90.0, 90.0]);
+        let tip = tracks(&clip, &[2])[0][0];
+        // X first turns the tip to +Z in the elbow, Z then leaves it there.
+        assert!((tip - Vector3::new(10.0, 9.0, 11.0)).norm() < 1e-12, "{tip}");
+    }
+
+    #[test]
+    fn positions_replace_the_offset_or_add_to_it() {
+        let clip = arm(vec![Channel::Position(Axis::Y)], vec![5.0]);
+        assert_eq!(tracks(&clip, &[1])[0][0], Vector3::new(10.0, 14.0, 9.0));
+        let moved = arm(vec![Channel::Position(Axis::X)], vec![0.5]);
+        assert_eq!(tracks(&moved, &[1])[0][0].x, 9.5);
+        assert_eq!(tracks(&moved.with_position_rule(PositionRule::Add), &[1])[0][0].x, 10.5);
+    }
+
+    #[test]
+    fn without_motion_there_is_the_rest_pose() {
+        let clip = arm(vec![Channel::Position(Axis::X)], vec![]);
+        assert_eq!(tracks(&clip, &[2])[0], vec![Vector3::new(10.0, 11.0, 9.0)]);
+    }
+
+    proptest! {
+        #[test]
+        fn turns_agree_with_nalgebra(
+            axes in prop::collection::vec((0_usize..3, -720.0..720.0_f64), 0..6),
+        ) {
+            let (mut ours, mut theirs) = (Matrix3::identity(), Rotation3::identity());
+            for (axis, degrees) in axes {
+                turn(&mut ours, Axis::ALL[axis], degrees.to_radians());
+                let unit = Unit::new_normalize(Vector3::ith(axis, 1.0));
+                theirs *= Rotation3::from_axis_angle(&unit, degrees.to_radians());
+            }
+            prop_assert!((ours - theirs.matrix()).amax() < 1e-12);
+        }
+    }
+}

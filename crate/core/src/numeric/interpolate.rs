@@ -1,0 +1,30 @@
+//! Values between samples.
+
+use std::ops::Add;
+use std::ops::Mul;
+use std::ops::Sub;
+
+/// The cubic from the second point (t = 0) to the third (t = 1) whose slopes are those of
+/// their neighbours: it passes through both (Catmull and Rom 1974).
+pub(crate) fn cubic<T>([a, b, c, d]: [T; 4], t: f64) -> T
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
+{
+    let (from, to) = ((c - a) * 0.5, (d - b) * 0.5);
+    let rise = c - b;
+    b + from * t + (rise * 3.0 - from * 2.0 - to) * (t * t) + (from + to - rise * 2.0) * (t * t * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_passes_through_its_ends_and_keeps_parabolas() {
+        let parabola = |t: f64| 3.0 * t * t - t + 2.0;
+        let points = [-1.0, 0.0, 1.0, 2.0].map(parabola);
+        for t in [0.0, 0.25, 0.5, 1.0] {
+            assert!((cubic(points, t) - parabola(t)).abs() < 1e-12, "{t}");
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Numerical helpers that know nothing of motion.
+
+pub(crate) mod interpolate;
+pub(crate) mod sort;

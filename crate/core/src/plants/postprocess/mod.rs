@@ -1,0 +1,7 @@
+//! Steps after the clustering.
+
+pub(crate) mod confidence;
+pub(crate) mod dragging;
+pub(crate) mod ground_height;
+pub(crate) mod plausibility;
+pub(crate) mod short_runs;

@@ -1,0 +1,11 @@
+//! Spectral clustering.
+
+pub(crate) mod affinity;
+pub(crate) mod bandwidth;
+pub(crate) mod cells;
+pub(crate) mod degree;
+pub(crate) mod expansion;
+pub(crate) mod field;
+pub(crate) mod lanczos;
+pub(crate) mod threshold;
+pub(crate) mod two_means;
