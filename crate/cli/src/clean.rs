@@ -50,7 +50,7 @@ fn clean(
         }
         None => {
             let detect = |error| Failure::Detect { path: input.path.clone(), error };
-            Contacts::from(&plants::detect(&Feet::of(clip, &skeleton).map_err(detect)?, params))
+            Contacts::from(&plants::detect(&Feet::new(clip, &skeleton).map_err(detect)?, params))
         }
     };
     let cleaned = skate::clean(clip, &skeleton, &contacts, &Options::default());

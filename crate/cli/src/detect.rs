@@ -30,7 +30,7 @@ fn standing(path: &Path, args: &DetectArgs) -> Result<Feet, String> {
     let input = Input { path: path.into(), stem: PathBuf::new() };
     let loaded = inputs::load(&input, &args.read).map_err(|failure| failure.to_string())?;
     let clip = &loaded.parsed.clip;
-    let feet = Feet::of(clip, &Skeleton::main(clip, &loaded.overrides));
+    let feet = Feet::new(clip, &Skeleton::main(clip, &loaded.overrides));
     feet.map_err(|error| format!("{}: {error}", path.display()))
 }
 
@@ -48,7 +48,7 @@ pub fn all(
     let mut found: Vec<Found> = Vec::new();
     let mut refused = DetectError::NoFeet;
     for skeleton in Skeleton::all(clip, &loaded.overrides) {
-        match Feet::of(clip, &skeleton) {
+        match Feet::new(clip, &skeleton) {
             Ok(feet) => {
                 let detection = match still {
                     Some(still) => plants::detect_along(&feet, still, params),

@@ -70,7 +70,7 @@ fn measure(input: &Input, args: &GaitArgs) -> Result<Vec<Record>, Failure> {
         frames: clip.frame_count(),
         rate: clip.rate(),
         method: args.find.method.name(),
-        gait: Gait::of(feet, detection),
+        gait: Gait::from_detection(feet, detection),
     };
     Ok(found.iter().map(record).collect())
 }

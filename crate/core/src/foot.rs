@@ -1,8 +1,8 @@
-//! The feet and their parts.
+//! Sides of the body and parts of a foot.
 
 use serde::{Deserialize, Serialize};
 
-/// Left or right, as the person who moves would say it.
+/// Side of the body, from the character's own view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Side {
@@ -16,7 +16,7 @@ impl Side {
     /// Both sides, left first.
     pub const BOTH: [Side; 2] = [Side::Left, Side::Right];
 
-    /// The side's name: `left` or `right`.
+    /// Returns the name: `left` or `right`.
     pub fn name(self) -> &'static str {
         match self {
             Side::Left => "left",
@@ -25,15 +25,15 @@ impl Side {
     }
 }
 
-/// What of the foot a label speaks of.
+/// Part of a foot that a label describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Part {
-    /// Any part of the sole carries weight.
+    /// Any part of the foot bears on the ground.
     Contact,
-    /// The toe is down and still: the paper's foot plant.
+    /// The toe is on the ground and still: the foot plant of the paper.
     Toe,
-    /// The heel is down and still.
+    /// The heel is on the ground and still.
     Heel,
 }
 
@@ -41,7 +41,7 @@ impl Part {
     /// All parts, contact first.
     pub const ALL: [Part; 3] = [Part::Contact, Part::Toe, Part::Heel];
 
-    /// The part's name: `contact`, `toe` or `heel`.
+    /// Returns the name: `contact`, `toe` or `heel`.
     pub fn name(self) -> &'static str {
         match self {
             Part::Contact => "contact",

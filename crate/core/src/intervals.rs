@@ -1,16 +1,18 @@
 //! Runs of consecutive frames.
 
-/// The runs of `true` in `labels` as half-open ranges of frames.
-pub fn intervals(labels: &[bool]) -> Vec<std::ops::Range<usize>> {
-    let mut found = Vec::new();
+use std::ops::Range;
+
+/// Returns the runs of `true` as half-open frame ranges, in order.
+pub fn intervals(labels: &[bool]) -> Vec<Range<usize>> {
+    let mut intervals = Vec::new();
     let mut frame = 0;
     for run in labels.chunk_by(|a, b| a == b) {
         if run[0] {
-            found.push(frame..frame + run.len());
+            intervals.push(frame..frame + run.len());
         }
         frame += run.len();
     }
-    found
+    intervals
 }
 
 #[cfg(test)]
@@ -18,7 +20,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn intervals_are_the_runs_of_planted_frames() {
+    fn intervals_are_the_runs_of_true() {
         assert!(intervals(&[]).is_empty());
         assert!(intervals(&[false, false]).is_empty());
         assert_eq!(intervals(&[true, true]), vec![0..2]);

@@ -1,33 +1,32 @@
 //! Forward kinematics: channel values to joint positions.
 
-use nalgebra::Matrix3;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::bvh::{Axis, Channel, Clip, PositionRule};
 
-/// A joint's position in each frame, in file units and file axes.
+/// Position of a joint in each frame, in file units and file axes.
 pub type Track = Vec<Vector3<f64>>;
 
-/// Poses of a clip, for some joints or all of them.
+/// Computes the poses of a clip, for all joints or some of them.
 ///
-/// Keeps the working memory between frames, so that a long clip allocates once.
+/// Reuses its working memory for every frame.
 #[derive(Debug)]
 pub struct Kinematics<'a> {
     clip: &'a Clip,
-    /// The joints to place: those asked for and all above them, parents first.
+    /// Joints to compute: the requested ones and all their ancestors, parents first.
     needed: Vec<usize>,
     rotations: Vec<Matrix3<f64>>,
     positions: Vec<Vector3<f64>>,
 }
 
 impl<'a> Kinematics<'a> {
-    /// Kinematics of all joints.
-    pub fn of(clip: &'a Clip) -> Kinematics<'a> {
-        Kinematics::of_joints(clip, &(0..clip.joints().len()).collect::<Vec<_>>())
+    /// Creates the kinematics of all joints.
+    pub fn new(clip: &'a Clip) -> Kinematics<'a> {
+        Kinematics::for_joints(clip, &(0..clip.joints().len()).collect::<Vec<_>>())
     }
 
-    /// Kinematics of `joints` and the joints above them; others stay at the origin.
-    pub fn of_joints(clip: &'a Clip, joints: &[usize]) -> Kinematics<'a> {
+    /// Creates the kinematics of `joints` and their ancestors; other joints stay at the origin.
+    pub fn for_joints(clip: &'a Clip, joints: &[usize]) -> Kinematics<'a> {
         let count = clip.joints().len();
         let mut is_needed = vec![false; count];
         for &joint in joints {
@@ -45,9 +44,9 @@ impl<'a> Kinematics<'a> {
         }
     }
 
-    /// Positions of the joints in `frame`, in file units and axes, by joint index.
+    /// Returns the position of every joint in `frame`, in file units and axes, indexed by joint.
     ///
-    /// A clip without motion has one frame: its rest pose, all rotations zero.
+    /// A clip without motion has one frame: its rest pose, with all rotations zero.
     ///
     /// # Panics
     /// If there is no such frame.
@@ -58,13 +57,13 @@ impl<'a> Kinematics<'a> {
             let is_added = joint.parent.is_some() && self.clip.position_rule() == PositionRule::Add;
             let mut position = joint.offset;
             let mut rotation = Matrix3::identity();
-            // A rest pose has no values: its joints keep offset and identity.
+            // A rest pose has no values: its joints keep their offset and the identity rotation.
             let values = row.get(self.clip.channel_range(index)).unwrap_or_default();
             for (channel, value) in joint.channels.iter().zip(values) {
                 match channel {
                     Channel::Position(axis) if is_added => position[axis.index()] += value,
                     Channel::Position(axis) => position[axis.index()] = *value,
-                    Channel::Rotation(axis) => turn(&mut rotation, *axis, value.to_radians()),
+                    Channel::Rotation(axis) => rotate_about(&mut rotation, *axis, value.to_radians()),
                 }
             }
             if let Some(parent) = joint.parent {
@@ -78,16 +77,16 @@ impl<'a> Kinematics<'a> {
         &self.positions
     }
 
-    /// How each joint is turned against the file's axes in the pose last asked for, by joint index.
+    /// Returns the global rotation of every joint in the pose computed last, indexed by joint.
     pub fn rotations(&self) -> &[Matrix3<f64>] {
         &self.rotations
     }
 }
 
-/// Multiplies `rotation` from the right by a turn of `angle` radians about `axis`.
-fn turn(rotation: &mut Matrix3<f64>, axis: Axis, angle: f64) {
+/// Multiplies `rotation` from the right by a rotation of `angle` radians about `axis`.
+fn rotate_about(rotation: &mut Matrix3<f64>, axis: Axis, angle: f64) {
     let (sin, cos) = angle.sin_cos();
-    // The axis' own column stays; the two others turn in their plane.
+    // The column of the axis itself stays; the two others rotate in their plane.
     let (a, b) = match axis {
         Axis::X => (1, 2),
         Axis::Y => (2, 0),
@@ -98,20 +97,20 @@ fn turn(rotation: &mut Matrix3<f64>, axis: Axis, angle: f64) {
     rotation.set_column(b, &(from_b * cos - from_a * sin));
 }
 
-/// The number of poses: frames, or the rest pose alone.
+/// Returns the number of poses: frames, or 1 for a rest pose.
 pub fn pose_count(clip: &Clip) -> usize {
     clip.frame_count().max(1)
 }
 
-/// The track of each of `joints` over all frames, or the rest pose alone.
+/// Returns the track of each of `joints` over all frames, or over the rest pose.
 pub fn tracks(clip: &Clip, joints: &[usize]) -> Vec<Track> {
     tracks_at(clip, joints, 0..pose_count(clip))
 }
 
-/// The track of each of `joints` over some frames.
+/// Returns the track of each of `joints` over the given frames.
 pub fn tracks_at(clip: &Clip, joints: &[usize], frames: impl ExactSizeIterator<Item = usize>) -> Vec<Track> {
-    let mut kinematics = Kinematics::of_joints(clip, joints);
-    // A copy of an empty vector would have no capacity.
+    let mut kinematics = Kinematics::for_joints(clip, joints);
+    // Cloning an empty vector would lose its capacity.
     let mut tracks: Vec<Track> = joints.iter().map(|_| Track::with_capacity(frames.len())).collect();
     for frame in frames {
         let pose = kinematics.pose(frame);
@@ -122,17 +121,16 @@ pub fn tracks_at(clip: &Clip, joints: &[usize], frames: impl ExactSizeIterator<I
     tracks
 }
 
-/// At most `most` frames spread evenly over the clip.
-pub fn spread_frames(clip: &Clip, most: usize) -> impl ExactSizeIterator<Item = usize> + Clone {
+/// Returns at max `max` frames at equal distances over the clip.
+pub fn sample_frames(clip: &Clip, max: usize) -> impl ExactSizeIterator<Item = usize> + Clone {
     let count = pose_count(clip);
-    let taken = count.min(most);
-    (0..taken).map(move |index| index * count / taken)
+    let samples = count.min(max);
+    (0..samples).map(move |index| index * count / samples)
 }
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Rotation3;
-    use nalgebra::Unit;
+    use nalgebra::{Rotation3, Unit};
     use proptest::prelude::*;
 
     use super::*;
@@ -163,7 +161,7 @@ mod tests {
         let order = vec![Channel::Rotation(Z), Channel::Rotation(X)];
         let clip = arm(order, vec![90.0, 90.0]);
         let tip = tracks(&clip, &[2])[0][0];
-        // X first turns the tip to +Z in the elbow, Z then leaves it there.
+        // X first rotates the tip to +Z of the elbow; Z then leaves it there.
         assert!((tip - Vector3::new(10.0, 9.0, 11.0)).norm() < 1e-12, "{tip}");
     }
 
@@ -177,23 +175,23 @@ mod tests {
     }
 
     #[test]
-    fn without_motion_there_is_the_rest_pose() {
+    fn a_clip_without_motion_has_its_rest_pose() {
         let clip = arm(vec![Channel::Position(Axis::X)], vec![]);
         assert_eq!(tracks(&clip, &[2])[0], vec![Vector3::new(10.0, 11.0, 9.0)]);
     }
 
     proptest! {
         #[test]
-        fn turns_agree_with_nalgebra(
+        fn rotations_agree_with_nalgebra(
             axes in prop::collection::vec((0_usize..3, -720.0..720.0_f64), 0..6),
         ) {
-            let (mut ours, mut theirs) = (Matrix3::identity(), Rotation3::identity());
+            let (mut rotation, mut expected) = (Matrix3::identity(), Rotation3::identity());
             for (axis, degrees) in axes {
-                turn(&mut ours, Axis::ALL[axis], degrees.to_radians());
+                rotate_about(&mut rotation, Axis::ALL[axis], degrees.to_radians());
                 let unit = Unit::new_normalize(Vector3::ith(axis, 1.0));
-                theirs *= Rotation3::from_axis_angle(&unit, degrees.to_radians());
+                expected *= Rotation3::from_axis_angle(&unit, degrees.to_radians());
             }
-            prop_assert!((ours - theirs.matrix()).amax() < 1e-12);
+            prop_assert!((rotation - expected.matrix()).amax() < 1e-12);
         }
     }
 }

@@ -12,7 +12,7 @@
 //! let skeleton = skeleton::Skeleton::main(clip, &skeleton::Overrides::default());
 //!
 //! // When each foot is planted.
-//! let feet = plants::Feet::of(clip, &skeleton)?;
+//! let feet = plants::Feet::new(clip, &skeleton)?;
 //! let detection = plants::detect(&feet, plants::ValidParams::default());
 //! let left = &detection.principal().foot(Side::Left);
 //! for plant in intervals(&left.planted) {
@@ -20,7 +20,7 @@
 //! }
 //!
 //! // How the person walks, and the clip with its planted feet held still.
-//! let gait = Gait::of(&feet, &detection);
+//! let gait = Gait::from_detection(&feet, &detection);
 //! println!("{:.0} steps a minute", gait.cadence_steps_per_min.unwrap_or(0.0));
 //! let contacts = skate::Contacts::from(&detection);
 //! let cleaned = skate::clean(clip, &skeleton, &contacts, &skate::Options::default())?;
@@ -44,10 +44,10 @@ pub mod formats;
 pub mod gait;
 pub mod intervals;
 pub mod kinematics;
-mod lookup;
 pub mod notice;
 mod numeric;
 pub mod plants;
+pub mod registry;
 pub mod score;
 pub mod segments;
 pub mod skate;

@@ -1,26 +1,25 @@
-//! Notices: what was repaired, assumed or doubted on the way, so that nothing happens silently.
+//! Notices: what the reader or a method had to assume, repair or doubt.
 
 use std::fmt;
 
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-/// A place in a file, counted from 1; columns count characters.
+/// Location in a file; lines and columns count from 1, columns in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Place {
+pub struct Location {
     /// Line number.
     pub line: usize,
-    /// Column of the first character meant.
+    /// Column of the first character.
     pub column: usize,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.line, self.column)
     }
 }
 
-/// What a [`Notice`] is about; its JSON form is the kebab-case name.
+/// Subject of a [`Notice`]; its JSON form is the kebab-case name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Code {
@@ -30,64 +29,64 @@ pub enum Code {
     MissingName,
     /// A joint has no `OFFSET`, or more than one.
     Offset,
-    /// `CHANNELS` states another number than it names.
+    /// `CHANNELS` states a number that differs from the channels listed.
     ChannelCount,
     /// Several joints share a name.
     DuplicateName,
     /// The file holds more than one skeleton.
     SeveralRoots,
-    /// Position channels are added to offsets instead of replacing them.
+    /// Position channels are added to the offsets instead of replacing them.
     AddedPositions,
-    /// `Frames:` is missing or unreadable, or is not the number of rows.
+    /// `Frames:` is missing, unreadable or differs from the number of rows.
     FrameCount,
-    /// `Frame Time:` is missing, unreadable or absurd.
+    /// `Frame Time:` is missing, unreadable or implausible.
     FrameTime,
-    /// There is no motion: the clip is a rest pose.
+    /// The file has no motion; the clip is a rest pose.
     NoMotion,
     /// A row has more numbers than channels.
     LongRow,
     /// Rows are wrapped over several lines.
     WrappedRow,
-    /// The last row breaks off.
+    /// The last row is incomplete.
     IncompleteRow,
-    /// Lines after the motion are not part of it.
+    /// Lines after the motion section were ignored.
     TrailingMatter,
-    /// Decimal commas.
+    /// Numbers use decimal commas.
     DecimalComma,
-    /// A value that is no number was replaced by the previous frame's.
+    /// A value that is not a number was replaced by the value of the previous frame.
     HeldValue,
-    /// Feet were not found.
+    /// No feet were found.
     NoFeet,
-    /// The skeleton has no toe joint; another joint stands in.
+    /// The skeleton has no toe joint; another joint replaces it.
     NoToe,
-    /// The up axis could not be told from the motion.
+    /// The motion does not show which axis points up.
     UpAxis,
-    /// Leading or trailing frames that do not belong to the motion were left out.
+    /// Frames at the start or end that do not belong to the motion were left out.
     Trimmed,
-    /// The motion jumps in mid-clip.
+    /// The motion jumps within the clip.
     Teleport,
-    /// Too few frames to cluster, or to cut.
+    /// The clip has too few frames to cluster or segment.
     ShortClip,
-    /// The clip stands still: every frame is contact.
+    /// The character stands still; every frame is contact.
     StandingStill,
-    /// A foot moves along the ground: it is dragged, not planted.
+    /// A foot moves along the ground: it is dragged and not planted.
     Dragged,
-    /// The skeleton lacks joints that a method would measure.
+    /// The skeleton lacks joints that a method measures.
     MissingJoints,
-    /// The feet are implausibly fast or slow: the stated rate may be wrong.
+    /// The feet are implausibly fast or slow: the frame rate may be wrong.
     ImplausibleRate,
-    /// The labels leave a foot or the person in the air implausibly long.
+    /// A foot, or the whole character, is in the air implausibly long.
     ImplausibleAirborne,
-    /// Plants that clean-up left as they are.
+    /// Clean-up left some plants unchanged.
     Unconstrained,
-    /// Clean-up cannot move the hips: their joint has no position channels.
+    /// Clean-up cannot move the hips because their joint has no position channels.
     FixedRoot,
-    /// Nothing is planted: there is no foot skate to clean up.
+    /// No foot is planted; there is no foot skate to remove.
     NothingPlanted,
 }
 
 impl Code {
-    /// The code's name, as in `frame-count`.
+    /// Returns the name, as in `frame-count`.
     pub fn name(self) -> String {
         match serde_json::to_value(self) {
             Ok(serde_json::Value::String(name)) => name,
@@ -96,29 +95,29 @@ impl Code {
     }
 }
 
-/// One thing that a person should know about a clip or its labels.
+/// One thing a user should know about a clip or a result.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Notice {
-    /// What it is about.
+    /// Subject.
     pub code: Code,
-    /// Where in the file, if anywhere.
+    /// Location in the file, if any.
     #[serde(flatten)]
-    pub place: Option<Place>,
-    /// What was found and what was done, in a sentence.
+    pub location: Option<Location>,
+    /// What was found and what was done, in one sentence.
     pub text: String,
 }
 
 impl Notice {
-    /// A notice that belongs to no line of the file.
+    /// Creates a notice without a location.
     pub fn new(code: Code, text: impl Into<String>) -> Notice {
-        Notice { code, place: None, text: text.into() }
+        Notice { code, location: None, text: text.into() }
     }
 }
 
 impl fmt::Display for Notice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(place) = self.place {
-            write!(f, "{place}: ")?;
+        if let Some(location) = self.location {
+            write!(f, "{location}: ")?;
         }
         f.write_str(&self.text)
     }

@@ -46,7 +46,7 @@ fn every_clip_with_motion_and_feet_is_labelled() {
     for path in support::bvh_files(&corpus) {
         let clip = support::read(&path).clip;
         let skeleton = Skeleton::main(&clip, &Overrides::default());
-        match Feet::of(&clip, &skeleton) {
+        match Feet::new(&clip, &skeleton) {
             Ok(feet) => {
                 let detection = plants::detect(&feet, ValidParams::default());
                 for foot in detection.parts.iter().flat_map(|labels| &labels.feet) {
@@ -75,7 +75,7 @@ fn what_is_read_survives_writing() {
             assert_eq!(back, clip, "{}", path.display());
         }
         // However the rule is written, the pose is the same.
-        let first = |clip| plantigrade::kinematics::Kinematics::of(clip).pose(0).to_vec();
+        let first = |clip| plantigrade::kinematics::Kinematics::new(clip).pose(0).to_vec();
         for (found, expected) in first(&back).iter().zip(first(&clip)) {
             assert!((found - expected).norm() < 1e-9, "{}", path.display());
         }
@@ -88,7 +88,7 @@ const STATED: f64 = 1e-3;
 /// How many labels there are, and how many of them are others than if all pairs were looked at:
 /// none but those of samples that are next to the threshold.
 fn others(clip: &Clip) -> (usize, usize) {
-    let Ok(feet) = Feet::of(clip, &Skeleton::main(clip, &Overrides::default())) else { return (0, 0) };
+    let Ok(feet) = Feet::new(clip, &Skeleton::main(clip, &Overrides::default())) else { return (0, 0) };
     let [few, all] = [false, true]
         .map(|exact| plants::detect(&feet, Params { exact, ..Params::default() }.check().unwrap()));
     let (mut labels, mut others) = (0, 0);

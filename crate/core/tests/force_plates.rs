@@ -32,7 +32,7 @@ fn accuracy(corpus: &Path, method: Method, part: Part) -> ([f64; 4], [f64; 4]) {
     let mut worst = [100.0_f64; 4];
     for path in support::bvh_files(&corpus.join("contact")) {
         let clip = support::read(&path).clip;
-        let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
+        let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
         let detection =
             plants::detect(&feet, Params { method, ..Params::default() }.check().expect("defaults"));
         let labels = detection.part(part).expect("the method labels that part");

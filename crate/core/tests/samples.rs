@@ -29,7 +29,7 @@ fn accuracy(method: Method, part: Part) -> (f64, f64) {
         let clip = support::read(&path).clip;
         let text = fs::read_to_string(path.with_extension("json")).expect("truth beside the sample");
         let document: Document = serde_json::from_str(&text).expect("a labels document");
-        let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
+        let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
         let params = Params { method, ..Params::default() }.check().expect("defaults");
         let detection = plants::detect(&feet, params);
         let mut sample = Tally::default();

@@ -117,7 +117,7 @@ fn clean_generated(noise: impl Fn(usize, &Recipe) -> Noise) -> Figures {
         let cleaned = skate::clean(&noisy.clip, &skeleton, &contacts, &Options::default()).expect("feet");
         // A T-pose is no part of the motion, nor is the jump from it.
         let from = if recipe.leading_t_pose { 2 } else { 0 };
-        let [before, after] = [&noisy.clip, &cleaned.clip].map(|clip| clip.part(from..clip.frame_count()));
+        let [before, after] = [&noisy.clip, &cleaned.clip].map(|clip| clip.slice(from..clip.frame_count()));
         let (acceleration, knee, place) = roughness(&before, &after, &skeleton);
         let (slides, errors) = stands(&cleaned, &truth.clip, &skeleton, &contacts);
         println!(
@@ -236,7 +236,7 @@ fn recorded_feet_stand() {
         }
         let clip = support::read(&path).clip;
         let skeleton = Skeleton::main(&clip, &Overrides::default());
-        let Ok(feet) = Feet::of(&clip, &skeleton) else { continue };
+        let Ok(feet) = Feet::new(&clip, &skeleton) else { continue };
         let contacts = Contacts::from(&plants::detect(&feet, ValidParams::default()));
         let cleaned = skate::clean(&clip, &skeleton, &contacts, &Options::default()).expect("feet");
         let (acceleration, knee, place) = roughness(&clip, &cleaned.clip, &skeleton);

@@ -26,7 +26,7 @@ pub struct Trial {
 impl Trial {
     fn new(name: String, clip: &Clip, truth: Vec<(Part, [Truth; 2])>) -> Trial {
         let skeleton = Skeleton::main(clip, &Overrides::default());
-        let feet = Feet::of(clip, &skeleton).expect("a clip with feet in motion");
+        let feet = Feet::new(clip, &skeleton).expect("a clip with feet in motion");
         Trial { name, feet, truth }
     }
 

@@ -67,7 +67,7 @@ impl Body<'_> {
 
     /// Places of the roles in metres, Y up; the ground is at height 0 in generated clips.
     fn pose(&self, frame: usize) -> impl Fn(Role) -> Option<Vector3<f64>> + use<> {
-        let mut kinematics = Kinematics::of(self.clip);
+        let mut kinematics = Kinematics::new(self.clip);
         let pose = kinematics.pose(frame).to_vec();
         let (up, metres, roles) =
             (self.skeleton.up, self.skeleton.metres_per_unit, self.skeleton.roles.clone());

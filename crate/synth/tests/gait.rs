@@ -16,11 +16,11 @@ fn recipe(name: &str) -> Recipe {
 fn measured(name: &str) -> [Gait; 2] {
     let generated = generate(&recipe(name), 0);
     let overrides = Overrides::default();
-    let feet = Feet::of(&generated.clip, &Skeleton::main(&generated.clip, &overrides)).expect("feet");
+    let feet = Feet::new(&generated.clip, &Skeleton::main(&generated.clip, &overrides)).expect("feet");
     let truth = Side::BOTH.map(|side| generated.truth.labels(side, Part::Contact).expect("contact"));
     let by_truth = Gait::measure(&feet, truth.each_ref().map(Vec::as_slice));
     let detection = plants::detect(&feet, Params::default().check().expect("defaults"));
-    [by_truth, Gait::of(&feet, &detection)]
+    [by_truth, Gait::from_detection(&feet, &detection)]
 }
 
 /// What the plan of a walk says, from all strides whose strikes are within the clip.

@@ -7,7 +7,7 @@ use plantigrade_synth::{generate, long};
 #[test]
 fn labels_are_those_of_all_pairs() {
     let clip = generate(&long(10_000, 1.0), 3).clip;
-    let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default())).unwrap();
+    let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default())).unwrap();
     for method in [Method::Robust, Method::Paper, Method::FixedScale] {
         let [few, all] = [false, true].map(|exact| {
             plants::detect(&feet, Params { method, exact, ..Params::default() }.check().unwrap())

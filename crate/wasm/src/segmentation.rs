@@ -81,7 +81,7 @@ impl RawClip {
         if start >= end || end > frames {
             return Err(format!("there are no frames {start} to {end}: the clip has {frames}").into());
         }
-        Ok(plantigrade::bvh::write(&self.core().part(start..end)).into_bytes())
+        Ok(plantigrade::bvh::write(&self.core().slice(start..end)).into_bytes())
     }
 }
 

@@ -43,7 +43,7 @@ fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<T
     let clip = inputs::load(input, read)?.parsed.clip;
     let text = fs::read_to_string(&path).map_err(|error| Failure::Read { path: path.clone(), error })?;
     let truth = formats::read(&text, clip.frame_count()).map_err(|error| Failure::Truth { path, error })?;
-    let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default()))
+    let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default()))
         .map_err(|error| Failure::Detect { path: input.path.clone(), error })?;
     Ok(Some(Trial {
         name: input.stem.display().to_string(),

@@ -1,12 +1,12 @@
-//! Text encodings: UTF-8 or UTF-16, with or without byte order mark, to UTF-8 bytes.
+//! Conversion of UTF-8 and UTF-16, with or without byte order bom, to UTF-8 bytes.
 
-/// Turns chunks of a file into UTF-8, whatever way they are cut.
+/// Decodes a file in chunks of any size.
 #[derive(Debug, Default)]
 pub(crate) struct Decoder {
     encoding: Option<Encoding>,
-    /// Bytes that wait for more: at most three.
+    /// Bytes of an incomplete character or bom: at most three.
     pending: Vec<u8>,
-    /// A UTF-16 high surrogate that waits for its low one.
+    /// UTF-16 high surrogate whose low surrogate has not been read.
     surrogate: Option<u16>,
     text: Vec<u8>,
 }
@@ -18,7 +18,7 @@ enum Encoding {
 }
 
 impl Decoder {
-    /// The text of the next chunk; borrowed from the chunk where it is UTF-8 as it stands.
+    /// Returns the text of the next chunk, borrowed from the chunk if it already is UTF-8.
     pub fn decode<'a>(&'a mut self, chunk: &'a [u8]) -> &'a [u8] {
         match self.encoding {
             Some(Encoding::Utf8) => return chunk,
@@ -28,9 +28,9 @@ impl Decoder {
             }
             None => {
                 self.pending.extend_from_slice(chunk);
-                // Three bytes tell a UTF-8 mark from everything else.
+                // Three bytes distinguish a UTF-8 bom from everything else.
                 if self.pending.len() >= 3 {
-                    self.begin();
+                    self.detect_encoding();
                 } else {
                     self.text.clear();
                 }
@@ -39,11 +39,11 @@ impl Decoder {
         &self.text
     }
 
-    /// What is left when the file ends.
+    /// Returns the rest of the text at the end of the file.
     pub fn finish(&mut self) -> &[u8] {
         self.text.clear();
         if self.encoding.is_none() {
-            self.begin();
+            self.detect_encoding();
         }
         if self.surrogate.take().is_some() || !self.pending.is_empty() {
             push_char(&mut self.text, char::REPLACEMENT_CHARACTER);
@@ -52,18 +52,18 @@ impl Decoder {
         &self.text
     }
 
-    fn begin(&mut self) {
-        let (encoding, mark) = match self.pending[..] {
+    fn detect_encoding(&mut self) {
+        let (encoding, bom) = match self.pending[..] {
             [0xef, 0xbb, 0xbf, ..] => (Encoding::Utf8, 3),
             [0xff, 0xfe, ..] => (Encoding::Utf16 { big_endian: false }, 2),
             [0xfe, 0xff, ..] => (Encoding::Utf16 { big_endian: true }, 2),
-            // Without a mark: BVH begins with ASCII, one byte of each pair is zero.
+            // Without a bom: BVH begins with ASCII, so one byte of the first pair is zero.
             [1..=255, 0, ..] => (Encoding::Utf16 { big_endian: false }, 0),
             [0, 1..=255, ..] => (Encoding::Utf16 { big_endian: true }, 0),
             _ => (Encoding::Utf8, 0),
         };
         self.encoding = Some(encoding);
-        self.pending.drain(..mark);
+        self.pending.drain(..bom);
         match encoding {
             Encoding::Utf8 => self.text = std::mem::take(&mut self.pending),
             Encoding::Utf16 { big_endian } => self.transcode(big_endian),
@@ -107,27 +107,27 @@ mod tests {
         String::from_utf8(text).unwrap()
     }
 
-    fn encode(text: &str, big_endian: bool, mark: bool) -> Vec<u8> {
-        let units = mark.then_some(0xfeff).into_iter().chain(text.encode_utf16());
+    fn encode(text: &str, big_endian: bool, bom: bool) -> Vec<u8> {
+        let units = bom.then_some(0xfeff).into_iter().chain(text.encode_utf16());
         units.flat_map(|unit| if big_endian { unit.to_be_bytes() } else { unit.to_le_bytes() }).collect()
     }
 
     proptest! {
         #[test]
-        fn any_encoding_in_any_chunks(tail in "\\PC{0,20}", chunk in 1_usize..9) {
+        fn decodes_any_encoding_in_chunks_of_any_size(tail in "\\PC{0,20}", chunk in 1_usize..9) {
             let text = format!("HIERARCHY {tail}");
             prop_assert_eq!(&decode(text.as_bytes(), chunk), &text);
             prop_assert_eq!(&decode(format!("\u{feff}{text}").as_bytes(), chunk), &text);
             for big_endian in [false, true] {
-                for mark in [false, true] {
-                    prop_assert_eq!(&decode(&encode(&text, big_endian, mark), chunk), &text);
+                for bom in [false, true] {
+                    prop_assert_eq!(&decode(&encode(&text, big_endian, bom), chunk), &text);
                 }
             }
         }
     }
 
     #[test]
-    fn short_files_survive() {
+    fn short_files_are_decoded() {
         assert_eq!(decode(b"", 1), "");
         assert_eq!(decode(b"H", 1), "H");
         assert_eq!(decode(&[0xff, 0xfe], 1), "");

@@ -1,28 +1,28 @@
-//! The `HIERARCHY` section, word by word.
+//! The `HIERARCHY` section.
 
 use nalgebra::Vector3;
 
-use crate::bvh::error::place;
+use crate::bvh::error::location;
 use crate::bvh::number::Decimals;
-use crate::bvh::{Axis, Channel, END_SITE, Error, Joint, JointKind, Limits, Problem, number};
+use crate::bvh::{Axis, Channel, END_SITE, Error, ErrorKind, Joint, JointKind, Limits, number};
 use crate::notice::{Code, Notice};
 
-/// Builds the joints from lines.
+/// Builds the joints from lines of text.
 #[derive(Debug)]
 pub(crate) struct Hierarchy {
     limits: Limits,
     expect: Expect,
-    /// Finished and unfinished joints in file order.
+    /// Complete and incomplete joints in file order.
     pub joints: Vec<Joint>,
-    /// The joints whose braces are open, outermost first.
+    /// Joints whose braces are open, outermost first.
     open: Vec<usize>,
-    /// Whether the joint at hand has had its `OFFSET`.
+    /// True for each joint whose `OFFSET` has been read.
     offset_seen: Vec<bool>,
     pub decimals: Decimals,
     pub notices: Vec<Notice>,
 }
 
-/// What the next word must be.
+/// Token that must come next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Expect {
     Start,
@@ -35,10 +35,10 @@ enum Expect {
     ChannelNames { declared: usize },
 }
 
-/// Whether the hierarchy goes on.
+/// Result of reading a line.
 pub(crate) enum Progress {
     Hierarchy,
-    /// `MOTION` was read; what follows it on its line starts at this byte.
+    /// `MOTION` was read; the rest of the line begins at this byte.
     Motion(usize),
 }
 
@@ -55,7 +55,7 @@ impl Hierarchy {
         }
     }
 
-    /// Takes one line.
+    /// Reads one line.
     pub fn line(&mut self, line: usize, text: &[u8]) -> Result<Progress, Error> {
         let mut at = number::skip_blanks(text, 0);
         while at < text.len() {
@@ -67,7 +67,7 @@ impl Hierarchy {
                 let word = word_or_brace(&text[at..]);
                 if self.expect == Expect::RootOrMotion && word.eq_ignore_ascii_case(b"MOTION") {
                     if self.joints.is_empty() {
-                        return Err(Error::at(Problem::NoJoints, line, text, at));
+                        return Err(Error::at(ErrorKind::NoJoints, line, text, at));
                     }
                     return Ok(Progress::Motion(at + word.len()));
                 }
@@ -75,29 +75,29 @@ impl Hierarchy {
             }
             at = number::skip_blanks(text, at);
         }
-        // A name may be missing: the brace then stands on the next line.
+        // A name may be missing; the brace is then on the next line.
         if let Expect::Name(kind) = self.expect {
             self.name(kind, line, text, text.len())?;
         }
         Ok(Progress::Hierarchy)
     }
 
-    /// Whether braces are open.
+    /// True if braces are open.
     pub fn is_open(&self) -> bool {
         !self.open.is_empty()
     }
 
     /// Checks that the file may end here.
     pub fn finish(&self) -> Result<(), Error> {
-        let problem = match self.expect {
-            Expect::Start => Problem::Empty,
+        let kind = match self.expect {
+            Expect::Start => ErrorKind::Empty,
             _ if !self.open.is_empty() || self.expect != Expect::RootOrMotion => {
-                Problem::OpenBraces { open: self.open.len() }
+                ErrorKind::UnclosedBraces { open: self.open.len() }
             }
-            _ if self.joints.is_empty() => Problem::NoJoints,
+            _ if self.joints.is_empty() => ErrorKind::NoJoints,
             _ => return Ok(()),
         };
-        Err(Error::whole(problem))
+        Err(Error::in_file(kind))
     }
 
     fn start(&mut self, line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
@@ -116,13 +116,13 @@ impl Hierarchy {
             );
             return Ok(at);
         }
-        Err(match looks_like(&text[at..]) {
-            Some(other) => Error::whole(Problem::NotBvh(other)),
+        Err(match guess_format(&text[at..]) {
+            Some(other) => Error::in_file(ErrorKind::NotBvh(other)),
             None => unexpected("HIERARCHY", line, text, at),
         })
     }
 
-    /// Reads a name: the rest of the line, or what stands before a brace.
+    /// Reads a name: the rest of the line up to a brace.
     fn name(&mut self, kind: JointKind, line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
         let rest = &text[at..];
         let len = rest.iter().position(|&byte| byte == b'{').unwrap_or(rest.len());
@@ -143,10 +143,10 @@ impl Hierarchy {
         at: usize,
     ) -> Result<(), Error> {
         if self.joints.len() == self.limits.joints {
-            return Err(Error::at(Problem::TooManyJoints(self.limits.joints), line, text, at));
+            return Err(Error::at(ErrorKind::TooManyJoints(self.limits.joints), line, text, at));
         }
         if self.open.len() == self.limits.depth {
-            return Err(Error::at(Problem::TooDeep(self.limits.depth), line, text, at));
+            return Err(Error::at(ErrorKind::TooDeep(self.limits.depth), line, text, at));
         }
         let parent = self.open.last().copied();
         self.joints.push(Joint { name, kind, parent, offset: Vector3::zeros(), channels: Vec::new() });
@@ -155,7 +155,7 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Takes one word and tells how many bytes were used.
+    /// Reads one word and returns the number of bytes used.
     fn word(&mut self, word: &[u8], line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
         let is = |keyword: &str| word.eq_ignore_ascii_case(keyword.as_bytes());
         match self.expect {
@@ -171,13 +171,13 @@ impl Hierarchy {
             Expect::Body if is("JOINT") => self.expect = Expect::Name(JointKind::Joint),
             Expect::Body if is("End") => {
                 self.push(JointKind::EndSite, END_SITE.into(), line, text, at)?;
-                // What stands between `End` and the brace is `Site`, or a name nobody uses.
+                // Between `End` and the brace is `Site`, or a name that nothing uses.
                 let rest = &text[at..];
                 return Ok(rest.iter().position(|&byte| byte == b'{').unwrap_or(rest.len()));
             }
             Expect::Body if is("}") => self.close(line, text, at),
             Expect::Body if is("MOTION") => {
-                return Err(Error::at(Problem::OpenBraces { open: self.open.len() }, line, text, at));
+                return Err(Error::at(ErrorKind::UnclosedBraces { open: self.open.len() }, line, text, at));
             }
             Expect::Body => return Err(unexpected("OFFSET, CHANNELS, JOINT, End Site or }", line, text, at)),
             Expect::Offset(axis) => return self.offset(axis, line, text, at),
@@ -198,21 +198,21 @@ impl Hierarchy {
         if let Some(joint) = self.open.pop()
             && !self.offset_seen[joint]
         {
-            let what = format!("{} has no OFFSET: zero is taken.", self.joints[joint].name);
-            self.notice(Code::Offset, line, text, at, what);
+            let message = format!("{} has no OFFSET; zero is used.", self.joints[joint].name);
+            self.notice(Code::Offset, line, text, at, message);
         }
         self.expect = if self.open.is_empty() { Expect::RootOrMotion } else { Expect::Body };
     }
 
     fn offset(&mut self, axis: usize, line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
-        let Some(number) = number::leading(word_or_brace(&text[at..])) else {
+        let Some(number) = number::parse_leading(word_or_brace(&text[at..])) else {
             return Err(unexpected("a number", line, text, at));
         };
-        self.decimals.note(number.mark, line, text, at);
+        self.decimals.record(number.mark, line, text, at);
         let joint = *self.open.last().expect("an OFFSET stands in a joint");
         if axis == 0 && std::mem::replace(&mut self.offset_seen[joint], true) {
-            let what = format!("{} has a second OFFSET: the last one is taken.", self.joints[joint].name);
-            self.notice(Code::Offset, line, text, at, what);
+            let message = format!("{} has a second OFFSET; the last one is used.", self.joints[joint].name);
+            self.notice(Code::Offset, line, text, at, message);
         }
         self.joints[joint].offset[axis] = number.value;
         self.expect = if axis == 2 { Expect::Body } else { Expect::Offset(axis + 1) };
@@ -229,22 +229,22 @@ impl Hierarchy {
     ) -> Result<usize, Error> {
         let joint = *self.open.last().expect("CHANNELS stand in a joint");
         if is_keyword(word) {
-            let named = self.joints[joint].channels.len();
-            if named != declared {
-                let what = format!(
-                    "{} states {declared} channels and names {named}: those named are taken.",
+            let listed = self.joints[joint].channels.len();
+            if listed != declared {
+                let message = format!(
+                    "{} states {declared} channels and lists {listed}; the listed channels are used.",
                     self.joints[joint].name
                 );
-                self.notice(Code::ChannelCount, line, text, at, what);
+                self.notice(Code::ChannelCount, line, text, at, message);
             }
             self.expect = Expect::Body;
             return Ok(0);
         }
-        let Some(channel) = channel_named(word) else {
+        let Some(channel) = parse_channel(word) else {
             let name = String::from_utf8_lossy(word).into_owned();
-            return Err(Error::at(Problem::UnknownChannel(name), line, text, at));
+            return Err(Error::at(ErrorKind::UnknownChannel(name), line, text, at));
         };
-        // What moves is a joint, whatever it is called.
+        // A joint with channels moves and is no end site, whatever its keyword.
         if self.joints[joint].kind == JointKind::EndSite {
             self.joints[joint].kind = JointKind::Joint;
         }
@@ -252,17 +252,17 @@ impl Hierarchy {
         Ok(word.len())
     }
 
-    fn notice(&mut self, code: Code, line: usize, text: &[u8], at: usize, what: String) {
-        self.notices.push(Notice { code, place: Some(place(line, text, at)), text: what });
+    fn notice(&mut self, code: Code, line: usize, text: &[u8], at: usize, message: String) {
+        self.notices.push(Notice { code, location: Some(location(line, text, at)), text: message });
     }
 }
 
 fn unexpected(expected: &'static str, line: usize, text: &[u8], at: usize) -> Error {
     let found: String = String::from_utf8_lossy(number::word(&text[at..])).chars().take(40).collect();
-    Error::at(Problem::Unexpected { expected, found }, line, text, at)
+    Error::at(ErrorKind::Unexpected { expected, found }, line, text, at)
 }
 
-/// The bytes up to the next blank or brace; a brace is a word of its own.
+/// Returns the bytes up to the next blank or brace; a brace is a word by itself.
 fn word_or_brace(bytes: &[u8]) -> &[u8] {
     let is_brace = |byte: &u8| matches!(byte, b'{' | b'}');
     if bytes.first().is_some_and(is_brace) {
@@ -278,7 +278,7 @@ fn is_keyword(word: &[u8]) -> bool {
         .any(|keyword| word.eq_ignore_ascii_case(keyword.as_bytes()))
 }
 
-fn channel_named(word: &[u8]) -> Option<Channel> {
+fn parse_channel(word: &[u8]) -> Option<Channel> {
     let (axis, kind) = word.split_first()?;
     let axis = match axis.to_ascii_uppercase() {
         b'X' => Axis::X,
@@ -295,8 +295,8 @@ fn channel_named(word: &[u8]) -> Option<Channel> {
     }
 }
 
-/// What a file that is no BVH probably is.
-fn looks_like(text: &[u8]) -> Option<&'static str> {
+/// Returns the probable format of a file that is not BVH.
+fn guess_format(text: &[u8]) -> Option<&'static str> {
     let begins = |with: &[u8]| text.len() >= with.len() && text[..with.len()].eq_ignore_ascii_case(with);
     if begins(b"PK\x03\x04") {
         Some("a zip archive")

@@ -1,8 +1,8 @@
-//! BVH: bytes to [`Clip`] and back.
+//! BVH files: bytes to [`Clip`] and back.
 //!
-//! [`Reader`] takes files as they occur: it accepts what a person would
-//! accept, says what it did in notices, and refuses the rest with an [`Error`]
-//! that names line and column. [`write`](fn@write) is its inverse.
+//! [`Reader`] accepts every variant of the format that has one sensible reading and reports repairs
+//! as notices. It rejects all other files with an [`Error`] that names line and column.
+//! [`write`](fn@write) is its inverse.
 
 mod clip;
 mod encoding;
@@ -18,6 +18,6 @@ mod tests;
 mod writer;
 
 pub use clip::{Axis, Channel, Clip, END_SITE, Joint, JointKind, PositionRule};
-pub use error::{Error, Excerpt, Problem};
+pub use error::{Error, ErrorKind, Excerpt};
 pub use reader::{Limits, Options, Parsed, Reader, parse};
 pub use writer::write;

@@ -1,28 +1,28 @@
-//! The `MOTION` section: frame count, frame time and the rows of values.
+//! The `MOTION` section: frame count, frame time and rows of values.
 
-use crate::bvh::error::place;
+use crate::bvh::error::location;
 use crate::bvh::number::Decimals;
-use crate::bvh::{Error, Joint, Options, Problem, fast_row, number};
-use crate::notice::{Code, Notice, Place};
+use crate::bvh::{Error, ErrorKind, Joint, Options, fast_row, number};
+use crate::notice::{Code, Location, Notice};
 
-/// The frame time taken where the file's own is missing or absurd, in seconds.
+/// Frame time if the file states none or an implausible one, in seconds.
 const DEFAULT_FRAME_TIME: f64 = 1.0 / 30.0;
 
-/// Frame times from 10 kHz to one frame a second are believed.
+/// Accepted frame times, in seconds: 10 kHz to 1 Hz.
 const PLAUSIBLE_FRAME_TIME: std::ops::RangeInclusive<f64> = 1e-4..=1.0;
 
-/// Builds the rows from lines.
+/// Builds the rows from lines of text.
 #[derive(Debug)]
-pub(crate) struct Rows {
+pub(crate) struct MotionSection {
     options: Options,
     /// Joint and channel names, for messages.
     channels: Vec<String>,
     header: Header,
     pub values: Vec<f64>,
-    /// Room for the row that is being read.
+    /// Buffer for the row being read.
     row: Vec<f64>,
     frames: usize,
-    /// Where a frame began whose numbers have not all come yet.
+    /// Start of a frame whose numbers are not complete.
     partial: Option<Partial>,
     decimals: Decimals,
     repairs: Vec<Repair>,
@@ -33,7 +33,7 @@ pub(crate) struct Rows {
 struct Header {
     declared: Option<usize>,
     frame_time: Option<f64>,
-    /// The rows have begun.
+    /// True after the first row.
     done: bool,
 }
 
@@ -44,26 +44,26 @@ struct Partial {
     at: usize,
 }
 
-/// A repair that may occur on many lines and is reported once.
+/// Repair that may occur on many lines and is reported once.
 #[derive(Debug)]
 struct Repair {
     code: Code,
-    place: Place,
+    location: Location,
     lines: usize,
 }
 
-/// A row of which something could not be read, at this byte.
+/// Byte index of a value that cannot be read.
 struct BadValue(usize);
 
-impl Rows {
-    pub fn new(options: Options, joints: &[Joint], decimals: Decimals) -> Rows {
+impl MotionSection {
+    pub fn new(options: Options, joints: &[Joint], decimals: Decimals) -> MotionSection {
         let channels: Vec<String> = joints
             .iter()
             .flat_map(|joint| {
                 joint.channels.iter().map(|channel| format!("{} {}", joint.name, channel.name()))
             })
             .collect();
-        Rows {
+        MotionSection {
             options,
             row: vec![0.0; channels.len()],
             channels,
@@ -77,15 +77,16 @@ impl Rows {
         }
     }
 
-    /// Takes the plain rows that `text` begins with, leaves in it what follows them, and counts them.
-    pub fn plain(&mut self, text: &mut &[u8]) -> usize {
+    /// Reads the ordinary rows at the beginning of `text`, advances it past them, and returns their
+    /// count.
+    pub fn read_fast_rows(&mut self, text: &mut &[u8]) -> usize {
         let has_commas = self.decimals.commas.is_some();
         if !self.header.done || self.row.is_empty() || self.partial.is_some() || has_commas {
             return 0;
         }
         let before = self.frames;
         let mut points = self.decimals.points;
-        while let Some(len) = fast_row::row(text, &mut self.row, &mut points) {
+        while let Some(len) = fast_row::read_row(text, &mut self.row, &mut points) {
             *text = &text[len..];
             self.decimals.points = points;
             self.values.extend_from_slice(&self.row);
@@ -94,7 +95,7 @@ impl Rows {
         self.frames - before
     }
 
-    /// Takes one line.
+    /// Reads one line.
     pub fn line(&mut self, line: usize, text: &[u8]) -> Result<(), Error> {
         let mut at = number::skip_blanks(text, 0);
         if !self.header.done {
@@ -105,38 +106,38 @@ impl Rows {
         }
         if !self.header.done {
             self.header.done = true;
-            self.make_room();
+            self.reserve_frames();
         }
         self.row(line, text, at)
     }
 
-    /// Makes room for the frames stated, as far as the file can hold them: growing step
-    /// by step would take twice the memory in the end.
-    fn make_room(&mut self) {
+    /// Reserves memory for the stated number of frames, as far as the file can contain them.
+    /// Growing step by step would need twice the memory.
+    fn reserve_frames(&mut self) {
         let stated = self.header.declared.unwrap_or(0).saturating_mul(self.row.len());
-        // A value takes a digit and a blank.
-        let most = usize::try_from(self.options.expected_bytes / 2).unwrap_or(usize::MAX);
-        // Where there is no such room, there may yet be for what comes.
-        let _ = self.values.try_reserve_exact(stated.min(most));
+        // A value takes at least a digit and a blank.
+        let max = usize::try_from(self.options.expected_bytes / 2).unwrap_or(usize::MAX);
+        // If the reservation fails, the actual rows may still fit.
+        let _ = self.values.try_reserve_exact(stated.min(max));
     }
 
-    /// Takes a line that ends with the file: the beginning of a number is left out.
+    /// Reads a line that ends with the file and ignores an incomplete number at its end.
     pub fn last_line(&mut self, line: usize, text: &[u8]) -> Result<(), Error> {
         let last = text.len() - text.iter().rev().take_while(|&&byte| !number::is_blank(byte)).count();
         let word = &text[last..];
-        let is_begun =
-            number::leading(word).is_none() && word.iter().all(|byte| b"+-.,eE0123456789".contains(byte));
-        self.line(line, if is_begun { &text[..last] } else { text })
+        let is_incomplete_number = number::parse_leading(word).is_none()
+            && word.iter().all(|byte| b"+-.,eE0123456789".contains(byte));
+        self.line(line, if is_incomplete_number { &text[..last] } else { text })
     }
 
-    /// The frame time, once all lines were taken.
+    /// Reports repairs and returns the frame time, after the last line.
     pub fn finish(&mut self) -> f64 {
         if let Some(partial) = self.partial.take() {
             self.values.truncate(self.frames * self.channels.len());
             self.notices.push(Notice {
                 code: Code::IncompleteRow,
-                place: Some(place(partial.line, &partial.text, partial.at)),
-                text: "The last row breaks off and was left out.".into(),
+                location: Some(location(partial.line, &partial.text, partial.at)),
+                text: "The last row is incomplete and was left out.".into(),
             });
         }
         self.values.shrink_to_fit();
@@ -144,7 +145,7 @@ impl Rows {
         if let Some(first) = self.decimals.commas {
             self.notices.push(Notice {
                 code: Code::DecimalComma,
-                place: Some(first),
+                location: Some(first),
                 text: "Decimal commas were read as decimal points.".into(),
             });
         }
@@ -152,13 +153,13 @@ impl Rows {
             Some(declared) if declared != self.frames => self.notices.push(Notice::new(
                 Code::FrameCount,
                 format!(
-                    "The file states {declared} frames and has {}: those present are taken.",
+                    "The file states {declared} frames and has {}; the frames present are used.",
                     self.frames
                 ),
             )),
             None if self.frames > 0 => self.notices.push(Notice::new(
                 Code::FrameCount,
-                format!("The file does not state its number of frames: it has {}.", self.frames),
+                format!("The file does not state the number of frames; it has {}.", self.frames),
             )),
             _ => {}
         }
@@ -166,7 +167,7 @@ impl Rows {
     }
 
     fn frame_time(&mut self) -> f64 {
-        let found = match self.header.frame_time {
+        let statement = match self.header.frame_time {
             Some(time) if PLAUSIBLE_FRAME_TIME.contains(&time) => return time,
             Some(time) => format!("states a frame time of {time} s"),
             None => "does not state a frame time".into(),
@@ -175,7 +176,7 @@ impl Rows {
             self.notices.push(Notice::new(
                 Code::FrameTime,
                 format!(
-                    "The file {found}: 30 frames per second are taken. Set the true rate if you know it."
+                    "The file {statement}; 30 frames per second are used. Set the frame rate if you know it."
                 ),
             ));
         }
@@ -184,31 +185,36 @@ impl Rows {
 
     fn report_repairs(&mut self) {
         let width = self.channels.len();
-        for Repair { code, place, lines } in self.repairs.drain(..) {
+        for Repair { code, location, lines } in self.repairs.drain(..) {
             let times = if lines == 1 { "1 line".into() } else { format!("{lines} lines") };
             let text = match code {
-                Code::LongRow => format!("{times} with more than {width} numbers: the rest was left out."),
+                Code::LongRow => {
+                    format!("{times} with more than {width} numbers: the extra numbers were left out.")
+                }
                 Code::WrappedRow => format!("Frames are wrapped over several lines ({times} more)."),
-                Code::TrailingMatter => format!("{times} after the last frame were left out."),
-                _ => format!("{times} with values that are no numbers: the previous frame's were held."),
+                Code::TrailingMatter => format!("{times} after the last frame were ignored."),
+                _ => format!(
+                    "{times} with values that are not numbers: the values of the previous frame were repeated."
+                ),
             };
-            self.notices.push(Notice { code, place: Some(place), text });
+            self.notices.push(Notice { code, location: Some(location), text });
         }
     }
 
-    /// Takes `Frames:` and `Frame Time:` and tells where what follows them begins.
+    /// Reads `Frames:` and `Frame Time:` and returns the byte index after them.
     fn header(&mut self, line: usize, text: &[u8], mut at: usize) -> usize {
         while at < text.len() {
             let rest = &text[at..];
-            let (is_time, len) = match (after(rest, &["frame", "time"]), after(rest, &["frames"])) {
+            let (is_time, len) = match (match_words(rest, &["frame", "time"]), match_words(rest, &["frames"]))
+            {
                 (Some(len), _) => (true, len),
                 (None, Some(len)) => (false, len),
                 (None, None) => break,
             };
             at = number::skip_blanks(text, at + len);
-            let number = number::leading(&text[at..]);
+            let number = number::parse_leading(&text[at..]);
             if let Some(number) = number {
-                self.decimals.note(number.mark, line, text, at);
+                self.decimals.record(number.mark, line, text, at);
             }
             let value = number.map(|number| number.value);
             if is_time {
@@ -233,7 +239,7 @@ impl Rows {
         let complete = self.header.declared.is_some_and(|declared| self.frames >= declared);
         let found = match self.numbers(line, text, at, width - before) {
             Ok(found) => before + found,
-            // Once all declared frames are there, what is no row is no motion.
+            // After all declared frames, a line that is not a row is not motion.
             Err(_) if complete => 0,
             Err(BadValue(at)) => return Err(self.bad_value(line, text, at)),
         };
@@ -250,26 +256,26 @@ impl Rows {
             self.repair(Code::TrailingMatter, line, text, at);
         } else if found > width {
             let Partial { line, text, at } = self.partial.take().expect("a frame has begun");
-            let problem = Problem::RaggedRow { expected: width, found, frame: self.frames };
-            return Err(Error::at(problem, line, &text, at));
+            let kind = ErrorKind::RaggedRow { expected: width, found, frame: self.frames };
+            return Err(Error::at(kind, line, &text, at));
         } else if before == 0 {
             self.partial = Some(Partial { line, text: text.to_vec(), at });
         } else {
             self.repair(Code::WrappedRow, line, text, at);
         }
-        if self.decimals.mixed() {
-            return Err(Error::at(Problem::MixedDecimals, line, text, at));
+        if self.decimals.are_mixed() {
+            return Err(Error::at(ErrorKind::MixedDecimals, line, text, at));
         }
         Ok(())
     }
 
-    /// Appends the line's numbers, at most `wanted`, and counts them all.
+    /// Appends at most `wanted` numbers of the line and returns the count of all numbers.
     fn numbers(&mut self, line: usize, text: &[u8], mut at: usize, wanted: usize) -> Result<usize, BadValue> {
         let mut found = 0;
         while at < text.len() {
-            let (value, len) = match number::leading(&text[at..]) {
+            let (value, len) = match number::parse_leading(&text[at..]) {
                 Some(number) => {
-                    self.decimals.note(number.mark, line, text, at);
+                    self.decimals.record(number.mark, line, text, at);
                     (number.value, number.len)
                 }
                 None if self.options.lenient => {
@@ -287,7 +293,7 @@ impl Rows {
         Ok(found)
     }
 
-    /// The previous frame's value of the channel that comes next; 0 in the first frame.
+    /// Returns the value of the next channel in the previous frame; 0 in the first frame.
     fn previous_value(&self) -> f64 {
         let width = self.channels.len();
         self.values
@@ -298,25 +304,25 @@ impl Rows {
 
     fn bad_value(&self, line: usize, text: &[u8], at: usize) -> Error {
         let next = self.values.len() - self.frames * self.channels.len();
-        let problem = Problem::BadValue {
+        let kind = ErrorKind::BadValue {
             found: String::from_utf8_lossy(number::word(&text[at..])).chars().take(40).collect(),
             frame: self.frames,
             channel: self.channels.get(next).cloned().unwrap_or_else(|| "beyond the last".into()),
         };
-        Error::at(problem, line, text, at)
+        Error::at(kind, line, text, at)
     }
 
     fn repair(&mut self, code: Code, line: usize, text: &[u8], at: usize) {
         match self.repairs.iter_mut().find(|repair| repair.code == code) {
             Some(repair) => repair.lines += 1,
-            None => self.repairs.push(Repair { code, place: place(line, text, at), lines: 1 }),
+            None => self.repairs.push(Repair { code, location: location(line, text, at), lines: 1 }),
         }
     }
 }
 
-/// Length of `words`, in any case and with blanks between, and of a colon
-/// after them, where `text` begins so.
-fn after(text: &[u8], words: &[&str]) -> Option<usize> {
+/// Returns the length of `words`, in any case and separated by blanks, and a following colon, if
+/// `text` begins with them.
+fn match_words(text: &[u8], words: &[&str]) -> Option<usize> {
     let mut at = 0;
     for word in words {
         at = number::skip_blanks(text, at);

@@ -1,59 +1,59 @@
-//! Numbers straight from bytes, correctly rounded.
+//! Correctly rounded numbers from bytes.
 
-use crate::bvh::error::place;
-use crate::notice::Place;
+use crate::bvh::error::location;
+use crate::notice::Location;
 
-/// A number found at the beginning of some bytes.
+/// Number at the beginning of a byte string.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Number {
     pub value: f64,
-    /// Bytes it takes up.
+    /// Length in bytes.
     pub len: usize,
-    pub mark: Mark,
+    pub mark: DecimalMark,
 }
 
-/// The decimal mark of a number.
+/// Decimal mark of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mark {
+pub(crate) enum DecimalMark {
     None,
     Point,
     Comma,
 }
 
-/// The decimal marks that a file has used so far.
+/// Decimal marks used in a file so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Decimals {
     pub points: bool,
-    /// Where the first comma stands.
-    pub commas: Option<Place>,
+    /// Location of the first comma.
+    pub commas: Option<Location>,
 }
 
 impl Decimals {
-    /// Takes note of a number whose first byte is `at` of line number `line`.
-    pub fn note(&mut self, mark: Mark, line: usize, text: &[u8], at: usize) {
+    /// Records the mark of the number at byte `at` of line number `line`.
+    pub fn record(&mut self, mark: DecimalMark, line: usize, text: &[u8], at: usize) {
         match mark {
-            Mark::Point => self.points = true,
-            Mark::Comma if self.commas.is_none() => self.commas = Some(place(line, text, at)),
+            DecimalMark::Point => self.points = true,
+            DecimalMark::Comma if self.commas.is_none() => self.commas = Some(location(line, text, at)),
             _ => {}
         }
     }
 
-    pub fn mixed(&self) -> bool {
+    pub fn are_mixed(&self) -> bool {
         self.points && self.commas.is_some()
     }
 }
 
-/// Powers of ten that a double holds exactly.
+/// Powers of ten that a double represents exactly.
 pub(crate) const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
     1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The finite number that `bytes` begin with.
+/// Returns the finite number at the beginning of `bytes`.
 ///
-/// It must end with the bytes, at a blank, or at the sign of a number run
-/// together with it, as in `0.0-7.5`; otherwise the word is no number.
-pub(crate) fn leading(bytes: &[u8]) -> Option<Number> {
+/// The number must end with the bytes, at a blank, or at the sign of the next number as in
+/// `0.0-7.5`; otherwise the word is not a number.
+pub(crate) fn parse_leading(bytes: &[u8]) -> Option<Number> {
     let mut at = 0;
     let negative = match bytes.first()? {
         b'-' => {
@@ -66,28 +66,28 @@ pub(crate) fn leading(bytes: &[u8]) -> Option<Number> {
         }
         _ => false,
     };
-    // A mantissa of 19 digits fits u64; where there are more, the slow path is taken.
+    // A mantissa of 19 digits fits u64; longer numbers take the slow path.
     let mut mantissa = 0_u64;
-    let digits_from = at;
-    let mut mark = Mark::None;
+    let digits_start = at;
+    let mut mark = DecimalMark::None;
     let mut mark_at = 0;
     while let Some(&byte) = bytes.get(at) {
         match byte {
             b'0'..=b'9' => mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(byte - b'0')),
-            b'.' | b',' if mark == Mark::None => {
-                mark = if byte == b'.' { Mark::Point } else { Mark::Comma };
+            b'.' | b',' if mark == DecimalMark::None => {
+                mark = if byte == b'.' { DecimalMark::Point } else { DecimalMark::Comma };
                 mark_at = at;
             }
             _ => break,
         }
         at += 1;
     }
-    let marked = usize::from(mark != Mark::None);
-    let digits = at - digits_from - marked;
+    let mark_len = usize::from(mark != DecimalMark::None);
+    let digits = at - digits_start - mark_len;
     if digits == 0 {
         return None;
     }
-    let fraction = if marked == 1 { at - mark_at - 1 } else { 0 };
+    let fraction = if mark_len == 1 { at - mark_at - 1 } else { 0 };
     let exponent = exponent_len(&bytes[at..]);
     let end = at + exponent;
     match bytes.get(end) {
@@ -99,12 +99,12 @@ pub(crate) fn leading(bytes: &[u8]) -> Option<Number> {
         let magnitude = mantissa as f64 / EXACT_POWERS[fraction];
         if negative { -magnitude } else { magnitude }
     } else {
-        slowly(&bytes[..end], mark)?
+        parse_slow(&bytes[..end], mark)?
     };
     Some(Number { value, len: end, mark })
 }
 
-/// Length of the exponent that `bytes` begin with; 0 if there is none.
+/// Returns the length of the exponent at the beginning of `bytes`; 0 if there is none.
 fn exponent_len(bytes: &[u8]) -> usize {
     let Some(b'e' | b'E') = bytes.first() else { return 0 };
     let sign = usize::from(matches!(bytes.get(1), Some(b'+' | b'-')));
@@ -114,22 +114,22 @@ fn exponent_len(bytes: &[u8]) -> usize {
     }
 }
 
-fn slowly(bytes: &[u8], mark: Mark) -> Option<f64> {
+fn parse_slow(bytes: &[u8], mark: DecimalMark) -> Option<f64> {
     let text = std::str::from_utf8(bytes).ok()?;
     let value: f64 = match mark {
-        Mark::Comma => text.replacen(',', ".", 1).parse().ok()?,
+        DecimalMark::Comma => text.replacen(',', ".", 1).parse().ok()?,
         _ => text.parse().ok()?,
     };
     value.is_finite().then_some(value)
 }
 
-/// The bytes up to the next blank.
+/// Returns the bytes up to the next blank.
 pub(crate) fn word(bytes: &[u8]) -> &[u8] {
     let end = bytes.iter().position(|&byte| is_blank(byte)).unwrap_or(bytes.len());
     &bytes[..end]
 }
 
-/// Index of the first byte from `at` on that is no blank.
+/// Returns the index of the first byte from `at` that is not a blank.
 pub(crate) fn skip_blanks(bytes: &[u8], at: usize) -> usize {
     at + bytes[at..].iter().take_while(|&&byte| is_blank(byte)).count()
 }
@@ -144,11 +144,11 @@ mod tests {
     use proptest::prelude::*;
 
     fn value(text: &str) -> Option<f64> {
-        leading(text.as_bytes()).map(|number| number.value)
+        parse_leading(text.as_bytes()).map(|number| number.value)
     }
 
     #[test]
-    fn reads_numbers_as_they_occur() {
+    fn reads_all_number_formats() {
         for (text, expected) in [
             ("0", 0.0),
             ("-12.5", -12.5),
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_is_no_number() {
+    fn rejects_other_words() {
         for text in ["", "-", ".", "abc", "nan", "inf", "1.2.3", "1x", "1e", "0x10", "1e999", "1,2,3"] {
             assert_eq!(value(text), None, "{text}");
         }
@@ -175,9 +175,9 @@ mod tests {
 
     #[test]
     fn separates_numbers_run_together() {
-        let number = leading(b"0.0-7.5").unwrap();
+        let number = parse_leading(b"0.0-7.5").unwrap();
         assert_eq!((number.value, number.len), (0.0, 3));
-        assert_eq!(leading(b"1e-3-2").unwrap().len, 4);
+        assert_eq!(parse_leading(b"1e-3-2").unwrap().len, 4);
     }
 
     proptest! {
@@ -190,7 +190,7 @@ mod tests {
 
         #[test]
         fn never_panics(bytes in proptest::collection::vec(any::<u8>(), 0..40)) {
-            let _ = leading(&bytes);
+            let _ = parse_leading(&bytes);
         }
     }
 }

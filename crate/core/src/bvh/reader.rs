@@ -1,13 +1,13 @@
-//! The reader: bytes, in chunks, to a clip with notices.
+//! Reader of BVH files in chunks.
 
 use crate::bvh::encoding::Decoder;
 use crate::bvh::hierarchy::{Hierarchy, Progress};
 use crate::bvh::lines::Lines;
-use crate::bvh::motion_section::Rows;
-use crate::bvh::{Channel, Clip, Error, Joint, PositionRule, Problem};
+use crate::bvh::motion_section::MotionSection;
+use crate::bvh::{Channel, Clip, Error, ErrorKind, Joint, PositionRule};
 use crate::notice::{Code, Notice};
 
-/// How large a file may be.
+/// Limits of the size of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Bytes of the file; default 1 GiB.
@@ -26,24 +26,25 @@ impl Default for Limits {
     }
 }
 
-/// How a file is read.
+/// Options of the reader.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// Hold the previous frame's value where one is no number, instead of refusing the file.
+    /// If true, a value that is not a number is replaced by the value of the previous frame; if
+    /// false, the file is rejected. Default false.
     pub lenient: bool,
-    /// How large the file may be.
+    /// Limits of the size of the file.
     pub limits: Limits,
-    /// Bytes that the file probably has: room for the frames it states is made at once if
-    /// so many bytes can hold them, and bit by bit otherwise; default 0.
+    /// Expected size of the file, in bytes. Memory for the stated number of frames is reserved at
+    /// once if the file can contain them; default 0.
     pub expected_bytes: u64,
 }
 
-/// A clip as it was read.
+/// Result of reading a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parsed {
     /// The clip; its frame time is always positive and its values are finite.
     pub clip: Clip,
-    /// What was repaired or assumed, in file order.
+    /// Repairs and assumptions, in file order.
     pub notices: Vec<Notice>,
 }
 
@@ -72,9 +73,8 @@ pub fn parse(bytes: &[u8], options: Options) -> Result<Parsed, Error> {
 
 /// Reads a file chunk by chunk.
 ///
-/// The result does not depend on how the file is cut. Memory grows with the
-/// values that were read, or with what was expected, never with a number that
-/// the file states.
+/// The result does not depend on the chunks. Memory grows with the values read or with the expected
+/// size, never with a number stated in the file.
 #[derive(Debug)]
 pub struct Reader {
     options: Options,
@@ -87,11 +87,11 @@ pub struct Reader {
 #[derive(Debug)]
 enum Section {
     Hierarchy(Hierarchy),
-    Motion { joints: Vec<Joint>, notices: Vec<Notice>, rows: Rows },
+    Motion { joints: Vec<Joint>, notices: Vec<Notice>, rows: MotionSection },
 }
 
 impl Reader {
-    /// A reader at the beginning of a file.
+    /// Creates a reader at the beginning of a file.
     pub fn new(options: Options) -> Reader {
         Reader {
             options,
@@ -102,21 +102,21 @@ impl Reader {
         }
     }
 
-    /// Takes the next chunk of the file.
+    /// Reads the next chunk of the file.
     ///
     /// # Errors
-    /// If what came so far cannot be read; the reader is then of no further use.
+    /// If the file cannot be read so far. The reader must not be used afterwards.
     pub fn push(&mut self, chunk: &[u8]) -> Result<(), Error> {
         self.bytes += chunk.len() as u64;
         if self.bytes > self.options.limits.bytes {
-            return Err(Error::whole(Problem::TooLarge(self.options.limits.bytes)));
+            return Err(Error::in_file(ErrorKind::TooLarge(self.options.limits.bytes)));
         }
         let text = self.decoder.decode(chunk);
         let limit = self.options.limits.line_bytes;
         self.section.text(self.options, &mut self.lines, text, limit)
     }
 
-    /// Ends the file.
+    /// Ends the file and returns the clip.
     ///
     /// # Errors
     /// If the file as a whole cannot be read.
@@ -131,7 +131,7 @@ impl Reader {
 }
 
 impl Section {
-    /// Takes a chunk of text; a line without an end may come to `limit` bytes.
+    /// Reads a chunk of text. An incomplete line may have up to `limit` bytes.
     fn text(
         &mut self,
         options: Options,
@@ -143,12 +143,12 @@ impl Section {
             if let Section::Motion { rows, .. } = self
                 && lines.at_start()
             {
-                lines.skip(rows.plain(&mut text));
+                lines.skip(rows.read_fast_rows(&mut text));
             }
             let Some((line, text)) = lines.next(&mut text) else { break };
             self.line(options, line, text)?;
         }
-        lines.hold(text, limit).map_err(|line| Error::at(Problem::LineTooLong(limit), line, b"", 0))
+        lines.carry(text, limit).map_err(|line| Error::at(ErrorKind::LineTooLong(limit), line, b"", 0))
     }
 
     fn line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
@@ -164,12 +164,12 @@ impl Section {
         }
     }
 
-    /// Takes a line that ends with the file, perhaps in the middle of a word.
+    /// Reads a line that ends with the file, perhaps within a word.
     fn last_line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
         match self {
             Section::Motion { rows, .. } => rows.last_line(line, text),
             Section::Hierarchy(_) => self.line(options, line, text).map_err(|error| match self {
-                // With braces open, what is wrong is that the file was cut.
+                // If braces are open, the error is that the file is incomplete.
                 Section::Hierarchy(hierarchy) if hierarchy.is_open() => {
                     hierarchy.finish().err().unwrap_or(error)
                 }
@@ -180,7 +180,7 @@ impl Section {
 
     fn begin_motion(&mut self, options: Options) {
         if let Section::Hierarchy(hierarchy) = self {
-            let rows = Rows::new(options, &hierarchy.joints, hierarchy.decimals);
+            let rows = MotionSection::new(options, &hierarchy.joints, hierarchy.decimals);
             let joints = std::mem::take(&mut hierarchy.joints);
             let notices = std::mem::take(&mut hierarchy.notices);
             *self = Section::Motion { joints, notices, rows };
@@ -198,20 +198,20 @@ impl Section {
         let frame_time = rows.finish();
         notices.append(&mut rows.notices);
         let clip = Clip::new(joints, frame_time, rows.values);
-        notices.extend(remarks(&clip));
+        notices.extend(clip_notices(&clip));
         let rule = position_rule(&clip);
         if rule == PositionRule::Add {
             notices.push(Notice::new(
                 Code::AddedPositions,
-                "Position channels stay near zero while offsets do not: they are added to the offsets.",
+                "Position channels stay near zero although offsets do not; they are added to the offsets.",
             ));
         }
         Ok(Parsed { clip: clip.with_position_rule(rule), notices })
     }
 }
 
-/// Notices about the clip as a whole.
-fn remarks(clip: &Clip) -> Vec<Notice> {
+/// Returns the notices about the clip as a whole.
+fn clip_notices(clip: &Clip) -> Vec<Notice> {
     let mut notices = Vec::new();
     let roots: Vec<&str> = clip.roots().map(|root| clip.joints()[root].name.as_str()).collect();
     if roots.len() > 1 {
@@ -233,13 +233,13 @@ fn remarks(clip: &Clip) -> Vec<Notice> {
         notices.push(Notice::new(Code::DuplicateName, text));
     }
     if clip.frame_count() == 0 {
-        notices.push(Notice::new(Code::NoMotion, "The file has no motion: its rest pose is shown."));
+        notices.push(Notice::new(Code::NoMotion, "The file has no motion; its rest pose is shown."));
     }
     notices
 }
 
-/// Position channels replace the offset, unless those below the roots are all
-/// about zero where the offset is not.
+/// Returns [`PositionRule::Add`] if all position channels below the roots are about zero although
+/// the offsets are not.
 fn position_rule(clip: &Clip) -> PositionRule {
     let is_position = |channel: &Channel| matches!(channel, Channel::Position(_));
     let (mut slots, mut largest_offset) = (Vec::new(), 0.0_f64);
@@ -251,7 +251,7 @@ fn position_rule(clip: &Clip) -> PositionRule {
         let channels = clip.channel_range(index).zip(&joint.channels);
         slots.extend(channels.filter(|(_, channel)| is_position(channel)).map(|(slot, _)| slot));
     }
-    // An offset that is left out would collapse the bone; a millesimal of it is rounding.
+    // Replacing an offset by zero would collapse the bone; a thousandth of it is rounding.
     let is_small = |value: f64| value.abs() < 1e-3 * largest_offset;
     let mut rows = (0..clip.frame_count()).map(|frame| clip.row(frame));
     if !slots.is_empty()

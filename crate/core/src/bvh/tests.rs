@@ -1,4 +1,4 @@
-//! The reader over files as they occur, and reader and writer over clips of any kind.
+//! Tests of the reader on the variants of the format, and of reader and writer on random clips.
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ fn read(text: &str) -> Parsed {
     parse(text.as_bytes(), Options::default()).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-fn refuse(text: &str) -> Error {
+fn reject(text: &str) -> Error {
     parse(text.as_bytes(), Options::default()).expect_err(text)
 }
 
@@ -27,7 +27,7 @@ fn codes(parsed: &Parsed) -> Vec<Code> {
     parsed.notices.iter().map(|notice| notice.code).collect()
 }
 
-/// Rows of the clip with the codes of its notices.
+/// Returns the rows of the clip and the codes of its notices.
 fn rows(text: &str) -> (Vec<Vec<f64>>, Vec<Code>) {
     let parsed = read(&motion(text));
     let rows = (0..parsed.clip.frame_count()).map(|frame| parsed.clip.row(frame).to_vec()).collect();
@@ -35,7 +35,7 @@ fn rows(text: &str) -> (Vec<Vec<f64>>, Vec<Code>) {
 }
 
 #[test]
-fn reads_a_plain_file() {
+fn reads_an_ordinary_file() {
     let parsed = read(&motion("Frames: 2\nFrame Time: 0.01\n1 2 3\n4 5 6\n"));
     assert_eq!(parsed.notices, []);
     let clip = parsed.clip;
@@ -48,7 +48,7 @@ fn reads_a_plain_file() {
 }
 
 #[test]
-fn keywords_come_in_many_shapes() {
+fn keywords_are_read_in_any_case_and_spacing() {
     for header in [
         "Frames:\t1\nFrame Time:\t0.01\n",
         "Frames:    1\nFrame Time: 0.01\n",
@@ -67,7 +67,7 @@ fn keywords_come_in_many_shapes() {
 }
 
 #[test]
-fn frame_count_is_what_is_there() {
+fn frame_count_is_the_number_of_rows() {
     let time = "Frame Time: 0.01\n";
     let two = vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]];
     for (declared, notices) in [
@@ -83,7 +83,7 @@ fn frame_count_is_what_is_there() {
 }
 
 #[test]
-fn rows_wrap_and_run_over() {
+fn wrapped_and_long_rows_are_read() {
     let head = "Frames: 2\nFrame Time: 0.01\n";
     let two = vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]];
     assert_eq!(rows(&format!("{head}1\n2 3\n4 5\n6")), (two.clone(), vec![Code::WrappedRow]));
@@ -94,24 +94,24 @@ fn rows_wrap_and_run_over() {
         (two[..1].to_vec(), vec![Code::IncompleteRow, Code::FrameCount])
     );
 
-    let error = refuse(&motion(&format!("{head}1 2\n3 4 5\n6 7 8")));
-    assert_eq!(error.problem, Problem::RaggedRow { expected: 3, found: 5, frame: 0 });
-    assert_eq!(error.place.unwrap().line, 14);
+    let error = reject(&motion(&format!("{head}1 2\n3 4 5\n6 7 8")));
+    assert_eq!(error.kind, ErrorKind::RaggedRow { expected: 3, found: 5, frame: 0 });
+    assert_eq!(error.location.unwrap().line, 14);
 }
 
 #[test]
-fn a_file_may_end_in_the_middle_of_a_number() {
+fn an_incomplete_number_at_the_end_is_ignored() {
     let head = "Frames: 2\nFrame Time: 0.01\n1 2 3\n";
     let incomplete = vec![Code::IncompleteRow, Code::FrameCount];
     for end in ["4 -", "4 5e", "4 5 6.1e-"] {
         assert_eq!(rows(&format!("{head}{end}")), (vec![vec![1.0, 2.0, 3.0]], incomplete.clone()), "{end}");
     }
-    assert!(matches!(refuse(&motion(&format!("{head}4 x"))).problem, Problem::BadValue { .. }));
-    assert_eq!(refuse("HIERARCHY\nROOT a\n{\nOFFS").problem, Problem::OpenBraces { open: 1 });
+    assert!(matches!(reject(&motion(&format!("{head}4 x"))).kind, ErrorKind::BadValue { .. }));
+    assert_eq!(reject("HIERARCHY\nROOT a\n{\nOFFS").kind, ErrorKind::UnclosedBraces { open: 1 });
 }
 
 #[test]
-fn numbers_come_in_many_shapes() {
+fn numbers_are_read_in_all_notations() {
     let head = "Frames: 1\nFrame Time: 0.01\n";
     assert_eq!(rows(&format!("{head}+1.0 2e0 .3")).0, [[1.0, 2.0, 0.3]]);
     assert_eq!(rows(&format!("{head}0.0-7.5+2")).0, [[0.0, -7.5, 2.0]]);
@@ -123,26 +123,26 @@ fn decimal_commas_are_read_if_the_file_is_consistent() {
     let parsed = read(&text);
     assert_eq!((parsed.clip.row(0)[0], parsed.clip.frame_time()), (1.5, 0.01));
     assert_eq!(codes(&parsed), [Code::DecimalComma]);
-    assert_eq!(refuse(&motion("Frames: 1\nFrame Time: 0.01\n1,5 2 3")).problem, Problem::MixedDecimals);
+    assert_eq!(reject(&motion("Frames: 1\nFrame Time: 0.01\n1,5 2 3")).kind, ErrorKind::MixedDecimals);
 }
 
 #[test]
-fn room_is_made_at_once_but_not_for_absurd_counts() {
+fn memory_is_reserved_for_plausible_frame_counts() {
     let joints = read(HEAD).clip.joints().to_vec();
-    let room = |stated: &str, expected_bytes| {
+    let capacity = |stated: &str, expected_bytes| {
         let options = Options { expected_bytes, ..Options::default() };
         let mut rows = Rows::new(options, &joints, Decimals::default());
         rows.line(1, format!("Frames: {stated}").as_bytes()).unwrap();
         rows.line(2, b"1 2 3").unwrap();
         rows.values.capacity()
     };
-    assert_eq!(room("1000", 10_000), 3000);
-    assert_eq!(room("1e300", 10_000), 5000);
-    assert!(room("1e300", 0) < 100 && room("1e300", u64::MAX) < 100);
+    assert_eq!(capacity("1000", 10_000), 3000);
+    assert_eq!(capacity("1e300", 10_000), 5000);
+    assert!(capacity("1e300", 0) < 100 && capacity("1e300", u64::MAX) < 100);
 }
 
 #[test]
-fn absurd_frame_times_become_a_thirtieth() {
+fn implausible_frame_times_are_replaced_by_a_thirtieth() {
     for time in ["0", "-1", "30", "0.000001", "none", ""] {
         let parsed = read(&motion(&format!("Frames: 1\nFrame Time: {time}\n1 2 3")));
         assert_eq!((codes(&parsed), parsed.clip.frame_time()), (vec![Code::FrameTime], 1.0 / 30.0), "{time}");
@@ -158,10 +158,10 @@ fn a_skeleton_without_motion_is_a_rest_pose() {
 }
 
 #[test]
-fn values_that_are_no_numbers_are_refused_or_held() {
+fn words_that_are_not_numbers_are_rejected_or_replaced() {
     for bad in ["abc", "NaN", "-inf", "1e999", "1.#QNAN"] {
         let text = motion(&format!("Frames: 2\nFrame Time: 0.01\n1 2 3\n4  {bad} 6"));
-        let error = refuse(&text);
+        let error = reject(&text);
         let expected = format!("15:4: expected a number, found {bad:?} (frame 1, channel Hips Yposition)");
         assert_eq!(error.to_string(), expected);
         assert_eq!(error.excerpt, Some(Excerpt { text: format!("4  {bad} 6"), caret: 3 }));
@@ -172,7 +172,7 @@ fn values_that_are_no_numbers_are_refused_or_held() {
 }
 
 #[test]
-fn a_joint_keeps_its_own_channels() {
+fn each_joint_has_its_own_channels() {
     let text = "HIERARCHY\nROOT a\n{\nOFFSET 1 2 3\nCHANNELS 3 Zrotation Xrotation Yrotation\nJOINT b\n{\nOFFSET 0 1 0\n\
                 CHANNELS 6 Xposition Yposition Zposition Zrotation\nJOINT b\n{\nOFFSET 0 1 0\n}\n}\n}\n";
     let parsed = read(text);
@@ -200,63 +200,64 @@ fn near_zero_position_channels_are_added_to_offsets() {
     let added = read(&file("0.001"));
     assert_eq!((added.clip.position_rule(), codes(&added)), (PositionRule::Add, vec![Code::AddedPositions]));
     assert_eq!(read(&file("5")).clip.position_rule(), PositionRule::Replace);
-    // Written out, the offset is part of the channel.
+    // In the written file the offset is part of the channel.
     assert_eq!(read(&write(&added.clip)).clip.row(0), [0.0, 5.001, 0.0]);
 }
 
 #[test]
-fn refusals_say_what_is_wrong() {
-    let place = |error: &Error| error.place.map(|place| (place.line, place.column));
-    for (text, problem) in [
-        ("", Problem::Empty),
-        (" \n\t\n", Problem::Empty),
-        ("PK\u{3}\u{4}abc", Problem::NotBvh("a zip archive")),
-        ("Kaydara FBX Binary", Problem::NotBvh("FBX")),
-        ("<!DOCTYPE html>", Problem::NotBvh("a web page")),
-        ("\u{1}\u{2}", Problem::NotBvh("binary data")),
-        ("HIERARCHY\n", Problem::NoJoints),
-        ("HIERARCHY\nMOTION\n", Problem::NoJoints),
-        ("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\n", Problem::OpenBraces { open: 1 }),
-        ("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nMOTION\n", Problem::OpenBraces { open: 1 }),
+fn errors_state_what_is_wrong() {
+    let location = |error: &Error| error.location.map(|location| (location.line, location.column));
+    for (text, kind) in [
+        ("", ErrorKind::Empty),
+        (" \n\t\n", ErrorKind::Empty),
+        ("PK\u{3}\u{4}abc", ErrorKind::NotBvh("a zip archive")),
+        ("Kaydara FBX Binary", ErrorKind::NotBvh("FBX")),
+        ("<!DOCTYPE html>", ErrorKind::NotBvh("a web page")),
+        ("\u{1}\u{2}", ErrorKind::NotBvh("binary data")),
+        ("HIERARCHY\n", ErrorKind::NoJoints),
+        ("HIERARCHY\nMOTION\n", ErrorKind::NoJoints),
+        ("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\n", ErrorKind::UnclosedBraces { open: 1 }),
+        ("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nMOTION\n", ErrorKind::UnclosedBraces { open: 1 }),
     ] {
-        assert_eq!(refuse(text).problem, problem, "{text}");
+        assert_eq!(reject(text).kind, kind, "{text}");
     }
-    let error = refuse("HIERARCHY\nROOT a\n{\n OFFSET 0 x 0\n}");
-    assert_eq!(error.problem, Problem::Unexpected { expected: "a number", found: "x".into() });
-    assert_eq!(place(&error), Some((4, 11)));
-    let error = refuse("HIERARCHY\nROOT é\n{\nCHANNELS 1 Wrotation\n}");
+    let error = reject("HIERARCHY\nROOT a\n{\n OFFSET 0 x 0\n}");
+    assert_eq!(error.kind, ErrorKind::Unexpected { expected: "a number", found: "x".into() });
+    assert_eq!(location(&error), Some((4, 11)));
+    let error = reject("HIERARCHY\nROOT é\n{\nCHANNELS 1 Wrotation\n}");
     assert_eq!(
-        (error.problem.clone(), place(&error)),
-        (Problem::UnknownChannel("Wrotation".into()), Some((4, 12)))
+        (error.kind.clone(), location(&error)),
+        (ErrorKind::UnknownChannel("Wrotation".into()), Some((4, 12)))
     );
-    let error = refuse("hello world");
+    let error = reject("hello world");
     assert_eq!(error.to_string(), "1:1: expected HIERARCHY, found \"hello\"");
-    let error = refuse("HIERARCHY\nROOT a\n{\n}\n}\n");
-    assert_eq!(place(&error), Some((5, 1)));
+    let error = reject("HIERARCHY\nROOT a\n{\n}\n}\n");
+    assert_eq!(location(&error), Some((5, 1)));
 }
 
 #[test]
-fn limits_hold() {
+fn limits_are_enforced() {
     let limits = Limits { bytes: 200, line_bytes: 60, joints: 2, depth: 2 };
-    let problem = |text: &str| {
+    let kind = |text: &str| {
         let error = parse(text.as_bytes(), Options { limits, ..Options::default() }).expect_err(text);
-        assert!(error.problem.is_limit());
-        error.problem
+        assert!(error.kind.is_limit());
+        error.kind
     };
-    assert_eq!(problem(&"\n".repeat(201)), Problem::TooLarge(200));
-    assert_eq!(problem(&"a".repeat(61)), Problem::LineTooLong(60));
+    assert_eq!(kind(&"\n".repeat(201)), ErrorKind::TooLarge(200));
+    assert_eq!(kind(&"a".repeat(61)), ErrorKind::LineTooLong(60));
     let nested = "HIERARCHY ROOT a { JOINT b {\nJOINT c {\n";
-    assert_eq!(problem(nested), Problem::TooManyJoints(2));
+    assert_eq!(kind(nested), ErrorKind::TooManyJoints(2));
     let limits = Limits { joints: 9, ..limits };
     let error = parse(nested.as_bytes(), Options { limits, ..Options::default() }).unwrap_err();
-    assert_eq!(error.problem, Problem::TooDeep(2));
+    assert_eq!(error.kind, ErrorKind::TooDeep(2));
 }
 
-/// Clips of any shape: joints in depth-first order, each with channels of its own.
+/// Generates clips of any shape: joints in depth-first order, each with its channels.
 fn any_clip() -> impl Strategy<Value = Clip> {
     let axis = prop::sample::select(&Axis::ALL[..]);
-    let channel = (axis, any::<bool>())
-        .prop_map(|(axis, turns)| if turns { Channel::Rotation(axis) } else { Channel::Position(axis) });
+    let channel = (axis, any::<bool>()).prop_map(|(axis, is_rotation)| {
+        if is_rotation { Channel::Rotation(axis) } else { Channel::Position(axis) }
+    });
     let number = prop_oneof![-1e3..1e3, prop::num::f64::NORMAL];
     let joint = (
         "[\\p{L}:_.-][\\p{L}0-9 :_.-]{0,8}[\\p{L}0-9]",
@@ -268,7 +269,7 @@ fn any_clip() -> impl Strategy<Value = Clip> {
     let joints = prop::collection::vec(joint, 1..8).prop_map(|drafts| {
         let mut joints: Vec<Joint> = Vec::new();
         for (name, offset, channels, up, is_end) in drafts {
-            // The parent is the joint before or one above it; none makes a root.
+            // The parent is the previous joint or an ancestor of it; without one the joint is a root.
             let mut above = Vec::new();
             let mut next = joints.len().checked_sub(1);
             while let Some(index) = next {
@@ -302,7 +303,7 @@ fn any_clip() -> impl Strategy<Value = Clip> {
     })
 }
 
-/// Motion of three channels, plain for the most part.
+/// Generates motion of three channels, mostly of ordinary rows.
 fn any_motion() -> impl Strategy<Value = String> {
     let odd = [
         "-0",
@@ -333,7 +334,7 @@ fn any_motion() -> impl Strategy<Value = String> {
 
 proptest! {
     #[test]
-    fn plain_rows_are_read_as_any_others(text in any_motion(), chunk in 2_usize..99, lenient in any::<bool>()) {
+    fn fast_rows_agree_with_the_general_reader(text in any_motion(), chunk in 2_usize..99, lenient in any::<bool>()) {
         let read = |chunk| {
             let mut reader = Reader::new(Options { lenient, ..Options::default() });
             text.as_bytes().chunks(chunk).try_for_each(|chunk| reader.push(chunk))?;
@@ -343,7 +344,7 @@ proptest! {
             let values = parsed.iter().flat_map(|parsed| parsed.clip.values());
             values.map(|value| value.to_bits()).collect::<Vec<_>>()
         };
-        // No row is whole in chunks of one byte: none is taken for plain.
+        // In chunks of one byte no row is complete: none is read by the fast reader.
         let expected = read(1);
         for found in [read(chunk), read(usize::MAX)] {
             prop_assert_eq!(bits(&found), bits(&expected));
@@ -352,23 +353,23 @@ proptest! {
     }
 
     #[test]
-    fn what_is_written_reads_back(clip in any_clip()) {
+    fn written_clips_read_back(clip in any_clip()) {
         let back = read(&write(&clip)).clip;
         prop_assume!(back.position_rule() == PositionRule::Replace);
         prop_assert_eq!(back, clip);
     }
 
     #[test]
-    fn a_part_holds_its_frames(clip in any_clip(), ends in any::<[prop::sample::Index; 2]>()) {
+    fn a_slice_has_its_frames(clip in any_clip(), ends in any::<[prop::sample::Index; 2]>()) {
         let [a, b] = ends.map(|end| end.index(clip.frame_count() + 1));
-        let part = clip.part(a.min(b)..a.max(b));
-        prop_assert_eq!(part.joints(), clip.joints());
-        let rows: Vec<&[f64]> = (0..part.frame_count()).map(|frame| part.row(frame)).collect();
+        let slice = clip.slice(a.min(b)..a.max(b));
+        prop_assert_eq!(slice.joints(), clip.joints());
+        let rows: Vec<&[f64]> = (0..slice.frame_count()).map(|frame| slice.row(frame)).collect();
         prop_assert_eq!(rows, (a.min(b)..a.max(b)).map(|frame| clip.row(frame)).collect::<Vec<_>>());
     }
 
     #[test]
-    fn chunks_do_not_matter(clip in any_clip(), chunk in 1_usize..50, crlf in any::<bool>()) {
+    fn the_result_does_not_depend_on_the_chunks(clip in any_clip(), chunk in 1_usize..50, crlf in any::<bool>()) {
         let mut text = write(&clip);
         if crlf {
             text = text.replace('\n', "\r\n");
@@ -381,12 +382,12 @@ proptest! {
     }
 
     #[test]
-    fn nothing_makes_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+    fn random_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
         let _ = parse(&bytes, Options::default());
     }
 
     #[test]
-    fn no_damage_makes_it_panic(
+    fn damaged_files_never_panic(
         clip in any_clip(),
         damage in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(b"{}\n \x00-.,9eJ".to_vec())), 0..6),
         cut in any::<prop::sample::Index>(),

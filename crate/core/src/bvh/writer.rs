@@ -1,20 +1,19 @@
-//! The writer: the reader's inverse.
+//! Writer of BVH files, the inverse of the reader.
 
 use std::fmt::Write;
 
 use crate::bvh::{Channel, Clip, JointKind, PositionRule};
 
-/// The clip as BVH text, LF line ends, one row a frame.
+/// Returns the clip as BVH text with LF line ends and one row per frame.
 ///
-/// Numbers are written with the fewest digits that read back to the same
-/// value and without exponents, so `parse(write(clip))` gives the same clip. The one thing BVH cannot
-/// say is [`PositionRule::Add`]: such a clip is written with the offsets added
-/// to its position channels, which moves it in the same way.
+/// Numbers have the fewest digits that read back to the same value and no exponents, so
+/// `parse(write(clip))` returns the same clip. BVH cannot express [`PositionRule::Add`]: such a clip
+/// is written with the offsets added to its position channels, which results in the same motion.
 pub fn write(clip: &Clip) -> String {
     let mut text = String::from("HIERARCHY\n");
     write_hierarchy(clip, &mut text);
     let _ = writeln!(text, "MOTION\nFrames: {}\nFrame Time: {}", clip.frame_count(), clip.frame_time());
-    let shift = position_shift(clip);
+    let shift = offset_shift(clip);
     for frame in 0..clip.frame_count() {
         for (channel, (value, shift)) in clip.row(frame).iter().zip(&shift).enumerate() {
             if channel > 0 {
@@ -57,7 +56,7 @@ fn is_tie(value: f64, digits: &str) -> bool {
 }
 
 fn write_hierarchy(clip: &Clip, text: &mut String) {
-    // The joints whose braces are open, outermost first.
+    // Joints whose braces are open, outermost first.
     let mut open: Vec<usize> = Vec::new();
     for (index, joint) in clip.joints().iter().enumerate() {
         while open.last().copied() != joint.parent {
@@ -91,8 +90,8 @@ fn close_brace(open: &mut Vec<usize>, text: &mut String) {
     let _ = writeln!(text, "{}}}", "\t".repeat(open.len()));
 }
 
-/// What has to be added to each channel of a row for it to replace its offset.
-fn position_shift(clip: &Clip) -> Vec<f64> {
+/// Returns the values to add to the channels of a row so that positions replace the offsets.
+fn offset_shift(clip: &Clip) -> Vec<f64> {
     let mut shift = vec![0.0; clip.channel_count()];
     if clip.position_rule() == PositionRule::Add {
         for (index, joint) in clip.joints().iter().enumerate().filter(|(_, joint)| joint.parent.is_some()) {

@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::bvh::Clip;
 use crate::foot::{Part, Side};
@@ -167,12 +166,12 @@ impl Document {
             frames: clip.frame_count(),
             rate: clip.rate(),
             joints: joints(Side::Left).zip(joints(Side::Right)).map(|(left, right)| Joints { left, right }),
-            floor: Some(detection.floor),
+            floor: Some(detection.ground_height),
             method: MethodUsed {
                 name: params.method().name().into(),
                 r: Some(params.tolerance()),
                 w: Some(params.window()),
-                sigma: params.scale(),
+                sigma: params.sigma(),
             },
             left: foot(Side::Left),
             right: foot(Side::Right),

@@ -3,8 +3,7 @@
 use std::ops::Range;
 
 use serde::Deserialize;
-use serde_json::Map;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::formats::babel::Sequence;
 use crate::formats::read_plants::document;
@@ -239,7 +238,7 @@ fn tiles(pieces: Vec<Piece>, frames: usize) -> Result<Vec<Piece>, LabelsError> {
 fn filled(pieces: Vec<Piece>, frames: usize, rate: f64) -> Vec<Piece> {
     let slack = (SLACK * rate).round() as usize;
     let mut tiles: Vec<Piece> = Vec::new();
-    for mut piece in sort::by_frames(pieces, |piece| (piece.segment.frames.start, 0)) {
+    for mut piece in sort::sort_by_frames(pieces, |piece| (piece.segment.frames.start, 0)) {
         let range = &mut piece.segment.frames;
         range.start = range.start.max(tiles.last().map_or(0, |tile| tile.segment.frames.end));
         if range.start >= range.end {

@@ -119,7 +119,7 @@ pub(crate) fn events(detection: &Detection) -> Vec<(usize, &'static str, &'stati
             events.extend((range.end < labels.len()).then_some((range.end, context, "Foot Off")));
         }
     }
-    sort::by_frames(events, |event| (event.0, 0))
+    sort::sort_by_frames(events, |event| (event.0, 0))
 }
 
 /// Feet and parts in the order of the columns: left before right, contact, heel, toe.

@@ -1,62 +1,58 @@
-//! Where and when each foot comes down.
+//! Time and location of every footfall.
 
 use std::ops::Range;
 
-use nalgebra::Vector2;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
 use crate::foot::Side;
 use crate::intervals::intervals;
-use crate::numeric::sort;
+use crate::numeric::{sort, stats};
 use crate::plants::Feet;
 
-/// One plant of one foot, with its place on the ground in metres: (x, z) of axes with Y up.
+/// One plant of one foot with its location on the ground.
+///
+/// Locations are (x, z) coordinates in metres, with Y up.
 pub(crate) struct Footfall {
     pub side: Side,
     pub frames: Range<usize>,
-    /// Where the heel stands.
+    /// Location of the heel.
     pub heel: Vector2<f64>,
-    /// Where the toes point, of length 1; zero where the skeleton has no toes.
+    /// Direction of the toes, of length 1; zero if the skeleton has no toes.
     pub heading: Vector2<f64>,
 }
 
-/// The plants of both feet in order of foot strike.
+/// Returns the plants of both feet in order of foot strike.
 ///
-/// Of two feet that are down when the clip begins, the one that leaves first came first.
+/// If both feet are down when the clip begins, the one that leaves first comes first.
 pub(crate) fn footfalls(feet: &Feet, planted: [&[bool]; 2]) -> Vec<Footfall> {
-    let found: Vec<Footfall> =
-        Side::BOTH.into_iter().flat_map(|side| of_foot(feet, side, planted[side as usize])).collect();
-    sort::by_frames(found, |footfall| (footfall.frames.start, footfall.frames.end))
+    let footfalls: Vec<Footfall> =
+        Side::BOTH.into_iter().flat_map(|side| plants_of_foot(feet, side, planted[side as usize])).collect();
+    sort::sort_by_frames(footfalls, |footfall| (footfall.frames.start, footfall.frames.end))
 }
 
-/// The plants of one foot.
+/// Returns the plants of one foot.
 ///
-/// The heel's place is found from the toe, which stays where it is until the foot leaves, and
-/// not from the ankle, which moves as the foot rolls: a plant that the clip cuts has a place, too.
-fn of_foot(feet: &Feet, side: Side, planted: &[bool]) -> Vec<Footfall> {
+/// The heel location is computed from the toe, which stays in place until foot off, and not from
+/// the ankle, which moves as the foot rolls. A plant that the clip cuts off has a location too.
+fn plants_of_foot(feet: &Feet, side: Side, planted: &[bool]) -> Vec<Footfall> {
     let tracks = &feet.tracks[side as usize];
+    let median = |values: &mut dyn Iterator<Item = f64>| stats::median_high(values).unwrap_or_default();
     let ground = |position: &Vector3<f64>| {
-        let turned = feet.up.to_y_up(*position) * feet.metres_per_unit;
-        Vector2::new(turned.x, turned.z)
+        let y_up = feet.up.to_y_up(*position) * feet.metres_per_unit;
+        Vector2::new(y_up.x, y_up.z)
     };
     let sole = |frame: usize| ground(&tracks.toe[frame]) - ground(&tracks.ankle[frame]);
     let frames = || (0..planted.len()).filter(|&frame| planted[frame]);
-    // From ankle to toe over ground, as it is most of the time: the foot flat.
-    let length = median(frames().map(|frame| sole(frame).norm()));
-    let middle = |frames: Range<usize>, of: &dyn Fn(usize) -> Vector2<f64>| {
-        Vector2::from_fn(|axis, _| median(frames.clone().map(|frame| of(frame)[axis])))
+    // Most frames of stance are foot flat: the median is the distance of toe and ankle on the
+    // ground.
+    let length = median(&mut frames().map(|frame| sole(frame).norm()));
+    let median_point = |frames: Range<usize>, point: &dyn Fn(usize) -> Vector2<f64>| {
+        Vector2::from_fn(|axis, _| median(&mut frames.clone().map(|frame| point(frame)[axis])))
     };
     let footfall = |frames: Range<usize>| {
-        let heading = middle(frames.clone(), &sole).try_normalize(f64::EPSILON).unwrap_or_default();
-        let toe = middle(frames.clone(), &|frame| ground(&tracks.toe[frame]));
+        let heading = median_point(frames.clone(), &sole).try_normalize(f64::EPSILON).unwrap_or_default();
+        let toe = median_point(frames.clone(), &|frame| ground(&tracks.toe[frame]));
         Footfall { side, frames, heel: toe - length * heading, heading }
     };
     intervals(planted).into_iter().map(footfall).collect()
-}
-
-/// The middle value, the upper of two; 0 of none.
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    let middle = values.len() / 2;
-    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }

@@ -1,18 +1,17 @@
-//! Gait measures: how a person walks or runs, from when the feet are planted and where.
+//! Gait measures: how a person walks or runs, from the times and locations of the plants.
 //!
-//! The definitions are those of clinical gait analysis (Perry and Burnfield, *Gait Analysis:
-//! Normal and Pathological Function*, 2nd edition, 2010). A *stride* or gait cycle goes from
-//! one foot strike to the next of the same foot, a *step* from the strike of one foot to that
-//! of the other; a step is called by the foot that takes it. *Stance* is from foot strike to
-//! foot off, *swing* from there to the next strike. Strikes and offs are the ends of contact,
-//! as the labels have them, rather than extremes of a marker's track (Zeni, Richards and
-//! Higginson, Gait & Posture 27(4), 2008).
+//! Definitions follow clinical gait analysis (Perry and Burnfield, *Gait Analysis: Normal and
+//! Pathological Function*, 2nd edition, 2010). A *stride* (gait cycle) lasts from one foot strike
+//! to the next of the same foot, a *step* from the strike of one foot to the strike of the other; a
+//! step is named after the foot that takes it. *Stance* lasts from foot strike to foot off, *swing*
+//! from foot off to the next strike. Foot strike and foot off are the ends of contact rather than
+//! extremes of a marker's track (Zeni, Richards and Higginson, Gait & Posture 27(4), 2008).
 //!
-//! Only whole strides count, so nothing that the clip's ends cut is taken for short. And only
-//! strides that are gait: the other foot steps once in between, the stride takes no longer than
-//! [`LONGEST_STRIDE`], and it takes the foot on by [`SHORTEST_STRIDE`]. Standing, turning on the
-//! spot, hopping and jumping leave no such strides; nor does a treadmill, whose clip shows feet
-//! that strike where they struck before.
+//! Only complete strides count, so nothing that the clip cuts off is measured. A stride counts if
+//! the other foot steps once in between, if it takes at most [`MAX_STRIDE_TIME`] and if it moves
+//! the foot by at least [`MIN_STRIDE_LENGTH`]. Standing, turning on the spot, hopping and jumping
+//! contain no such stride. Neither does a treadmill clip, in which feet strike where they struck
+//! before.
 
 mod footfall;
 mod spread;
@@ -21,123 +20,119 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use spread::PerSide;
-pub use spread::Spread;
+pub use spread::{PerSide, Spread};
 pub use symmetry::Symmetry;
 
 use nalgebra::Vector2;
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::foot::Side;
 use crate::plants::{Detection, Feet};
-use footfall::Footfall;
-use footfall::footfalls;
+use footfall::{Footfall, footfalls};
 
-/// Seconds that a stride may take: at 48 steps a minute, less than half of a usual cadence
-/// (100 to 120), one stands between the steps rather than walks.
-pub const LONGEST_STRIDE: f64 = 2.5;
+/// Maximum stride time, in seconds. At 48 steps per minute, less than half of the usual cadence
+/// (100 to 120), a person stands between steps.
+pub const MAX_STRIDE_TIME: f64 = 2.5;
 
-/// How far a stride takes the foot at least, in leg lengths: about 36 cm for an adult, two steps
-/// that are each shorter than a foot. Feet that shift weight, turn or box on the spot move by less.
-pub const SHORTEST_STRIDE: f64 = 0.4;
+/// Minimum stride length, in leg lengths: about 36 cm for an adult, or two steps shorter than a
+/// foot each. Feet that shift weight, turn or box on the spot move less.
+pub const MIN_STRIDE_LENGTH: f64 = 0.4;
 
-/// The gait measures of one skeleton of a clip.
+/// Gait measures of one skeleton of a clip.
 ///
-/// Lengths are in metres by the skeleton's scale, times in seconds, shares from 0 to 1.
-/// A measure is `None` where the clip has nothing to take it from: no stride that counts, or for
-/// step length and width no step with a footfall before and after it.
+/// Lengths are in metres by the skeleton's scale, times in seconds, fractions from 0 to 1. A
+/// measure is `None` if the clip has nothing to measure: no stride that counts or, for step length
+/// and width, no step with a footfall before and after it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Gait {
-    /// Whole strides of both feet that the measures of time are taken from.
+    /// Number of complete strides of both feet.
     pub strides: usize,
-    /// Steps per minute: two in the mean stride time.
+    /// Steps per minute: 120 s over the mean stride time.
     pub cadence_steps_per_min: Option<f64>,
-    /// Speed over ground: what the strides add up to in length, over what they take.
+    /// Speed over ground: total stride length over total stride time.
     pub speed_m_per_s: Option<f64>,
-    /// Foot strike to foot off.
+    /// Time from foot strike to foot off.
     pub stance_s: PerSide,
-    /// Foot off to the next foot strike of the same foot.
+    /// Time from foot off to the next foot strike of the same foot.
     pub swing_s: PerSide,
-    /// Foot strike to the next one of the same foot.
+    /// Time from foot strike to the next foot strike of the same foot.
     pub stride_time_s: PerSide,
-    /// From heel to heel of one foot's successive footfalls.
+    /// Distance between the heels of successive footfalls of one foot.
     pub stride_length_m: PerSide,
-    /// The other foot's strike to this foot's.
+    /// Time from the other foot's strike to this foot's strike.
     pub step_time_s: PerSide,
-    /// How far the heel lands ahead of the other one, along the direction of progression.
+    /// Distance of the heel ahead of the other heel, along the direction of progression.
     pub step_length_m: PerSide,
-    /// How far the heel lands to its own side of the other one, across the direction of
-    /// progression; negative where the feet cross.
+    /// Distance of the heel to its own side of the other heel, across the direction of progression;
+    /// negative if the feet cross.
     pub step_width_m: PerSide,
-    /// Time in which both feet are down, in each stride: two periods of a walk, none of a run.
+    /// Time per stride with both feet down: two periods in a walk, none in a run.
     pub double_support_s: Option<Spread>,
-    /// The share of a stride in which both feet are down.
+    /// Fraction of a stride with both feet down.
     pub double_support_share: Option<Spread>,
-    /// Time in which neither foot is down, in each stride: what a run has for double support.
+    /// Time per stride with neither foot down: the flight phases of a run.
     pub flight_s: Option<Spread>,
-    /// The share of a stride in which neither foot is down.
+    /// Fraction of a stride with neither foot down.
     pub flight_share: Option<Spread>,
-    /// Left against right.
+    /// Comparison of left and right.
     pub symmetry: Symmetry,
 }
 
 impl Gait {
-    /// The measures by what was detected: contact, or else the part that says best when a foot
-    /// is down.
+    /// Returns the measures of a detection, by its principal part.
     ///
-    /// Cadence, lengths and widths hardly depend on when exactly a foot strikes and leaves.
-    /// Stance, swing, double support and flight do: they are as good as the labels, and those of
-    /// labels that a person set right are had from [`Gait::measure`].
-    pub fn of(feet: &Feet, detection: &Detection) -> Gait {
+    /// Cadence, lengths and widths hardly depend on the exact frames of foot strike and foot off.
+    /// Stance, swing, double support and flight do: they are as accurate as the labels. For labels
+    /// that a person corrected, use [`Gait::measure`].
+    pub fn from_detection(feet: &Feet, detection: &Detection) -> Gait {
         let labels = detection.principal();
         Gait::measure(feet, Side::BOTH.map(|side| labels.foot(side).planted.as_slice()))
     }
 
-    /// The measures by labels per frame, the left foot's and the right's.
+    /// Returns the measures of labels per frame, the left foot's and the right's.
     ///
     /// # Panics
-    /// If there is not one label of each foot for each frame.
+    /// If the number of labels of a foot differs from the number of frames.
     pub fn measure(feet: &Feet, planted: [&[bool]; 2]) -> Gait {
         let frames = feet.frame_count();
-        assert!(planted.iter().all(|labels| labels.len() == frames), "labels and tracks are of one clip");
+        assert!(planted.iter().all(|labels| labels.len() == frames), "one label per frame");
         let footfalls = footfalls(feet, planted);
         let is_stride: Vec<bool> = footfalls.windows(3).map(|three| is_stride(feet, three)).collect();
-        let mut found = Samples::default();
+        let mut samples = Samples::default();
         for (three, _) in footfalls.windows(3).zip(&is_stride).filter(|(_, is_stride)| **is_stride) {
-            found.stride(feet, planted, three);
+            samples.add_stride(feet, planted, three);
         }
         for (index, step) in footfalls.windows(2).enumerate() {
             let before = index.checked_sub(1).is_some_and(|before| is_stride[before]);
             let after = is_stride.get(index).is_some_and(|&after| after);
             if (before || after) && step[0].frames.start > 0 {
                 let frames = step[1].frames.start - step[0].frames.start;
-                found.step_time[step[1].side as usize].push(frames as f64 * feet.frame_time);
+                samples.step_time[step[1].side as usize].push(frames as f64 * feet.frame_time);
             }
             if before && after {
-                found.step(&footfalls[index - 1..index + 3]);
+                samples.add_step(&footfalls[index - 1..index + 3]);
             }
         }
-        found.gait()
+        samples.into_gait()
     }
 }
 
-/// Whether three footfalls are a stride of the first one's foot.
+/// True if three footfalls are a stride of the first one's foot.
 ///
-/// Where the first was down when the clip begins, its time is the least that it can be.
+/// If the first foot was down when the clip begins, its stride time is a lower bound.
 fn is_stride(feet: &Feet, three: &[Footfall]) -> bool {
     let [first, other, last] = three else { return false };
     let frames = last.frames.start - first.frames.start;
     first.side == last.side
         && first.side != other.side
-        // Feet that land together jump.
+        // Feet that strike together jump.
         && (first.frames.start < other.frames.start || first.frames.start == 0)
         && other.frames.start < last.frames.start
-        && frames as f64 * feet.frame_time <= LONGEST_STRIDE
-        && (last.heel - first.heel).norm() >= SHORTEST_STRIDE * feet.leg * feet.metres_per_unit
+        && frames as f64 * feet.frame_time <= MAX_STRIDE_TIME
+        && (last.heel - first.heel).norm() >= MIN_STRIDE_LENGTH * feet.leg * feet.metres_per_unit
 }
 
-/// What strides and steps measure one by one; by side where they are a foot's.
+/// Values of every stride and step; by side if they belong to one foot.
 #[derive(Default)]
 struct Samples {
     stance: [Vec<f64>; 2],
@@ -154,8 +149,8 @@ struct Samples {
 }
 
 impl Samples {
-    /// Takes the measures of a stride, if its beginning is known.
-    fn stride(&mut self, feet: &Feet, planted: [&[bool]; 2], three: &[Footfall]) {
+    /// Adds the measures of a stride unless the clip cuts off its beginning.
+    fn add_stride(&mut self, feet: &Feet, planted: [&[bool]; 2], three: &[Footfall]) {
         let (first, last) = (&three[0], &three[2]);
         let (start, off, end) = (first.frames.start, first.frames.end, last.frames.start);
         if start == 0 {
@@ -167,29 +162,30 @@ impl Samples {
         self.swing[side].push(seconds(end - off));
         self.stride_time[side].push(seconds(end - start));
         self.stride_length[side].push((last.heel - first.heel).norm());
-        let both_are =
+        let frames_with_both =
             |down| (start..end).filter(|&frame| planted.iter().all(|labels| labels[frame] == down)).count();
-        let share = |frames: usize| frames as f64 / (end - start) as f64;
-        self.double_support.push(seconds(both_are(true)));
-        self.double_support_share.push(share(both_are(true)));
-        self.flight.push(seconds(both_are(false)));
-        self.flight_share.push(share(both_are(false)));
+        let fraction = |frames: usize| frames as f64 / (end - start) as f64;
+        self.double_support.push(seconds(frames_with_both(true)));
+        self.double_support_share.push(fraction(frames_with_both(true)));
+        self.flight.push(seconds(frames_with_both(false)));
+        self.flight_share.push(fraction(frames_with_both(false)));
     }
 
-    /// Takes length and width of the step from the second to the third of four footfalls.
+    /// Adds length and width of the step from the second to the third of four footfalls.
     ///
-    /// As the spatial parameters of non-linear walking by Huxham, Gong, Baker, Morris and Iansek
-    /// (Gait & Posture 23(2), 2006), they are taken along and across the line of the strides
-    /// rather than of the room. Of the two strides that share the step the mean direction is
-    /// taken: it is that of the way in the middle of the step, so that on a curve the inner
-    /// foot's steps are as wide as the outer one's.
-    fn step(&mut self, four: &[Footfall]) {
+    /// As in the spatial parameters of non-linear walking by Huxham, Gong, Baker, Morris and Iansek
+    /// (Gait & Posture 23(2), 2006), they are measured along and across the line of the strides,
+    /// not of the laboratory. The direction is the mean of the two strides that share the step,
+    /// which is the direction of progression in the middle of the step: on a curve the steps of the
+    /// inner foot are as wide as those of the outer foot.
+    fn add_step(&mut self, four: &[Footfall]) {
         let (from, to) = (&four[1], &four[2]);
-        // Strides that count have a length; of opposite ones there is no middle.
+        // Strides that count have a length; opposite strides have no mean direction.
         let strides = (to.heel - four[0].heel).normalize() + (four[3].heel - from.heel).normalize();
         let Some(ahead) = strides.try_normalize(f64::EPSILON) else { return };
         let step = to.heel - from.heel;
-        // Who walks backward has the left foot on the right of the way.
+        // A person who walks backward has the left foot on the right of the direction of
+        // progression.
         let facing = if ahead.dot(&(from.heading + to.heading)) < 0.0 { -ahead } else { ahead };
         let left = Vector2::new(facing.y, -facing.x);
         let outward = if to.side == Side::Left { left } else { -left };
@@ -197,29 +193,29 @@ impl Samples {
         self.step_width[to.side as usize].push(step.dot(&outward));
     }
 
-    fn gait(self) -> Gait {
+    fn into_gait(self) -> Gait {
         let total = |values: &[Vec<f64>; 2]| values.iter().flatten().sum::<f64>();
         let strides = self.stride_time.iter().map(Vec::len).sum();
         let time = total(&self.stride_time);
         let per_time = |amount: f64| (strides > 0).then_some(amount / time);
         let [stance_s, swing_s, step_time_s, step_length_m] =
-            [&self.stance, &self.swing, &self.step_time, &self.step_length].map(PerSide::of);
+            [&self.stance, &self.swing, &self.step_time, &self.step_length].map(PerSide::new);
         Gait {
             strides,
             cadence_steps_per_min: per_time(120.0 * strides as f64),
             speed_m_per_s: per_time(total(&self.stride_length)),
-            symmetry: Symmetry::of(&stance_s, &swing_s, &step_time_s, &step_length_m),
+            symmetry: Symmetry::new(&stance_s, &swing_s, &step_time_s, &step_length_m),
             stance_s,
             swing_s,
-            stride_time_s: PerSide::of(&self.stride_time),
-            stride_length_m: PerSide::of(&self.stride_length),
+            stride_time_s: PerSide::new(&self.stride_time),
+            stride_length_m: PerSide::new(&self.stride_length),
             step_time_s,
             step_length_m,
-            step_width_m: PerSide::of(&self.step_width),
-            double_support_s: Spread::of(&self.double_support),
-            double_support_share: Spread::of(&self.double_support_share),
-            flight_s: Spread::of(&self.flight),
-            flight_share: Spread::of(&self.flight_share),
+            step_width_m: PerSide::new(&self.step_width),
+            double_support_s: Spread::new(&self.double_support),
+            double_support_share: Spread::new(&self.double_support_share),
+            flight_s: Spread::new(&self.flight),
+            flight_share: Spread::new(&self.flight_share),
         }
     }
 }

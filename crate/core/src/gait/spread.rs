@@ -1,45 +1,44 @@
-//! Means with their spread.
+//! Mean and standard deviation of a measure.
 
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-/// Mean and spread of a measure, in its unit.
+/// Mean and standard deviation of a measure, in its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
     /// Arithmetic mean.
     pub mean: f64,
-    /// Standard deviation with n − 1; `None` of a single value.
+    /// Standard deviation with divisor n − 1; `None` for a single value.
     pub sd: Option<f64>,
     /// Number of values.
     pub count: usize,
 }
 
 impl Spread {
-    /// Mean and spread of values; `None` where there are none.
-    pub(crate) fn of(values: &[f64]) -> Option<Spread> {
+    /// Returns mean and deviation; `None` if there are no values.
+    pub(crate) fn new(values: &[f64]) -> Option<Spread> {
         let count = values.len();
         let mean = (count > 0).then(|| values.iter().sum::<f64>() / count as f64)?;
-        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-        let sd = (count > 1).then(|| (squares / (count - 1) as f64).sqrt());
+        let sum_of_squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        let sd = (count > 1).then(|| (sum_of_squares / (count - 1) as f64).sqrt());
         Some(Spread { mean, sd, count })
     }
 }
 
-/// A measure of each foot; `None` where nothing measures it.
+/// A measure of each foot; `None` if there are no values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerSide {
-    /// The left foot's.
+    /// Left foot.
     pub left: Option<Spread>,
-    /// The right foot's.
+    /// Right foot.
     pub right: Option<Spread>,
 }
 
 impl PerSide {
-    pub(crate) fn of([left, right]: &[Vec<f64>; 2]) -> PerSide {
-        PerSide { left: Spread::of(left), right: Spread::of(right) }
+    pub(crate) fn new([left, right]: &[Vec<f64>; 2]) -> PerSide {
+        PerSide { left: Spread::new(left), right: Spread::new(right) }
     }
 
-    /// The means of left and right, if there are both.
+    /// Returns the means of left and right, if both exist.
     pub(crate) fn means(&self) -> Option<[f64; 2]> {
         Some([self.left?.mean, self.right?.mean])
     }

@@ -1,30 +1,29 @@
-//! Left against right.
+//! Symmetry indices: left compared with right.
 
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::gait::PerSide;
 
-/// Symmetry indices of a gait, in percent: 0 where both sides are alike, positive where the
-/// right side's measure is the greater.
+/// Symmetry indices of a gait, in percent: 0 if both sides are equal, positive if the right side is
+/// greater.
 ///
-/// The index is that of Robinson, Herzog and Nigg (Journal of Manipulative and Physiological
-/// Therapeutics 10(4), 1987): the difference of right and left over their mean,
-/// 100 · (R − L) / ((R + L) / 2). `None` where a side has no measure, or both add up to nothing.
+/// Index of Robinson, Herzog and Nigg (Journal of Manipulative and Physiological Therapeutics
+/// 10(4), 1987): the difference of right and left over their mean, 100 · (R − L) / ((R + L) / 2).
+/// `None` if a side has no measure or the mean is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Symmetry {
-    /// Of stance times: a foot that is spared stands for less.
+    /// Symmetry of stance times; a foot that is spared has a shorter stance.
     pub stance_percent: Option<f64>,
-    /// Of swing times.
+    /// Symmetry of swing times.
     pub swing_percent: Option<f64>,
-    /// Of step times.
+    /// Symmetry of step times.
     pub step_time_percent: Option<f64>,
-    /// Of step lengths.
+    /// Symmetry of step lengths.
     pub step_length_percent: Option<f64>,
 }
 
 impl Symmetry {
-    pub(crate) fn of(
+    pub(crate) fn new(
         stance: &PerSide,
         swing: &PerSide,
         step_time: &PerSide,

@@ -3,8 +3,8 @@
 use crate::gait::{Gait, PerSide, Spread};
 
 impl Gait {
-    /// The measures as columns with names that tell their units: of each foot's measures the
-    /// mean, and with `_sd` and `_count` its spread.
+    /// Returns the measures as columns whose names state the unit: the mean and, with suffix `_sd`
+    /// and `_count`, deviation and number of values.
     pub fn columns(&self) -> Vec<(String, Option<f64>)> {
         let mut columns = vec![
             ("strides".into(), Some(self.strides as f64)),
@@ -38,7 +38,7 @@ impl Gait {
         columns
     }
 
-    /// The measures that each foot has, by name.
+    /// Returns the measures that exist for each foot, by name.
     pub fn by_side(&self) -> [(&'static str, PerSide); 7] {
         [
             ("stance_s", self.stance_s),

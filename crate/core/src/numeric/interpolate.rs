@@ -1,12 +1,12 @@
-//! Values between samples.
+//! Interpolation between samples.
 
-use std::ops::Add;
-use std::ops::Mul;
-use std::ops::Sub;
+use std::ops::{Add, Mul, Sub};
 
-/// The cubic from the second point (t = 0) to the third (t = 1) whose slopes are those of
-/// their neighbours: it passes through both (Catmull and Rom 1974).
-pub(crate) fn cubic<T>([a, b, c, d]: [T; 4], t: f64) -> T
+/// Returns the Catmull–Rom spline between the second point (t = 0) and the third (t = 1).
+///
+/// The cubic passes through both points; its slope at each is half the difference of the
+/// neighbouring points (Catmull and Rom 1974).
+pub(crate) fn catmull_rom<T>([a, b, c, d]: [T; 4], t: f64) -> T
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
 {
@@ -20,11 +20,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_passes_through_its_ends_and_keeps_parabolas() {
+    fn reproduces_end_points_and_parabolas() {
         let parabola = |t: f64| 3.0 * t * t - t + 2.0;
         let points = [-1.0, 0.0, 1.0, 2.0].map(parabola);
         for t in [0.0, 0.25, 0.5, 1.0] {
-            assert!((cubic(points, t) - parabola(t)).abs() < 1e-12, "{t}");
+            assert!((catmull_rom(points, t) - parabola(t)).abs() < 1e-12, "{t}");
         }
     }
 }

@@ -1,4 +1,5 @@
-//! Numerical helpers that know nothing of motion.
+//! Numerical helpers that know nothing about motion.
 
 pub(crate) mod interpolate;
 pub(crate) mod sort;
+pub(crate) mod stats;

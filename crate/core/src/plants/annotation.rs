@@ -1,22 +1,22 @@
-//! Labels from elsewhere.
+//! Annotations: labels that a person or a measurement holds true.
 
 use crate::foot::{Part, Side};
 use crate::plants::Edit;
 
-/// Labels of one clip by someone else, per frame; `None` where they are not known.
+/// Annotated labels of one clip, per frame; `None` where the label is unknown.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotation {
-    /// The parts that were labelled, with the left foot's labels and the right's.
+    /// Annotated parts with the labels of the left foot and of the right foot.
     pub parts: Vec<(Part, [Vec<Option<bool>>; 2])>,
 }
 
 impl Annotation {
-    /// The labels of one part: the left foot's, then the right's.
+    /// Returns the labels of one part: the left foot's and the right foot's.
     pub fn part(&self, part: Part) -> Option<&[Vec<Option<bool>>; 2]> {
         self.parts.iter().find(|(other, _)| *other == part).map(|(_, feet)| feet)
     }
 
-    /// The labels as edits that make them one's own, wherever they are known.
+    /// Returns the edits that set every known label.
     pub fn edits(&self) -> Vec<Edit> {
         let mut edits = Vec::new();
         for (part, feet) in &self.parts {

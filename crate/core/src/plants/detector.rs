@@ -1,33 +1,32 @@
-//! Detecting again and again in one clip.
+//! Repeated detection on one clip.
 
-use std::cell::Cell;
-
-use crate::plants::methods::{Kept, Task};
+use crate::plants::methods::{DetectionCache, Input};
 use crate::plants::{Detection, Feet, ValidParams};
 
-/// A clip's feet, with what need not be found anew when parameters change.
+/// Detects plants of one clip repeatedly and reuses intermediate results.
 ///
-/// Labels are those of [`detect`](crate::plants::detect). What depends on no parameter is kept, and so is what
-/// depends on the window alone: about 240 bytes for each frame with the feet, and at most
-/// 20 MB for the samples of one window.
+/// The labels are those of [`detect`](crate::plants::detect). Results that depend on no parameter or
+/// on the window alone are cached: about 240 bytes per frame with the feet, and at most 20 MB for the
+/// samples of one window.
 pub struct Detector {
     feet: Feet,
-    kept: Cell<Option<Kept>>,
+    cache: DetectionCache,
 }
 
 impl Detector {
-    /// A detector of plants of these feet.
+    /// Creates a detector for these feet.
     pub fn new(feet: Feet) -> Detector {
-        Detector { feet, kept: Cell::new(None) }
+        Detector { feet, cache: DetectionCache::default() }
     }
 
-    /// The feet.
+    /// Returns the feet.
     pub fn feet(&self) -> &Feet {
         &self.feet
     }
 
-    /// Finds the frames in which each foot is planted; see [`detect`](crate::plants::detect).
-    pub fn detect(&self, params: ValidParams) -> Detection {
-        crate::plants::run(Task { feet: &self.feet, still: None, params, kept: Some(&self.kept) })
+    /// Detects the plants; see [`detect`](crate::plants::detect).
+    pub fn detect(&mut self, params: ValidParams) -> Detection {
+        let cache = Some(&mut self.cache);
+        crate::plants::run(Input { feet: &self.feet, standing: None, params, cache })
     }
 }

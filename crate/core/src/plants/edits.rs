@@ -1,58 +1,56 @@
-//! What a person corrected by hand, laid over what was detected.
+//! Edits: corrections of labels by a person.
 
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::foot::{Part, Side};
 use crate::intervals::intervals;
 use crate::plants::{Detection, FootLabels, PartLabels};
 
-/// A plant is not shorter, in seconds: what an edit leaves of a detected one that is, is no plant.
-const SHORTEST: f64 = 0.1;
+/// Minimum duration of a plant, in seconds. Shorter remains of a plant cut by an edit are removed.
+const MIN_PLANT_DURATION: f64 = 0.1;
 
-/// A stretch of frames of which a person says whether a part of a foot is planted.
+/// A frame range in which a person states whether a part of a foot is planted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Edit {
     /// The foot.
     pub side: Side,
-    /// What of it.
+    /// The part of the foot.
     pub part: Part,
-    /// The first frame.
+    /// First frame.
     pub start: usize,
-    /// The first frame after; a stretch past the clip's end is cut there.
+    /// First frame after the range; a range beyond the end of the clip is cut there.
     pub end: usize,
-    /// Planted, or not.
+    /// True if the part is planted.
     pub planted: bool,
 }
 
-/// A detection under `edits` of a person, who is believed entirely.
+/// Returns a detection with `edits` applied.
 ///
-/// Later edits are laid over earlier ones. A foot without contact has neither heel nor toe
-/// down, and one whose heel or toe is down has contact: an edit of one part takes the others
-/// along as far as that demands. What is left of a detected plant beside a stretch that was
-/// set free is dropped where it lasts less than 0.1 s, so that edits hold when the clip is
-/// detected anew with other parameters. Edits of parts that were not detected have no effect.
-/// `frame_time` is in seconds. The evidence stays with what was found: it speaks of nothing else.
-pub fn edited(found: &Detection, edits: &[Edit], frame_time: f64) -> Detection {
-    let parts = found.parts.iter().map(|labels| {
+/// Later edits override earlier ones. Contact includes heel and toe: removing contact removes heel
+/// and toe, and adding heel or toe adds contact. A remainder of a detected plant next to a removed
+/// range is dropped if it is shorter than 0.1 s, so that edits persist when parameters change.
+/// Edits of parts without labels have no effect. `frame_time` is in seconds. The evidence is
+/// dropped, as it explains the labels of the method only.
+pub fn apply_edits(detection: &Detection, edits: &[Edit], frame_time: f64) -> Detection {
+    let parts = detection.parts.iter().map(|labels| {
         let mut feet = labels.feet.clone();
         for (side, foot) in Side::BOTH.into_iter().zip(&mut feet) {
-            let by_hand = lay(foot, edits, side, labels.part);
-            drop_fragments(foot, &by_hand, SHORTEST / frame_time);
+            let edited = apply_to_foot(foot, edits, side, labels.part);
+            drop_fragments(foot, &edited, MIN_PLANT_DURATION / frame_time);
         }
         PartLabels { part: labels.part, feet, evidence: None }
     });
     Detection {
-        params: found.params,
+        params: detection.params,
         parts: parts.collect(),
-        floor: found.floor,
-        notices: found.notices.clone(),
+        ground_height: detection.ground_height,
+        notices: detection.notices.clone(),
         edits: edits.to_vec(),
     }
 }
 
-/// What an edit of one part says of another; `None` where it leaves that open.
-fn says(edit: &Edit, part: Part) -> Option<bool> {
+/// Returns the label that an edit implies for `part`; `None` if it implies none.
+fn implies(edit: &Edit, part: Part) -> Option<bool> {
     let follows = match (edit.part, part) {
         (Part::Contact, Part::Heel | Part::Toe) => !edit.planted,
         (Part::Heel | Part::Toe, Part::Contact) => edit.planted,
@@ -61,27 +59,27 @@ fn says(edit: &Edit, part: Part) -> Option<bool> {
     follows.then_some(edit.planted)
 }
 
-/// Lays edits over the labels of one part of one foot; gives back which frames are by hand.
-fn lay(foot: &mut FootLabels, edits: &[Edit], side: Side, part: Part) -> Vec<bool> {
-    let mut by_hand = vec![false; foot.planted.len()];
+/// Applies edits to the labels of one part of one foot; returns which frames were edited.
+fn apply_to_foot(foot: &mut FootLabels, edits: &[Edit], side: Side, part: Part) -> Vec<bool> {
+    let mut edited = vec![false; foot.planted.len()];
     for edit in edits.iter().filter(|edit| edit.side == side) {
-        let Some(planted) = says(edit, part) else { continue };
-        let end = edit.end.min(by_hand.len());
-        let stretch = edit.start.min(end)..end;
-        foot.planted[stretch.clone()].fill(planted);
-        foot.confidence[stretch.clone()].fill(1.0);
-        by_hand[stretch].fill(true);
+        let Some(planted) = implies(edit, part) else { continue };
+        let end = edit.end.min(edited.len());
+        let range = edit.start.min(end)..end;
+        foot.planted[range.clone()].fill(planted);
+        foot.confidence[range.clone()].fill(1.0);
+        edited[range].fill(true);
     }
-    by_hand
+    edited
 }
 
-/// Sets free the detected runs shorter than `shortest` frames that an edit has left beside a free stretch.
-fn drop_fragments(foot: &mut FootLabels, by_hand: &[bool], shortest: f64) {
+/// Removes detected runs shorter than `shortest` frames next to a range in which an edit removed
+/// contact.
+fn drop_fragments(foot: &mut FootLabels, edited: &[bool], shortest: f64) {
     for run in intervals(&foot.planted) {
-        let is_free_by_hand =
-            |frame: Option<usize>| frame.and_then(|frame| by_hand.get(frame)) == Some(&true);
-        let is_cut = is_free_by_hand(run.start.checked_sub(1)) || is_free_by_hand(Some(run.end));
-        let is_detected = !by_hand[run.clone()].contains(&true);
+        let was_removed = |frame: Option<usize>| frame.and_then(|frame| edited.get(frame)) == Some(&true);
+        let is_cut = was_removed(run.start.checked_sub(1)) || was_removed(Some(run.end));
+        let is_detected = !edited[run.clone()].contains(&true);
         if is_cut && is_detected && (run.len() as f64) < shortest {
             foot.planted[run].fill(false);
         }
@@ -89,11 +87,11 @@ fn drop_fragments(foot: &mut FootLabels, by_hand: &[bool], shortest: f64) {
 }
 
 impl Detection {
-    /// Whether a run of planted frames of one part of one foot is as a person wants it.
+    /// True if a run of planted frames overlaps an edit that added it.
     pub fn is_edited(&self, side: Side, part: Part, run: &std::ops::Range<usize>) -> bool {
         self.edits.iter().any(|edit| {
             edit.side == side
-                && says(edit, part) == Some(true)
+                && implies(edit, part) == Some(true)
                 && edit.start < run.end
                 && run.start < edit.end
         })
@@ -122,7 +120,7 @@ mod tests {
         Detection {
             params: ValidParams::default(),
             parts: vec![part(Part::Contact, contact), part(Part::Heel, heel)],
-            floor: 0.0,
+            ground_height: 0.0,
             notices: Vec::new(),
             edits: Vec::new(),
         }
@@ -132,17 +130,17 @@ mod tests {
         Edit { side: Side::Left, part, start, end, planted }
     }
 
-    fn shown(detection: &Detection, part: Part) -> String {
+    fn labels_as_text(detection: &Detection, part: Part) -> String {
         let planted = &detection.part(part).unwrap().foot(Side::Left).planted;
         planted.iter().map(|&planted| if planted { '#' } else { '.' }).collect()
     }
 
     #[test]
-    fn a_person_is_believed() {
-        let found = detection("..####....", "..##......");
-        let after = edited(&found, &[edit(Part::Contact, 5, 8, true)], FRAME_TIME);
-        assert_eq!(shown(&after, Part::Contact), "..######..");
-        assert_eq!(shown(&after, Part::Heel), "..##......");
+    fn edits_override_labels() {
+        let detected = detection("..####....", "..##......");
+        let after = apply_edits(&detected, &[edit(Part::Contact, 5, 8, true)], FRAME_TIME);
+        assert_eq!(labels_as_text(&after, Part::Contact), "..######..");
+        assert_eq!(labels_as_text(&after, Part::Heel), "..##......");
         let foot = after.part(Part::Contact).unwrap().foot(Side::Left);
         assert_eq!(foot.confidence, [0.75, 0.75, 0.75, 0.75, 0.75, 1.0, 1.0, 1.0, 0.75, 0.75]);
         assert!(after.is_edited(Side::Left, Part::Contact, &(2..8)));
@@ -151,48 +149,54 @@ mod tests {
     }
 
     #[test]
-    fn later_edits_lie_over_earlier_ones() {
-        let found = detection("..........", "..........");
+    fn later_edits_override_earlier_ones() {
+        let detected = detection("..........", "..........");
         let edits = [edit(Part::Contact, 1, 9, true), edit(Part::Contact, 4, 5, false)];
-        assert_eq!(shown(&edited(&found, &edits, FRAME_TIME), Part::Contact), ".###.####.");
+        assert_eq!(labels_as_text(&apply_edits(&detected, &edits, FRAME_TIME), Part::Contact), ".###.####.");
     }
 
     #[test]
-    fn the_parts_of_a_foot_agree() {
-        let found = detection("..######..", "..####....");
-        let lifted = edited(&found, &[edit(Part::Contact, 2, 5, false)], FRAME_TIME);
-        assert_eq!(shown(&lifted, Part::Contact), ".....###..");
-        assert_eq!(shown(&lifted, Part::Heel), "..........", "what is left of the heel is too short");
-        let down = edited(&found, &[edit(Part::Heel, 0, 4, true)], FRAME_TIME);
-        assert_eq!(shown(&down, Part::Contact), "########..");
-        let raised = edited(&found, &[edit(Part::Heel, 2, 6, false)], FRAME_TIME);
-        assert_eq!(shown(&raised, Part::Contact), "..######..", "the toe may be down");
+    fn heel_and_toe_stay_within_contact() {
+        let detected = detection("..######..", "..####....");
+        let lifted = apply_edits(&detected, &[edit(Part::Contact, 2, 5, false)], FRAME_TIME);
+        assert_eq!(labels_as_text(&lifted, Part::Contact), ".....###..");
+        assert_eq!(labels_as_text(&lifted, Part::Heel), "..........", "the rest of the heel is too short");
+        let down = apply_edits(&detected, &[edit(Part::Heel, 0, 4, true)], FRAME_TIME);
+        assert_eq!(labels_as_text(&down, Part::Contact), "########..");
+        let raised = apply_edits(&detected, &[edit(Part::Heel, 2, 6, false)], FRAME_TIME);
+        assert_eq!(labels_as_text(&raised, Part::Contact), "..######..", "the toe may be planted");
     }
 
     #[test]
-    fn edits_hold_when_the_clip_is_detected_anew() {
+    fn edits_persist_when_parameters_change() {
         let edits = [
             edit(Part::Contact, 3, 6, true),
             edit(Part::Contact, 2, 3, false),
             edit(Part::Contact, 6, 7, false),
         ];
         assert_eq!(
-            shown(&edited(&detection(".#######..", ".........."), &edits, FRAME_TIME), Part::Contact),
+            labels_as_text(
+                &apply_edits(&detection(".#######..", ".........."), &edits, FRAME_TIME),
+                Part::Contact
+            ),
             "...###...."
         );
-        // A plant that is long enough is not the rest of another.
+        // A plant of sufficient length is not a remainder of another.
         assert_eq!(
-            shown(&edited(&detection("##.#######", ".........."), &edits, FRAME_TIME), Part::Contact),
+            labels_as_text(
+                &apply_edits(&detection("##.#######", ".........."), &edits, FRAME_TIME),
+                Part::Contact
+            ),
             "##.###.###"
         );
     }
 
     #[test]
-    fn edits_of_what_is_not_there_do_nothing() {
-        let found = detection("..##", "....");
+    fn edits_without_labels_have_no_effect() {
+        let detected = detection("..##", "....");
         let edits =
             [edit(Part::Toe, 2, 3, false), edit(Part::Contact, 9, 20, true), edit(Part::Contact, 3, 2, true)];
-        assert_eq!(shown(&edited(&found, &edits, FRAME_TIME), Part::Contact), "..##");
-        assert_eq!(edited(&found, &[], FRAME_TIME), found);
+        assert_eq!(labels_as_text(&apply_edits(&detected, &edits, FRAME_TIME), Part::Contact), "..##");
+        assert_eq!(apply_edits(&detected, &[], FRAME_TIME), detected);
     }
 }

@@ -1,56 +1,55 @@
-//! The positions that detection needs: ankle and toe of both feet.
+//! Tracks of both feet, the input of detection.
 
 use crate::bvh::Clip;
 use crate::foot::Side;
-use crate::kinematics;
-use crate::kinematics::Track;
+use crate::kinematics::{self, Track};
 use crate::skeleton::{LegRoles, Role, Skeleton, Up};
 
-/// Both feet of a clip in motion, with the measures that make them comparable.
+/// Tracks of both feet with the measures that make them comparable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feet {
-    /// The left foot's tracks, then the right's.
+    /// Tracks of the left foot and of the right foot.
     pub tracks: [FootTracks; 2],
-    /// The hips' track, for telling travel from standing.
+    /// Track of the hips, which distinguishes travel from standing.
     pub hips: Track,
-    /// The axis that points up.
+    /// Up axis.
     pub up: Up,
-    /// Thigh plus shank, in the tracks' units.
+    /// Leg length: thigh plus shank, in file units.
     pub leg: f64,
-    /// Metres per unit, for methods whose thresholds are in metres.
+    /// Metres per file unit, for methods with thresholds in metres.
     pub metres_per_unit: f64,
-    /// Seconds from one frame to the next.
+    /// Time between frames, in seconds.
     pub frame_time: f64,
 }
 
-/// The tracks of one foot.
+/// Tracks of one foot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FootTracks {
-    /// The ankle's, which stands for the heel.
+    /// Track of the ankle, which represents the heel.
     pub ankle: Track,
-    /// The toe base's, or that of what stands in for it.
+    /// Track of the toe base, or of the joint that replaces it.
     pub toe: Track,
-    /// That of the foot's end, where it has one ahead of the toe.
+    /// Track of the end of the foot, if there is one ahead of the toe.
     pub tip: Option<Track>,
 }
 
-/// Why a clip has no plants to find.
+/// Error: a clip cannot be labelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DetectError {
     /// The clip is a rest pose.
-    #[error("the clip has no motion: there is nothing to detect")]
+    #[error("the clip has no motion, so there are no plants to detect")]
     NoMotion,
-    /// The ankles are not known.
-    #[error("no pair of feet was found: name the joints of both ankles")]
+    /// The ankles are unknown.
+    #[error("no pair of feet was found; name the joints of both ankles")]
     NoFeet,
 }
 
 impl Feet {
-    /// The feet of one skeleton of a clip.
+    /// Computes the tracks of one skeleton of a clip.
     ///
     /// # Errors
     /// If the clip has no motion or the skeleton no feet.
-    pub fn of(clip: &Clip, skeleton: &Skeleton) -> Result<Feet, DetectError> {
+    pub fn new(clip: &Clip, skeleton: &Skeleton) -> Result<Feet, DetectError> {
         if clip.frame_count() == 0 {
             return Err(DetectError::NoMotion);
         }
@@ -66,7 +65,7 @@ impl Feet {
             joints.extend([ankle, toe]);
             joints.extend(tip);
         }
-        // One pass for all: the feet share the joints above them.
+        // One pass computes all tracks because the feet share ancestors.
         let mut tracks = kinematics::tracks(clip, &joints).into_iter();
         let mut next = || tracks.next().expect("each joint has a track");
         Ok(Feet {
@@ -83,12 +82,13 @@ impl Feet {
         })
     }
 
-    /// Number of frames.
+    /// Returns the number of frames.
     pub fn frame_count(&self) -> usize {
         self.tracks[0].ankle.len()
     }
 
-    /// Frames that last `seconds`, rounded down; the margin keeps 0.0333 and 1/30 s alike.
+    /// Returns the number of frames in `seconds`, rounded down. The margin makes 0.0333 s and 1/30
+    /// s equal.
     pub(crate) fn frames_in(&self, seconds: f64) -> usize {
         (seconds / self.frame_time + 0.05).floor() as usize
     }

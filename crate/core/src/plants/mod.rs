@@ -1,148 +1,91 @@
-//! Foot plants by spectral clustering, with nothing to tune.
+//! Detection of foot plants by spectral clustering.
 //!
-//! After Liu, Lu and Xie, *Foot plant detection based on spectral clustering
-//! algorithm for motion capture data*, Journal of Image and Graphics 19(9),
-//! 2014. Each frame of each foot is a sample of height and speed; samples that
-//! lie close together have large degrees in the graph of their similarities,
-//! and the frames on the ground are the ones that do: they are all alike.
+//! After Liu, Lu and Xie, *Foot plant detection based on spectral clustering algorithm for motion
+//! capture data*, Journal of Image and Graphics 19(9), 2014. Each frame of each foot is a sample of
+//! height and speed. The affinity of two samples decreases with their distance, and the degree of a
+//! sample is the sum of its affinities. Frames on the ground are similar to each other, so they have
+//! large degrees; a threshold on the square root of the degree separates them from the others.
 //!
-//! The way of the data: [`Feet`] (positions) → signals (height and speed) →
-//! samples → scale → degree → threshold → labels. The degrees of many samples are
-//! summed by expansion about cells of alike ones, and made exact where they decide.
-//! [`Method::Paper`] is the published method; [`Method::Robust`] the one to use.
+//! Data flow: [`Feet`] (tracks) → `signal` (height, speed, samples) → `spectral` (bandwidth, degree,
+//! threshold) → `postprocess` (short runs, dragging, confidence) → [`Detection`]. The degrees of many
+//! samples are approximated by expansion about cells of similar samples and computed exactly near the
+//! threshold. [`Method::Robust`] is the default, [`Method::Paper`] the published method.
 
 mod annotation;
+mod detection;
 mod detector;
 mod edits;
 mod feet;
-pub(crate) mod methods;
+mod methods;
 mod params;
 mod postprocess;
 mod signal;
 mod spectral;
 
 pub use annotation::Annotation;
+pub use detection::{Detection, FootLabels, PartLabels};
 pub use detector::Detector;
-pub use edits::{Edit, edited};
+pub use edits::{Edit, apply_edits};
 pub use feet::{DetectError, Feet, FootTracks};
 pub use methods::{Family, Method};
-pub use params::{Limits, ParamError, Params, ValidParams};
+pub use params::{ParamError, Params, Thresholds, ValidParams};
 pub use spectral::affinity::Kernel;
-pub use spectral::field::Field;
+pub use spectral::field::DegreeField;
 pub use spectral::threshold::Evidence;
 
-use crate::foot::{Part, Side};
 use crate::kinematics::Track;
 use crate::notice::Notice;
-use methods::{Found, Task};
+use methods::{Input, Output};
 use postprocess::{ground_height, plausibility};
 
-/// The labels of a clip with how they came about.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Detection {
-    /// The parameters that were used.
-    pub params: ValidParams,
-    /// Contact, toe and heel; the paper's method labels toes only.
-    pub parts: Vec<PartLabels>,
-    /// Height of the ground along the up axis, in file units.
-    pub floor: f64,
-    /// What was assumed or is doubtful.
-    pub notices: Vec<Notice>,
-    /// What a person corrected in the labels; empty in what is detected.
-    pub edits: Vec<Edit>,
-}
-
-/// The labels of one part of both feet.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PartLabels {
-    /// Contact, toe or heel.
-    pub part: Part,
-    /// The left foot's labels, then the right's.
-    pub feet: [FootLabels; 2],
-    /// How the clustering came about; `None` where there was nothing to cluster.
-    pub evidence: Option<Evidence>,
-}
-
-/// The labels of one part of one foot, per frame of the clip.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FootLabels {
-    /// Whether the foot is planted.
-    pub planted: Vec<bool>,
-    /// Probability that the label is right, from 0.5 to 1.
-    pub confidence: Vec<f32>,
-    /// Height above the lowest that the clip comes, in file units.
-    pub height: Vec<f32>,
-    /// Speed in file units per second.
-    pub speed: Vec<f32>,
-}
-
-impl Detection {
-    /// The labels of one part, if the method gives them.
-    pub fn part(&self, part: Part) -> Option<&PartLabels> {
-        self.parts.iter().find(|labels| labels.part == part)
-    }
-
-    /// The labels that say best when a foot is down: contact, or else toe.
-    pub fn principal(&self) -> &PartLabels {
-        &self.parts[0]
-    }
-}
-
-impl PartLabels {
-    /// The labels of one foot.
-    pub fn foot(&self, side: Side) -> &FootLabels {
-        &self.feet[side as usize]
-    }
-}
-
-/// Finds the frames in which each foot is planted.
+/// Detects the frames in which each foot is planted.
 ///
-/// Any frame rate, unit and up axis; the labels of spectral methods do not depend
-/// on them. Takes time proportional to the number of frames, but for some of the methods
-/// that stand beside, whose time grows with its square.
+/// Accepts any frame rate, unit and up axis; the labels of spectral methods are invariant to them.
+/// The time is proportional to the number of frames, except for some of the methods for comparison,
+/// whose time is quadratic.
 pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
-    run(Task { feet, still: None, params, kept: None })
+    run(Input { feet, standing: None, params, cache: None })
 }
 
-/// As [`detect`], of feet that nobody needs afterwards: in long clips it takes a sixth less memory.
+/// Detects like [`detect`] and consumes the feet, which needs a sixth less memory for long clips.
 pub fn detect_once(mut feet: Feet, params: ValidParams) -> Detection {
-    let whole = Whole::of(&feet);
+    let summary = FeetSummary::new(&feet);
     feet.hips = Track::new();
     for foot in &mut feet.tracks {
         foot.tip = None;
     }
-    run_in(whole, Task { feet: &feet, still: None, params, kept: None })
+    run_with_summary(summary, Input { feet: &feet, standing: None, params, cache: None })
 }
 
-/// As [`detect`], with the feet of the same character standing still clustered along,
-/// which helps where a clip is all small movement (paper, section 3.5).
+/// Detects like [`detect`] and clusters the samples of a standing clip of the same character along,
+/// which helps if the whole clip is small movement (paper, section 3.5).
 ///
-/// Methods that do not build on the published samples leave the standing clip aside.
-pub fn detect_along(feet: &Feet, still: &Feet, params: ValidParams) -> Detection {
-    run(Task { feet, still: Some(still), params, kept: None })
+/// Methods that do not use the samples of the paper ignore the standing clip.
+pub fn detect_with_standing(feet: &Feet, standing: &Feet, params: ValidParams) -> Detection {
+    run(Input { feet, standing: Some(standing), params, cache: None })
 }
 
-fn run(task: Task) -> Detection {
-    run_in(Whole::of(task.feet), task)
+fn run(input: Input) -> Detection {
+    run_with_summary(FeetSummary::new(input.feet), input)
 }
 
-/// What is asked of all tracks of the feet, where methods need but ankles and toes.
-struct Whole {
-    rate: Option<Notice>,
+/// Results that need all tracks of the feet; the methods need ankles and toes only.
+struct FeetSummary {
+    rate_notice: Option<Notice>,
     lowest: [Vec<f64>; 2],
 }
 
-impl Whole {
-    fn of(feet: &Feet) -> Whole {
-        Whole { rate: plausibility::rate(feet), lowest: ground_height::lowest(feet) }
+impl FeetSummary {
+    fn new(feet: &Feet) -> FeetSummary {
+        FeetSummary { rate_notice: plausibility::rate(feet), lowest: ground_height::lowest(feet) }
     }
 }
 
-fn run_in(whole: Whole, task: Task) -> Detection {
-    let Found { parts, mut notices } = task.params.method().detect(&task);
-    notices.extend(whole.rate.into_iter().chain(plausibility::airborne(&parts)));
-    let floor = ground_height::height(&whole.lowest, &parts[0]);
-    Detection { params: task.params, floor, parts, notices, edits: Vec::new() }
+fn run_with_summary(summary: FeetSummary, mut input: Input) -> Detection {
+    let Output { parts, mut notices } = input.params.method().detect(&mut input);
+    notices.extend(summary.rate_notice.into_iter().chain(plausibility::airborne(&parts)));
+    let ground_height = ground_height::height(&summary.lowest, &parts[0]);
+    Detection { params: input.params, ground_height, parts, notices, edits: Vec::new() }
 }
 
 #[cfg(test)]

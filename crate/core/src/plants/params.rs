@@ -1,28 +1,28 @@
-//! Parameters of detection and the rules they keep.
+//! Parameters of detection and their rules.
 
-use crate::plants::spectral::degree::Pairs;
-use crate::plants::{Method, methods};
+use crate::plants::Method;
+use crate::plants::spectral::degree::Summation;
 
-/// What can be set; the defaults serve any clip.
+/// Parameters of detection; the defaults suit any clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {
-    /// How plants are found; default [`Method::Robust`].
+    /// Detection method; default [`Method::Robust`].
     pub method: Method,
-    /// r: how far the variance of the sorted norms may grow before the knee is
-    /// reached (paper, section 2.2). Larger is more generous. Default 0.001.
+    /// r: upper bound of the running variance of the sorted norms before the knee (paper, section
+    /// 2.2). A larger value gives longer plants. Default 0.001.
     pub tolerance: f64,
-    /// w: frames to either side that a sample takes in (paper, section 2.1). Default 1.
+    /// w: number of frames on either side that a sample includes (paper, section 2.1). Default 1.
     pub window: usize,
-    /// σ set by hand instead of found at the knee; default none.
-    pub scale: Option<f64>,
-    /// Height under which thresholds take a toe for planted, in metres. Default 0.05.
+    /// σ: bandwidth of the kernel, if not determined by the knee; default none.
+    pub sigma: Option<f64>,
+    /// Height threshold for planted toes, in metres. Default 0.05.
     pub height: f64,
-    /// Speed under which thresholds take a toe for planted, in metres per second. Default 0.5.
+    /// Speed threshold for planted toes, in metres per second. Default 0.5.
     pub speed: f64,
-    /// Whether the degrees of long clips are summed over all pairs, which takes time proportional to
-    /// the square of the frames, instead of expanded about cells of alike frames and made exact only
-    /// where they decide, which gives the same labels but for some within a thousandth of the
-    /// threshold, fewer than one in 10,000. Default false.
+    /// If true, the degrees of long clips are summed over all pairs, in quadratic time. If false,
+    /// they are approximated by cells of similar frames and computed exactly near the threshold;
+    /// fewer than one label in 10,000 differs, all within a thousandth of the threshold. Default
+    /// false.
     pub exact: bool,
 }
 
@@ -32,7 +32,7 @@ impl Default for Params {
             method: Method::Robust,
             tolerance: 0.001,
             window: 1,
-            scale: None,
+            sigma: None,
             height: 0.05,
             speed: 0.5,
             exact: false,
@@ -40,18 +40,18 @@ impl Default for Params {
     }
 }
 
-/// Parameters that keep their rules; made by [`Params::check`].
+/// Parameters that satisfy their rules; see [`Params::check`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ValidParams(Params);
 
-/// A parameter that breaks its rule.
+/// A parameter that violates its rule.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ParamError {
     /// [`Params::tolerance`]
     #[error("r must be greater than 0 and finite, not {0}")]
     Tolerance(f64),
     /// [`Params::window`]
-    #[error("w must be at most {most}, not {0}", most = Params::MOST_WINDOW)]
+    #[error("w must be at most {max}, not {0}", max = Params::MAX_WINDOW)]
     Window(usize),
     /// [`Params::height`]
     #[error("the height must be greater than 0 and finite, not {0}")]
@@ -59,19 +59,19 @@ pub enum ParamError {
     /// [`Params::speed`]
     #[error("the speed must be greater than 0 and finite, not {0}")]
     Speed(f64),
-    /// [`Params::scale`]
+    /// [`Params::sigma`]
     #[error("sigma must be greater than 0 and finite, not {0}")]
-    Scale(f64),
+    Sigma(f64),
 }
 
 impl Params {
-    /// The largest window half-width.
-    pub const MOST_WINDOW: usize = 16;
+    /// Maximum window half-width.
+    pub const MAX_WINDOW: usize = 16;
 
     /// Checks the rules.
     ///
     /// # Errors
-    /// If a parameter breaks its rule.
+    /// If a parameter violates its rule.
     pub fn check(self) -> Result<ValidParams, ParamError> {
         let positive = |value: f64| value > 0.0 && value.is_finite();
         if !positive(self.tolerance) {
@@ -83,23 +83,27 @@ impl Params {
         if !positive(self.speed) {
             return Err(ParamError::Speed(self.speed));
         }
-        if self.window > Params::MOST_WINDOW {
+        if self.window > Params::MAX_WINDOW {
             return Err(ParamError::Window(self.window));
         }
-        match self.scale {
-            Some(scale) if !positive(scale) => Err(ParamError::Scale(scale)),
+        match self.sigma {
+            Some(sigma) if !positive(sigma) => Err(ParamError::Sigma(sigma)),
             _ => Ok(ValidParams(self)),
         }
     }
 }
 
-/// What a method takes a foot for planted under, where it compares with such.
+/// Thresholds that a method compares with; `None` if it does not use one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Limits {
-    /// In metres.
+pub struct Thresholds {
+    /// Height, in metres.
     pub height: Option<f64>,
-    /// In metres per second.
+    /// Speed, in metres per second.
     pub speed: Option<f64>,
+}
+
+impl Thresholds {
+    pub(crate) const NONE: Thresholds = Thresholds { height: None, speed: None };
 }
 
 impl ValidParams {
@@ -133,26 +137,18 @@ impl ValidParams {
         self.0.exact
     }
 
-    /// The height and the speed that the method compares with.
-    pub fn limits(&self) -> Limits {
-        let Params { height, speed, .. } = self.0;
-        match self.0.method {
-            Method::Height => Limits { height: Some(height), speed: None },
-            Method::Speed | Method::MinSpeed => Limits { height: None, speed: Some(speed) },
-            Method::Dual => Limits { height: Some(height), speed: Some(speed) },
-            Method::MedianSpeed => methods::MEDIAN_SPEED,
-            Method::HeightSpeed => methods::HEIGHT_SPEED,
-            _ => Limits::default(),
-        }
+    /// Returns the thresholds that the method compares with.
+    pub fn thresholds(&self) -> Thresholds {
+        self.0.method.thresholds(&self.0)
     }
 
-    pub(crate) fn pairs(&self) -> Pairs {
-        if self.0.exact { Pairs::All } else { Pairs::Few }
+    pub(crate) fn summation(&self) -> Summation {
+        if self.0.exact { Summation::AllPairs } else { Summation::Cells }
     }
 
-    /// See [`Params::scale`].
-    pub fn scale(&self) -> Option<f64> {
-        self.0.scale
+    /// See [`Params::sigma`].
+    pub fn sigma(&self) -> Option<f64> {
+        self.0.sigma
     }
 }
 
@@ -161,7 +157,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rules_are_stated_when_broken() {
+    fn violated_rules_are_stated() {
         let message = |params: Params| params.check().map_err(|error| error.to_string()).unwrap_err();
         let default = Params::default();
         assert_eq!(default.check(), Ok(ValidParams::default()));
@@ -170,10 +166,10 @@ mod tests {
             "r must be greater than 0 and finite, not 0"
         );
         assert_eq!(message(Params { window: 17, ..default }), "w must be at most 16, not 17");
-        assert!(message(Params { scale: Some(f64::NAN), ..default }).starts_with("sigma must be"));
-        let limits = Params { method: Method::Dual, ..default }.check().unwrap().limits();
-        assert_eq!(limits, Limits { height: Some(0.05), speed: Some(0.5) });
-        assert_eq!(ValidParams::default().limits(), Limits::default());
+        assert!(message(Params { sigma: Some(f64::NAN), ..default }).starts_with("sigma must be"));
+        let thresholds = Params { method: Method::Dual, ..default }.check().unwrap().thresholds();
+        assert_eq!(thresholds, Thresholds { height: Some(0.05), speed: Some(0.5) });
+        assert_eq!(ValidParams::default().thresholds(), Thresholds::default());
         assert!("best".parse::<Method>().is_err());
     }
 }

@@ -1,4 +1,4 @@
-//! What detection must do, on feet that walk by formula.
+//! Tests of detection on synthetic feet.
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -9,22 +9,23 @@ use crate::intervals::intervals;
 use crate::notice::Code;
 use crate::skeleton::Up;
 
-/// Seconds of a step cycle, and the share of it that a foot stands.
+/// Duration of a gait cycle, in seconds, and the fraction of it in stance.
 const CYCLE: f64 = 1.2;
 const STANCE: f64 = 0.6;
 
-/// A foot in metres, Y up, at a time of its own cycle: standing, then swinging 1.3 m ahead.
+/// Returns the position of a foot at a time of its cycle: stance, then a swing of 1.3 m. In metres,
+/// Y up.
 fn foot(time: f64) -> Vector3<f64> {
-    let (cycles, phase) = ((time / CYCLE).floor(), (time / CYCLE).fract());
+    let (cycles, phase) = ((time / CYCLE).ground_height(), (time / CYCLE).fract());
     let swing = ((phase - STANCE) / (1.0 - STANCE)).max(0.0);
     let eased = swing * swing * (3.0 - 2.0 * swing);
     Vector3::new(0.1, 0.15 * (std::f64::consts::PI * swing).sin().powi(2), 1.3 * (cycles + eased))
 }
 
-/// The methods that labels are expected of to the frame; the others stand beside them.
-const PROVEN: [Method; 2] = [Method::Robust, Method::Paper];
+/// Methods that must label the walk exactly; the others are for comparison.
+const EXACT_METHODS: [Method; 2] = [Method::Robust, Method::Paper];
 
-/// Two feet of a person with legs of 0.8 m, half a cycle apart.
+/// A walk with legs of 0.8 m; the feet are half a cycle apart.
 fn walk(frames: usize, rate: f64) -> Feet {
     let tracks = [0.0, CYCLE / 2.0].map(|ahead| {
         let at = |lift: Vector3<f64>| -> Vec<_> {
@@ -40,8 +41,8 @@ fn walk(frames: usize, rate: f64) -> Feet {
     Feet { tracks, hips, up: Up::Y, leg: 0.8, metres_per_unit: 1.0, frame_time: 1.0 / rate }
 }
 
-/// The same feet with every position changed.
-fn changed(feet: &Feet, up: Up, scale: f64, change: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Feet {
+/// Returns the feet with every position mapped by `change`.
+fn map_positions(feet: &Feet, up: Up, scale: f64, change: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Feet {
     let all = |track: &[Vector3<f64>]| track.iter().map(|position| change(*position)).collect();
     Feet {
         tracks: feet.tracks.clone().map(|foot| FootTracks {
@@ -70,16 +71,16 @@ fn has(detection: &Detection, code: Code) -> bool {
 }
 
 #[test]
-fn a_walk_is_labelled_as_it_was_made() {
+fn a_walk_is_labelled_exactly() {
     for rate in [24.0, 30.0, 60.0, 120.0, 250.0] {
         let feet = walk((8.0 * rate) as usize, rate);
-        for method in PROVEN {
+        for method in EXACT_METHODS {
             let detection = detect(&feet, params(method));
             for (side, ahead) in [(0, 0.0), (1, CYCLE / 2.0)] {
                 let labels = &detection.principal().feet[side].planted;
                 let wrong = labels.iter().enumerate().filter(|(frame, planted)| {
                     let phase = ((*frame as f64 / rate + ahead) / CYCLE).fract();
-                    // Within a tenth of a second of a boundary either label will do.
+                    // Within 0.1 s of an edge either label is accepted.
                     let near = [0.0, STANCE, 1.0].iter().any(|edge| (phase - edge).abs() * CYCLE < 0.1);
                     !near && **planted != (phase < STANCE)
                 });
@@ -90,49 +91,52 @@ fn a_walk_is_labelled_as_it_was_made() {
 }
 
 #[test]
-fn methods_label_what_they_say() {
-    for method in Method::ALL {
+fn methods_label_their_parts() {
+    for &method in Method::ALL {
         let detection = detect(&walk(300, 60.0), params(method));
         let parts: Vec<Part> = detection.parts.iter().map(|labels| labels.part).collect();
         assert_eq!(parts, method.parts(), "{method}");
         assert_eq!(detection.principal().evidence.is_some(), method.family() == Family::Spectral, "{method}");
         let planted = detection.principal().feet.iter().flat_map(|foot| &foot.planted);
-        let share = planted.clone().filter(|planted| **planted).count() as f64 / planted.count() as f64;
-        assert!((0.2..=1.0).contains(&share), "{method}: {share}");
+        let fraction = planted.clone().filter(|planted| **planted).count() as f64 / planted.count() as f64;
+        assert!((0.2..=1.0).contains(&fraction), "{method}: {fraction}");
         assert_eq!(method.name().parse(), Ok(method));
     }
 }
 
 #[test]
-fn a_standing_clip_can_be_clustered_along() {
+fn a_standing_clip_can_be_added() {
     let feet = walk(300, 60.0);
-    let still = changed(&walk(120, 60.0), Up::Y, 1.0, |_| Vector3::new(0.1, 0.02, 0.0));
-    for method in Method::ALL {
-        let detection = detect_along(&feet, &still, params(method));
+    let still = map_positions(&walk(120, 60.0), Up::Y, 1.0, |_| Vector3::new(0.1, 0.02, 0.0));
+    for &method in Method::ALL {
+        let detection = detect_with_standing(&feet, &still, params(method));
         assert!(detection.parts.iter().flat_map(|part| &part.feet).all(|foot| foot.planted.len() == 300));
     }
 }
 
 #[test]
-fn evidence_is_what_the_labels_follow_from() {
+fn labels_follow_from_the_evidence() {
     let feet = walk(300, 60.0);
-    for method in PROVEN {
+    for method in EXACT_METHODS {
         let detection = detect(&feet, params(method));
         for part in &detection.parts {
             let evidence = part.evidence.as_ref().expect("a walk is clustered");
-            assert_eq!(evidence.roots.len(), 600);
+            assert_eq!(evidence.values.len(), 600);
             assert!(evidence.sorted_norms.is_sorted());
             assert_eq!(evidence.sigma, evidence.sorted_norms[evidence.knee]);
             let r = detection.params.tolerance();
-            let within = evidence.running_variance().map(|variance| variance <= r);
-            assert_eq!(within.enumerate().filter(|(_, within)| *within).last(), Some((evidence.knee, true)));
+            let is_within = evidence.running_variance().map(|variance| variance <= r);
+            assert_eq!(
+                is_within.enumerate().filter(|(_, within)| *within).last(),
+                Some((evidence.knee, true))
+            );
         }
     }
 }
 
 #[test]
-fn a_scale_set_by_hand_is_used() {
-    let set = Params { method: Method::Paper, scale: Some(0.17), ..Params::default() }.check().unwrap();
+fn a_given_sigma_is_used() {
+    let set = Params { method: Method::Paper, sigma: Some(0.17), ..Params::default() }.check().unwrap();
     let detection = detect(&walk(300, 60.0), set);
     assert_eq!(detection.principal().evidence.as_ref().map(|evidence| evidence.sigma), Some(0.17));
 }
@@ -152,7 +156,7 @@ fn heel_and_toe_lie_within_contact() {
 #[test]
 fn standing_still_is_contact_throughout() {
     let sway = |position: Vector3<f64>| Vector3::new(0.1, 0.02 + position.y * 0.05, 0.003 * position.z.sin());
-    let feet = changed(&walk(600, 60.0), Up::Y, 1.0, sway);
+    let feet = map_positions(&walk(600, 60.0), Up::Y, 1.0, sway);
     let detection = detect(&feet, params(Method::Robust));
     assert!(has(&detection, Code::StandingStill));
     assert!(planted(&detection).concat().iter().all(|&planted| planted));
@@ -160,13 +164,13 @@ fn standing_still_is_contact_throughout() {
 }
 
 #[test]
-fn a_pose_stuck_on_the_front_changes_nothing() {
+fn an_added_first_pose_does_not_change_labels() {
     let clean = walk(400, 120.0);
-    let mut stuck = clean.clone();
-    for track in stuck.tracks.iter_mut().flat_map(|foot| [&mut foot.ankle, &mut foot.toe]) {
+    let mut with_pose = clean.clone();
+    for track in with_pose.tracks.iter_mut().flat_map(|foot| [&mut foot.ankle, &mut foot.toe]) {
         track[0] += Vector3::new(5.0, -0.4, 3.0);
     }
-    let detection = detect(&stuck, params(Method::Robust));
+    let detection = detect(&with_pose, params(Method::Robust));
     assert!(has(&detection, Code::Trimmed));
     let expected = detect(&clean, params(Method::Robust));
     for (found, expected) in planted(&detection).into_iter().zip(planted(&expected)) {
@@ -185,7 +189,7 @@ fn short_clips_are_contact_with_a_notice() {
 }
 
 #[test]
-fn a_wrong_rate_is_doubted() {
+fn an_implausible_rate_has_a_notice() {
     let slow = Feet { frame_time: 1.0, ..walk(400, 120.0) };
     let fast = Feet { frame_time: 1e-3, ..walk(400, 60.0) };
     for feet in [slow, fast] {
@@ -195,19 +199,20 @@ fn a_wrong_rate_is_doubted() {
 }
 
 #[test]
-fn the_floor_is_where_planted_feet_are() {
-    let floor = detect(&walk(400, 60.0), params(Method::Robust)).floor;
-    assert!((floor - 0.02).abs() < 0.005, "{floor}");
+fn ground_height_is_the_height_of_planted_feet() {
+    let ground = detect(&walk(400, 60.0), params(Method::Robust)).ground_height;
+    assert!((ground - 0.02).abs() < 0.005, "{ground}");
 }
 
 #[test]
-fn units_and_axes_change_no_label() {
+fn labels_are_invariant_to_units_and_axes() {
     let feet = walk(300, 60.0);
-    let turned = changed(&feet, Up { axis: Axis::Z, negative: false }, 1.0, |p| Vector3::new(p.x, -p.z, p.y));
-    for method in Method::ALL {
+    let turned =
+        map_positions(&feet, Up { axis: Axis::Z, negative: false }, 1.0, |p| Vector3::new(p.x, -p.z, p.y));
+    for &method in Method::ALL {
         let expected = detect(&feet, params(method));
         for scale in [0.01, 2.54, 100.0] {
-            let scaled = changed(&feet, Up::Y, scale, |position| position * scale);
+            let scaled = map_positions(&feet, Up::Y, scale, |position| position * scale);
             assert_eq!(planted(&detect(&scaled, params(method))), planted(&expected), "{method} × {scale}");
         }
         assert_eq!(planted(&detect(&turned, params(method))), planted(&expected), "{method}, Z up");
@@ -217,17 +222,17 @@ fn units_and_axes_change_no_label() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Feet that do anything: no panic, nothing that is no number, labels for every frame.
+    /// Random feet: no panic, finite numbers, a label for every frame.
     #[test]
-    fn nothing_makes_it_panic(
-        places in prop::collection::vec(prop::array::uniform3(prop_oneof![Just(0.0), -2.0..2.0_f64]), 1..60),
+    fn random_feet_never_panic(
+        positions in prop::collection::vec(prop::array::uniform3(prop_oneof![Just(0.0), -2.0..2.0_f64]), 1..60),
         repeats in 1_usize..4,
         rate in 10.0..300.0_f64,
         window in 0_usize..5,
         tolerance in 1e-6..1.0_f64,
     ) {
         let track: Vec<Vector3<f64>> =
-            places.iter().flat_map(|place| vec![Vector3::from(*place); repeats]).collect();
+            positions.iter().flat_map(|position| vec![Vector3::from(*position); repeats]).collect();
         let other = track.iter().rev().copied().collect::<Vec<_>>();
         let foot = |ankle: &Vec<_>, toe: &Vec<_>| FootTracks { ankle: ankle.clone(), toe: toe.clone(), tip: None };
         let feet = Feet {
@@ -238,10 +243,10 @@ proptest! {
             metres_per_unit: 1.0,
             frame_time: 1.0 / rate,
         };
-        for method in Method::ALL {
+        for &method in Method::ALL {
             let params = Params { method, window, tolerance, ..Params::default() }.check().unwrap();
             let detection = detect(&feet, params);
-            prop_assert!(detection.floor.is_finite());
+            prop_assert!(detection.ground_height.is_finite());
             for foot in detection.parts.iter().flat_map(|part| &part.feet) {
                 prop_assert_eq!(foot.planted.len(), track.len());
                 prop_assert!(foot.confidence.iter().all(|p| (0.5..=1.0).contains(p)), "{:?}", foot.confidence);
@@ -252,15 +257,15 @@ proptest! {
     }
 }
 
-/// Samples of each foot are one, and degrees differ by rounding alone.
+/// The samples of each foot are equal, and degrees differ by rounding only.
 #[test]
-fn feet_that_never_move_make_no_method_panic() {
+fn motionless_feet_never_panic() {
     for frames in 1..12 {
-        let held = |height: f64| vec![Vector3::new(0.0, height, 0.0); frames];
-        let foot = |height| FootTracks { ankle: held(height + 0.1), toe: held(height), tip: None };
-        for (step, method) in (0..50).flat_map(|step| Method::ALL.map(|method| (step, method))) {
+        let at_height = |height: f64| vec![Vector3::new(0.0, height, 0.0); frames];
+        let foot = |height| FootTracks { ankle: at_height(height + 0.1), toe: at_height(height), tip: None };
+        for (step, method) in (0..50).flat_map(|step| Method::ALL.iter().map(move |&method| (step, method))) {
             let tracks = [foot(0.1), foot(0.1 + 0.0137 * f64::from(step))];
-            let feet = Feet { tracks, hips: held(0.9), ..walk(1, 60.0) };
+            let feet = Feet { tracks, hips: at_height(0.9), ..walk(1, 60.0) };
             let detection = detect(&feet, params(method));
             assert!(planted(&detection).iter().all(|foot| foot.len() == frames));
         }
@@ -268,10 +273,10 @@ fn feet_that_never_move_make_no_method_panic() {
 }
 
 #[test]
-fn a_detector_labels_as_if_it_had_kept_nothing() {
-    // Long enough for the degrees to be summed by cells.
+fn a_detector_labels_like_detect() {
+    // Long enough for the approximation by cells.
     let feet = walk(4500, 120.0);
-    let detector = Detector::new(feet.clone());
+    let mut detector = Detector::new(feet.clone());
     let default = Params::default();
     let changes = [
         default,
@@ -279,7 +284,7 @@ fn a_detector_labels_as_if_it_had_kept_nothing() {
         Params { window: 3, ..default },
         Params { method: Method::Paper, window: 3, ..default },
         Params { tolerance: 0.0005, window: 3, ..default },
-        Params { scale: Some(0.2), window: 3, ..default },
+        Params { sigma: Some(0.2), window: 3, ..default },
         Params { exact: true, ..default },
         Params { tolerance: 0.002, ..default },
         Params { window: 16, ..default },

@@ -5,8 +5,7 @@ use serde::Serialize;
 use crate::foot::{Part, Side};
 use crate::intervals::intervals;
 use crate::numeric::sort;
-use crate::plants::Annotation;
-use crate::plants::Detection;
+use crate::plants::{Annotation, Detection};
 use crate::score::{EventScore, Events, Tally, events, lenient, strict};
 
 /// The fuzzy periods that accuracy is reported for, in seconds.
@@ -106,7 +105,7 @@ pub fn compare(detection: &Detection, other: &Annotation, frame_time: f64) -> Ve
                 }));
             }
         }
-        let disagreements = sort::by_frames(disagreements, |run| (run.start, run.end));
+        let disagreements = sort::sort_by_frames(disagreements, |run| (run.start, run.end));
         Some(PartScore { part: *part, rows: rows.to_vec(), events: all.score(), disagreements })
     };
     other.parts.iter().filter_map(score).collect()

@@ -102,7 +102,7 @@ pub fn cuts(found: &[usize], truth: &[TrueCut], frame_time: f64, tolerance: Tole
     let distances: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
     let (mut is_used, mut is_met) = (vec![false; found.len()], vec![false; truth.len()]);
     let mut right = 0;
-    for (_, f, t) in sort::ascending(&distances).into_iter().map(|place| pairs[place]) {
+    for (_, f, t) in sort::argsort(&distances).into_iter().map(|place| pairs[place]) {
         if !is_used[f] && !is_met[t] {
             (is_used[f], is_met[t]) = (true, true);
             right += 1;

@@ -1,7 +1,6 @@
 //! Plants as events: which were found, and how early or late.
 
-use std::ops::AddAssign;
-use std::ops::Range;
+use std::ops::{AddAssign, Range};
 
 use serde::Serialize;
 

@@ -4,19 +4,9 @@ mod compare;
 mod cuts;
 mod events;
 
-pub use compare::Disagreement;
-pub use compare::DisagreementKind;
-pub use compare::FUZZY;
-pub use compare::PartScore;
-pub use compare::Row;
-pub use compare::compare;
-pub use cuts::CutTally;
-pub use cuts::Tolerance;
-pub use cuts::TrueCut;
-pub use cuts::cuts;
-pub use events::EventScore;
-pub use events::Events;
-pub use events::events;
+pub use compare::{Disagreement, DisagreementKind, FUZZY, PartScore, Row, compare};
+pub use cuts::{CutTally, Tolerance, TrueCut, cuts};
+pub use events::{EventScore, Events, events};
 
 use std::ops::AddAssign;
 

@@ -1,13 +1,12 @@
-//! The joints that methods measure, by role, on skeletons of any make.
+//! Joints that the methods measure, by role, on any skeleton.
 
 use crate::bvh::Clip;
 use crate::notice::{Code, Notice};
+use crate::segments::SegmentError;
 use crate::skeleton::{Role, Skeleton};
 
-use crate::segments::SegmentError;
-
-/// Fewer joints than this say too little of a pose.
-const FEWEST: usize = 4;
+/// Minimum number of joints that describe a pose.
+const MIN_JOINTS: usize = 4;
 
 const LIMBS: [Role; 8] = [
     Role::LeftArm,
@@ -22,7 +21,7 @@ const LIMBS: [Role; 8] = [
 const ENDS: [Role; 6] =
     [Role::LeftAnkle, Role::RightAnkle, Role::LeftToe, Role::RightToe, Role::LeftHand, Role::RightHand];
 
-/// Joints to measure, and what is not there.
+/// Joints to measure, and roles that are missing.
 #[derive(Debug)]
 pub(crate) struct Body {
     pub joints: Vec<usize>,
@@ -30,43 +29,40 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// The 14 joints whose rotations make a pose (Zhang and Wang, section 2.1): three each
-    /// of back and of neck and head, and the upper and lower limbs.
+    /// Returns the 14 joints whose rotations define a pose (Zhang and Wang, section 2.1): three
+    /// each of the back and of neck and head, and the upper and lower limbs.
     ///
     /// # Errors
     /// If too few of them are known.
-    pub fn turning(clip: &Clip, skeleton: &Skeleton) -> Result<Body, SegmentError> {
+    pub fn rotation_joints(clip: &Clip, skeleton: &Skeleton) -> Result<Body, SegmentError> {
         let mut body = Body { joints: Vec::new(), missing: Vec::new() };
         body.add_chain(clip, skeleton, Role::Spine, Role::Chest, 3);
         body.add_chain(clip, skeleton, Role::Neck, Role::Head, 3);
         body.add(skeleton, &LIMBS);
-        body.checked()
+        body.check()
     }
 
-    /// The 19 joints whose places make a pose (patent, step S3): hips, two of the back, neck,
-    /// head, and the limbs down to hands and toes.
+    /// Returns the 19 joints whose positions define a pose (patent, step S3): hips, two of the
+    /// back, neck, head, and the limbs down to hands and toes.
     ///
     /// # Errors
     /// If too few of them are known.
-    pub fn placed(clip: &Clip, skeleton: &Skeleton) -> Result<Body, SegmentError> {
+    pub fn position_joints(clip: &Clip, skeleton: &Skeleton) -> Result<Body, SegmentError> {
         let mut body = Body { joints: Vec::new(), missing: Vec::new() };
         body.add(skeleton, &[Role::Hips]);
         body.add_chain(clip, skeleton, Role::Spine, Role::Chest, 2);
         body.add(skeleton, &[Role::Neck, Role::Head]);
         body.add(skeleton, &LIMBS);
         body.add(skeleton, &ENDS);
-        body.checked()
+        body.check()
     }
 
-    /// What to tell of joints that are not there.
+    /// Returns a notice about missing joints, if any.
     pub fn notices(&self) -> Vec<Notice> {
         if self.missing.is_empty() {
             return Vec::new();
         }
-        let text = format!(
-            "These joints were not found and are left out of what is compared: {}.",
-            self.missing.join(", ")
-        );
+        let text = format!("These joints were not found and are not compared: {}.", self.missing.join(", "));
         vec![Notice::new(Code::MissingJoints, text)]
     }
 
@@ -79,8 +75,8 @@ impl Body {
         }
     }
 
-    /// Adds at most `most` joints of the chain from one role up to another, the upper ones first in line.
-    fn add_chain(&mut self, clip: &Clip, skeleton: &Skeleton, from: Role, to: Role, most: usize) {
+    /// Adds at max `max` joints of the chain between two roles, from the upper end.
+    fn add_chain(&mut self, clip: &Clip, skeleton: &Skeleton, from: Role, to: Role, max: usize) {
         let (bottom, top) = (skeleton.roles.get(from), skeleton.roles.get(to));
         self.missing.extend(
             [(from, bottom), (to, top)]
@@ -93,21 +89,21 @@ impl Body {
             return;
         };
         let up = std::iter::successors(Some(top), |&joint| clip.joints()[joint].parent);
-        let mut chain: Vec<usize> = up.take_while(|&joint| joint != bottom).take(most).collect();
-        if chain.len() < most {
+        let mut chain: Vec<usize> = up.take_while(|&joint| joint != bottom).take(max).collect();
+        if chain.len() < max {
             chain.push(bottom);
         }
         self.joints.extend(chain.into_iter().rev());
     }
 
-    fn checked(self) -> Result<Body, SegmentError> {
-        if self.joints.len() >= FEWEST {
+    fn check(self) -> Result<Body, SegmentError> {
+        if self.joints.len() >= MIN_JOINTS {
             return Ok(self);
         }
-        let found = self.joints.len();
+        let count = self.joints.len();
         Err(SegmentError::TooFewJoints {
-            found,
-            wanted: found + self.missing.len(),
+            found: count,
+            wanted: count + self.missing.len(),
             missing: self.missing.join(", "),
         })
     }

@@ -1,69 +1,71 @@
-//! Instants at which a clip is sampled: as many in a second whatever its rate.
+//! Sampling instants of a clip at a fixed rate, independent of the frame rate.
 
 use std::ops::Range;
 
 use crate::bvh::Clip;
 use crate::numeric::interpolate;
 
-/// Most samples from one frame to the next: clips of a few frames a second have fewer per second.
-const DENSEST: f64 = 12.0;
+/// Maximum number of samples per frame, reached by clips with a few frames per second.
+const MAX_SAMPLES_PER_FRAME: f64 = 12.0;
 
-/// Most frames from one sample to the next: no clip has as many, but frame times may be 0.
-const SPARSEST: f64 = 1e9;
+/// Maximum number of frames per sample. No clip has as many, but frame times may be 0.
+const MAX_FRAMES_PER_SAMPLE: f64 = 1e9;
 
-/// Samples over some frames of a clip.
+/// Sampling instants over a range of frames.
 #[derive(Debug)]
-pub(crate) struct Grid {
+pub(crate) struct SampleGrid {
     first: usize,
     last: usize,
-    /// Frames from one sample to the next.
+    /// Frames per sample.
     step: f64,
     frame_time: f64,
 }
 
-impl Grid {
-    /// `rate` samples per second over some frames.
-    pub fn over(clip: &Clip, frames: &Range<usize>, rate: f64) -> Grid {
+impl SampleGrid {
+    /// Creates a grid of `rate` samples per second over a range of frames.
+    pub fn new(clip: &Clip, frames: &Range<usize>, rate: f64) -> SampleGrid {
         let step = clip.rate() / rate;
-        let step = if step.is_nan() { 1.0 } else { step.clamp(1.0 / DENSEST, SPARSEST) };
+        let step =
+            if step.is_nan() { 1.0 } else { step.clamp(1.0 / MAX_SAMPLES_PER_FRAME, MAX_FRAMES_PER_SAMPLE) };
         let last = frames.end.saturating_sub(1).max(frames.start);
-        Grid { first: frames.start, last, step, frame_time: clip.frame_time() }
+        SampleGrid { first: frames.start, last, step, frame_time: clip.frame_time() }
     }
 
-    /// How many samples there are.
+    /// Returns the number of samples.
     pub fn count(&self) -> usize {
-        // The margin keeps frame times such as 0.0083333 from losing the last sample.
+        // The margin keeps the last sample for frame times such as 0.0083333.
         ((self.last - self.first) as f64 / self.step + 1e-2) as usize + 1
     }
 
-    /// Where a sample lies among the clip's frames.
-    pub fn place(&self, sample: usize) -> f64 {
+    /// Returns the position of a sample, in fractional frames.
+    pub fn position(&self, sample: usize) -> f64 {
         (self.first as f64 + sample as f64 * self.step).min(self.last as f64)
     }
 
-    /// The frame next to a sample.
+    /// Returns the frame nearest to a sample.
     pub fn frame(&self, sample: usize) -> usize {
-        self.place(sample).round() as usize
+        self.position(sample).round() as usize
     }
 
-    /// Seconds from the first sample to another.
+    /// Returns the time from the first sample to another, in seconds.
     pub fn seconds(&self, sample: usize) -> f64 {
         sample as f64 * self.step * self.frame_time
     }
 
-    /// The frames about a sample, two on either side, and how far it is from the second to the third.
-    pub fn about(&self, sample: usize) -> ([usize; 4], f64) {
-        let place = self.place(sample);
-        let before = place as usize;
+    /// Returns the four frames around a sample and its position between the second and the third,
+    /// from 0 to 1.
+    pub fn neighbours(&self, sample: usize) -> ([usize; 4], f64) {
+        let position = self.position(sample);
+        let before = position as usize;
         let at = |ahead: usize| (before + ahead).saturating_sub(1).clamp(self.first, self.last);
-        ([at(0), at(1), at(2), at(3)], place.fract())
+        ([at(0), at(1), at(2), at(3)], position.fract())
     }
 
-    /// The samples of a curve that has a value for each frame from the first on.
-    pub fn sampled(&self, values: &[f64]) -> Vec<f64> {
+    /// Samples a curve that has one value per frame.
+    pub fn sample_curve(&self, values: &[f64]) -> Vec<f64> {
         let sample = |sample: usize| {
-            let (frames, t) = self.about(sample);
-            interpolate::cubic(frames.map(|frame| values[frame - self.first]), t)
+            let (frames, t) = self.neighbours(sample);
+            interpolate::catmull_rom(frames.map(|frame| values[frame - self.first]), t)
         };
         (0..self.count()).map(sample).collect()
     }
@@ -73,12 +75,12 @@ impl Grid {
 mod tests {
     use super::*;
 
-    fn sampled(rate: f64, seconds: f64) -> (Grid, Vec<f64>) {
+    fn sampled(rate: f64, seconds: f64) -> (SampleGrid, Vec<f64>) {
         let clip = Clip::new(Vec::new(), 1.0 / rate, Vec::new());
         let frames = 1..(seconds * rate) as usize + 2;
-        let grid = Grid::over(&clip, &frames, 120.0);
+        let grid = SampleGrid::new(&clip, &frames, 120.0);
         let curve: Vec<f64> = (0..frames.len()).map(|frame| (frame as f64 / rate * 6.0).sin()).collect();
-        let values = grid.sampled(&curve);
+        let values = grid.sample_curve(&curve);
         (grid, values)
     }
 
@@ -96,11 +98,11 @@ mod tests {
     }
 
     #[test]
-    fn absurd_rates_have_samples() {
+    fn implausible_rates_have_samples() {
         for (frame_time, count) in [(0.0, 1), (1e-300, 1), (f64::NAN, 10), (-1.0, 109), (1e9, 109)] {
             let clip = Clip::new(Vec::new(), frame_time, Vec::new());
-            let grid = Grid::over(&clip, &(0..10), 120.0);
-            assert_eq!(grid.sampled(&[1.0; 10]), vec![1.0; count], "{frame_time}");
+            let grid = SampleGrid::new(&clip, &(0..10), 120.0);
+            assert_eq!(grid.sample_curve(&[1.0; 10]), vec![1.0; count], "{frame_time}");
         }
     }
 }

@@ -1,86 +1,77 @@
-//! Cutting a clip into actions.
+//! Segmentation of a clip into actions.
 //!
-//! Six methods behind one [`Method`], with one [`Segmentation`] as their result:
-//! [`Method::Auto`] is the one to use; the others are the published ones that it
-//! stands beside. None has to be told how many actions there are.
+//! Six methods share one interface, [`Method`], and one result, [`Segmentation`]. [`Method::Auto`]
+//! is the default; the others are published methods for comparison. None needs the number of
+//! actions.
 //!
-//! The way of the data: clip → poses (joint rotations, or joint
-//! positions) → a curve of the method's own → cuts → [`Segment`]s. All times
-//! are in seconds inside, so that the frame rate does not matter.
+//! Data flow: clip → poses (joint rotations or joint positions) → a curve → cuts → [`Segment`]s.
+//! All constants are in seconds, so results do not depend on the frame rate.
 
+mod body;
 mod grid;
 mod methods;
 mod params;
 mod pose;
-mod task;
+mod progress;
 
-mod body;
-
-pub use crate::segments::methods::{Method, MethodOption};
-pub use params::ParamError;
-pub use params::Params;
-pub use params::Residual;
-pub use params::Template;
-pub use params::ValidParams;
-pub use task::Cancelled;
-pub use task::Progress;
+pub use methods::{Method, MethodOption};
+pub use params::{OptionError, ParamError, Params, Residual, Template, ValidParams};
+pub use progress::{Cancelled, Progress};
 
 use std::ops::Range;
 
-use serde::Deserialize;
-use serde::Serialize;
-use task::Found;
-use task::Task;
+use methods::{Input, Output};
+use serde::{Deserialize, Serialize};
 
 use crate::bvh::Clip;
 use crate::notice::{Code, Notice};
 use crate::skeleton::Skeleton;
 
-/// The segments of a clip with how they came about.
+/// Segments of a clip, with the curve that determined them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segmentation {
-    /// The parameters that were used.
+    /// Parameters of the segmentation.
     pub params: ValidParams,
-    /// The segments in order: they tile the clip, from frame 0 to the last.
+    /// Segments in order; they cover the clip without gaps.
     pub segments: Vec<Segment>,
-    /// Frames in which one action goes over into the next, where the method tells them apart:
-    /// the cut lies within.
+    /// Frame ranges in which one action changes into the next, if the method detects them; the cut
+    /// lies within.
     pub transitions: Vec<Range<usize>>,
-    /// The pieces of motion between turning points, where the method knows such.
+    /// Motifs: motion between turning points, if the method detects them.
     pub motifs: Vec<Motif>,
-    /// What the method looks at.
+    /// Curve that determined the cuts.
     pub curve: Curve,
-    /// What was assumed or left out.
+    /// Assumptions and omissions.
     pub notices: Vec<Notice>,
 }
 
 impl Segmentation {
-    /// The cuts: the first frame of each segment but the first.
+    /// Returns the cuts: the first frame of each segment except the first.
     pub fn cuts(&self) -> Vec<usize> {
         self.segments.iter().skip(1).map(|segment| segment.frames.start).collect()
     }
 }
 
-/// One action.
+/// One segment: an interval with one action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segment {
-    /// Its frames.
+    /// Frame range.
     pub frames: Range<usize>,
-    /// What kind of action it is.
+    /// Kind of action.
     pub kind: Kind,
-    /// The method's name for it, as the motifs that it repeats; empty where there is none.
+    /// Label, as the motifs that the action repeats; empty if the method has none.
     pub label: String,
 }
 
-/// What kind of action a segment is.
+/// Kind of action of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// An action; the method tells no kinds.
+    /// The method does not distinguish kinds.
     Action,
-    /// An action that repeats its motifs.
+    /// The action repeats its motifs.
     Periodic,
-    /// An action that does not.
+    /// The action does not repeat.
     Aperiodic,
 }
 
@@ -88,7 +79,7 @@ impl Kind {
     /// All kinds.
     pub const ALL: [Kind; 3] = [Kind::Action, Kind::Periodic, Kind::Aperiodic];
 
-    /// The kind's name: `action`, `periodic` or `aperiodic`.
+    /// Returns the name: `action`, `periodic` or `aperiodic`.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Action => "action",
@@ -98,59 +89,59 @@ impl Kind {
     }
 }
 
-/// The motion from one turning point to the next.
+/// Motion between two turning points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motif {
-    /// Its frames.
+    /// Frame range.
     pub frames: Range<usize>,
-    /// Motifs that are alike have the same number; numbers count from 1 as they first appear.
+    /// Class of similar motifs, from 1 in order of first appearance.
     pub class: usize,
-    /// How far the curve goes in it, in the curve's unit; falling motifs have a negative one.
+    /// Change of the curve over the motif, in the unit of the curve; negative for falling motifs.
     pub amplitude: f64,
 }
 
-/// What a method looks at, for plotting.
+/// Curve of a method, for plots.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve {
-    /// What it shows, as in `Residual`.
+    /// Quantity, as in `Residual`.
     pub title: &'static str,
-    /// Where each value lies: frames of the clip, with fractions, ascending.
+    /// Position of each value, in fractional frames, ascending.
     pub frames: Vec<f64>,
-    /// The values; they are all finite.
+    /// Values, all finite.
     pub values: Vec<f64>,
-    /// What each value was compared with; empty where there is no such threshold.
+    /// Threshold of each value; empty if the method has none.
     pub threshold: Vec<f64>,
-    /// Indices of the values at which the curve turns, where that matters.
+    /// Indices of the turning points, if the method uses them.
     pub extrema: Vec<usize>,
 }
 
-/// Why a clip could not be cut.
+/// Error: a clip cannot be segmented.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SegmentError {
     /// The clip is a rest pose.
-    #[error("the clip has no motion: there is nothing to cut")]
+    #[error("the clip has no motion, so there is nothing to segment")]
     NoMotion,
     /// Too few of the joints that the method measures are known.
     #[error(
-        "only {found} of the {wanted} joints that this method measures were found: name more joints ({missing})"
+        "only {found} of the {wanted} joints that this method measures were found; name more joints ({missing})"
     )]
     TooFewJoints {
-        /// How many are there.
+        /// Number of known joints.
         found: usize,
-        /// How many there might be.
+        /// Number of joints that the method measures.
         wanted: usize,
-        /// The roles that nobody plays, separated by commas.
+        /// Roles without a joint, separated by commas.
         missing: String,
     },
-    /// The template is to be a frame that is not there.
-    #[error("there is no frame {frame} to be the template: the clip has {frames}, counted from 0")]
+    /// The template frame does not exist.
+    #[error("frame {frame} cannot be the template; the clip has {frames} frames, counted from 0")]
     NoFrame {
-        /// The frame asked for.
+        /// The requested frame.
         frame: usize,
-        /// How many there are.
+        /// Number of frames.
         frames: usize,
     },
-    /// It was cancelled.
+    /// The segmentation was cancelled.
     #[error("cancelled")]
     Cancelled,
 }
@@ -161,13 +152,13 @@ impl From<Cancelled> for SegmentError {
     }
 }
 
-/// Cuts a clip into actions.
+/// Segments a clip into actions.
 ///
-/// Any frame rate, unit, axes and skeleton that has enough of a body. `progress` is told the
-/// share that is done, from 0 to 1, and may cancel. A clip too short to cut is one segment.
+/// Accepts any frame rate, unit, axes and skeleton with enough joints. `progress` receives the
+/// completed fraction, from 0 to 1, and may cancel. A clip too short to cut is one segment.
 ///
 /// # Errors
-/// If there is no motion, the method's joints are not known, or it was cancelled.
+/// If there is no motion, too few joints are known, or it was cancelled.
 pub fn segment(
     clip: &Clip,
     skeleton: &Skeleton,
@@ -177,11 +168,11 @@ pub fn segment(
     if clip.frame_count() == 0 {
         return Err(SegmentError::NoMotion);
     }
-    let first = pose::lead_in(clip, skeleton);
-    let mut task = Task { clip, skeleton, params, frames: first..clip.frame_count(), progress };
-    let Found { segments, transitions, motifs, curve, mut notices } = params.method().segment(&mut task)?;
+    let first = pose::first_motion_frame(clip, skeleton);
+    let mut input = Input { clip, skeleton, params, frames: first..clip.frame_count(), progress };
+    let Output { segments, transitions, motifs, curve, mut notices } = params.method().segment(&mut input)?;
     if first > 0 {
-        let text = "The first frame is a pose that was stuck on: it belongs to the first segment.";
+        let text = "The first frame is an added pose; it belongs to the first segment.";
         notices.push(Notice::new(Code::Trimmed, text));
     }
     Ok(Segmentation { params, segments, transitions, motifs, curve, notices })

@@ -1,40 +1,41 @@
-//! Parameters of segmentation and the rules they keep.
+//! Parameters of segmentation and their rules.
 
 use std::fmt;
 use std::str::FromStr;
 
 use crate::segments::{Method, MethodOption};
 
-/// What can be set; the defaults serve any clip.
+/// Parameters of segmentation; the defaults suit any clip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Params {
-    /// How the clip is cut; default [`Method::Auto`].
+    /// Segmentation method; default [`Method::Auto`].
     pub method: Method,
-    /// d: dimensions kept before the rest is called residual, for [`Method::Mvu`]
-    /// (default 1) and [`Method::PcaTail`] (default 2).
+    /// d: number of dimensions before the rest is residual, for [`Method::Mvu`] (default 1) and
+    /// [`Method::PcaTail`] (default 2).
     pub dims: Option<usize>,
-    /// What of the eigenvalues is called residual, for [`Method::Mvu`].
+    /// Definition of the residual, for [`Method::Mvu`].
     pub residual: Residual,
-    /// The pose that others are compared with, for [`Method::Lsd`].
+    /// Template pose, for [`Method::Lsd`].
     pub template: Template,
-    /// Keeps to the letter of what was published, where the default departs from it: see each method.
+    /// If true, the method follows its publication exactly where the default differs; see each
+    /// method.
     pub published: bool,
 }
 
-/// What of the eigenvalues beyond the first d is called residual.
+/// Definition of the residual: a function of the eigenvalues beyond the first d.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Residual {
-    /// Their sum: it grows with what happens.
+    /// Their sum, which increases with the variation of the motion.
     #[default]
     Absolute,
-    /// Their share of the sum of all, as published; nearly constant.
+    /// Their fraction of the sum of all eigenvalues, as published; nearly constant.
     Ratio,
 }
 
-/// The pose that others are compared with.
+/// Template pose with which all poses are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Template {
-    /// The mean of all poses, after each is turned to lie best on it.
+    /// The mean of all poses after alignment.
     #[default]
     Mean,
     /// The skeleton with all rotations zero.
@@ -53,18 +54,18 @@ impl fmt::Display for Residual {
 }
 
 impl FromStr for Residual {
-    type Err = String;
+    type Err = OptionError;
 
-    fn from_str(name: &str) -> Result<Residual, String> {
+    fn from_str(name: &str) -> Result<Residual, OptionError> {
         match name {
             "absolute" => Ok(Residual::Absolute),
             "ratio" => Ok(Residual::Ratio),
-            _ => Err(format!("the residual is absolute or ratio, not {name:?}")),
+            _ => Err(OptionError::Residual(name.into())),
         }
     }
 }
 
-/// `mean`, `tpose` or the number of a frame.
+/// Formats as `mean`, `tpose` or the frame number.
 impl fmt::Display for Template {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -76,43 +77,51 @@ impl fmt::Display for Template {
 }
 
 impl FromStr for Template {
-    type Err = String;
+    type Err = OptionError;
 
-    fn from_str(name: &str) -> Result<Template, String> {
+    fn from_str(name: &str) -> Result<Template, OptionError> {
         match name {
             "mean" => Ok(Template::Mean),
             "tpose" => Ok(Template::TPose),
-            frame => frame
-                .parse()
-                .map(Template::Frame)
-                .map_err(|_| format!("the template is mean, tpose or the number of a frame, not {name:?}")),
+            frame => frame.parse().map(Template::Frame).map_err(|_| OptionError::Template(name.into())),
         }
     }
 }
 
-/// Parameters that keep their rules; made by [`Params::check`].
+/// Value of an option that cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum OptionError {
+    /// Not a [`Residual`].
+    #[error("the residual must be absolute or ratio, not {0:?}")]
+    Residual(String),
+    /// Not a [`Template`].
+    #[error("the template must be mean, tpose or a frame number, not {0:?}")]
+    Template(String),
+}
+
+/// Parameters that satisfy their rules; see [`Params::check`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ValidParams(Params);
 
-/// A parameter that breaks its rule.
+/// A parameter that violates its rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ParamError {
     /// [`Params::dims`]
-    #[error("d must be from 1 to {most}, not {0}", most = Params::MOST_DIMS)]
+    #[error("d must be from 1 to {max}, not {0}", max = Params::MAX_DIMS)]
     Dims(usize),
 }
 
 impl Params {
-    /// The most dimensions that can be kept: those of the poses.
-    pub const MOST_DIMS: usize = 56;
+    /// Maximum number of dimensions: that of a pose.
+    pub const MAX_DIMS: usize = 56;
 
     /// Checks the rules.
     ///
     /// # Errors
-    /// If a parameter breaks its rule.
+    /// If a parameter violates its rule.
     pub fn check(self) -> Result<ValidParams, ParamError> {
         match self.dims {
-            Some(dims) if dims == 0 || dims > Params::MOST_DIMS => Err(ParamError::Dims(dims)),
+            Some(dims) if dims == 0 || dims > Params::MAX_DIMS => Err(ParamError::Dims(dims)),
             _ => Ok(ValidParams(self)),
         }
     }
@@ -124,7 +133,8 @@ impl ValidParams {
         self.0.method
     }
 
-    /// See [`Params::dims`]: as set, or the method's default; none where it does not matter.
+    /// See [`Params::dims`]: the given value or the default of the method; `None` if the method
+    /// does not use it.
     pub fn dims(&self) -> Option<usize> {
         let default = self.method().options().iter().find_map(|option| match option {
             MethodOption::Dims(default) => Some(*default),

@@ -1,4 +1,4 @@
-//! What holds for every method.
+//! Tests that apply to every method.
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -7,7 +7,7 @@ use super::*;
 use crate::bvh::{Axis, Channel, Joint, JointKind};
 use crate::skeleton::Overrides;
 
-/// A spine, a head, arms and legs, each turning about one axis.
+/// A spine, a head, arms and legs; each joint rotates about one axis.
 const BODY: [(&str, usize, [f64; 3]); 13] = [
     ("Hips", 0, [0.0, 95.0, 0.0]),
     ("Spine", 0, [0.0, 12.0, 0.0]),
@@ -24,12 +24,12 @@ const BODY: [(&str, usize, [f64; 3]); 13] = [
     ("RightFoot", 11, [0.0, -43.0, 0.0]),
 ];
 
-/// The first `joints` of the body with each joint's angle in degrees at each frame.
+/// The first `joints` of the body, with each joint's angle in degrees per frame.
 fn clip(joints: usize, frames: usize, rate: f64, angle: impl Fn(usize, usize) -> f64) -> Clip {
-    let joint = |(place, &(name, parent, offset)): (usize, &(&str, usize, [f64; 3]))| Joint {
+    let joint = |(index, &(name, parent, offset)): (usize, &(&str, usize, [f64; 3]))| Joint {
         name: name.into(),
-        kind: if place == 0 { JointKind::Root } else { JointKind::Joint },
-        parent: (place > 0).then_some(parent),
+        kind: if index == 0 { JointKind::Root } else { JointKind::Joint },
+        parent: (index > 0).then_some(parent),
         offset: Vector3::from(offset),
         channels: vec![Channel::Rotation(Axis::X)],
     };
@@ -38,13 +38,13 @@ fn clip(joints: usize, frames: usize, rate: f64, angle: impl Fn(usize, usize) ->
     Clip::new(BODY[..joints].iter().enumerate().map(joint).collect(), 1.0 / rate, values)
 }
 
-/// Eight seconds of nodding and then of waving.
+/// Nodding until `cut`, then waving, for 16 s in all.
 fn nod_then_wave(rate: f64, cut: f64) -> Clip {
     clip(BODY.len(), (16.0 * rate) as usize, rate, |joint, frame| {
         let time = frame as f64 / rate;
         let swing = 50.0 * (std::f64::consts::TAU * time / 1.3).sin();
-        let own = 8.0 * (time * 2.0 + joint as f64).sin();
-        own + match BODY[joint].0 {
+        let sway = 8.0 * (time * 2.0 + joint as f64).sin();
+        sway + match BODY[joint].0 {
             "Neck" | "Chest" if time < cut => swing,
             "LeftArm" | "LeftForeArm" if time >= cut => swing - 60.0,
             _ => 0.0,
@@ -58,11 +58,11 @@ fn cut(clip: &Clip, params: Params) -> Result<Segmentation, SegmentError> {
 
 fn all_params() -> impl Iterator<Item = Params> {
     Method::ALL
-        .into_iter()
-        .flat_map(|method| [false, true].map(|published| Params { method, published, ..Params::default() }))
+        .iter()
+        .flat_map(|&method| [false, true].map(|published| Params { method, published, ..Params::default() }))
 }
 
-/// What holds for any answer.
+/// Checks properties of every result.
 fn check(found: &Segmentation, frames: usize) {
     let ends: Vec<usize> = found.segments.iter().map(|segment| segment.frames.end).collect();
     let starts: Vec<usize> = found.segments.iter().map(|segment| segment.frames.start).collect();
@@ -70,17 +70,17 @@ fn check(found: &Segmentation, frames: usize) {
     assert_eq!(starts[1..], ends[..ends.len() - 1]);
     assert_eq!(ends.last(), Some(&frames));
     assert!(found.segments.iter().all(|segment| !segment.frames.is_empty()), "{:?}", found.segments);
-    let Curve { frames: places, values, threshold, extrema, .. } = &found.curve;
-    assert_eq!(places.len(), values.len());
+    let Curve { frames: positions, values, threshold, extrema, .. } = &found.curve;
+    assert_eq!(positions.len(), values.len());
     assert!(threshold.is_empty() || threshold.len() == values.len());
-    assert!([places, values, threshold].into_iter().flatten().all(|value| value.is_finite()));
+    assert!([positions, values, threshold].into_iter().flatten().all(|value| value.is_finite()));
     assert!(extrema.iter().all(|&index| index < values.len()));
 }
 
 #[test]
-fn every_method_sees_that_something_else_is_done() {
+fn every_method_detects_a_change_of_action() {
     let clip = nod_then_wave(60.0, 8.0);
-    for method in Method::ALL {
+    for &method in Method::ALL {
         let found = cut(&clip, Params { method, ..Params::default() }).unwrap();
         check(&found, clip.frame_count());
         let cuts = found.cuts();
@@ -89,8 +89,8 @@ fn every_method_sees_that_something_else_is_done() {
 }
 
 #[test]
-fn rates_do_not_matter() {
-    for method in Method::ALL {
+fn cuts_are_invariant_to_the_frame_rate() {
+    for &method in Method::ALL {
         let seconds = |rate: f64| {
             let clip = nod_then_wave(rate, 8.0);
             let cuts = cut(&clip, Params { method, ..Params::default() }).unwrap().cuts();
@@ -120,7 +120,7 @@ fn short_clips_are_one_segment() {
 }
 
 #[test]
-fn a_body_that_holds_still_is_not_cut() {
+fn motionless_clips_are_not_cut() {
     for params in all_params() {
         let clip = clip(BODY.len(), 600, 60.0, |joint, _| joint as f64);
         let found = cut(&clip, params).unwrap();
@@ -130,7 +130,7 @@ fn a_body_that_holds_still_is_not_cut() {
 }
 
 #[test]
-fn a_pose_stuck_on_in_front_is_left_out() {
+fn an_added_first_pose_is_left_out() {
     let with = clip(BODY.len(), 600, 60.0, |joint, frame| {
         if frame == 0 { 0.0 } else { 40.0 + (frame as f64 / 20.0 + joint as f64).sin() }
     });
@@ -141,7 +141,7 @@ fn a_pose_stuck_on_in_front_is_left_out() {
 }
 
 #[test]
-fn what_is_missing_is_said() {
+fn missing_joints_have_a_notice() {
     let clip = clip(10, 300, 60.0, |joint, frame| (frame as f64 / 9.0 + joint as f64).sin() * 30.0);
     for params in all_params() {
         let found = cut(&clip, params).unwrap();
@@ -168,10 +168,10 @@ fn no_motion_is_an_error() {
 }
 
 #[test]
-fn all_can_be_cancelled() {
+fn every_method_can_be_cancelled() {
     let clip = nod_then_wave(60.0, 8.0);
     let skeleton = Skeleton::main(&clip, &Overrides::default());
-    for method in Method::ALL {
+    for &method in Method::ALL {
         let params = Params { method, ..Params::default() }.check().unwrap();
         let found = segment(&clip, &skeleton, params, &mut |_| Err(Cancelled));
         assert_eq!(found, Err(SegmentError::Cancelled), "{method}");
@@ -179,28 +179,28 @@ fn all_can_be_cancelled() {
 }
 
 #[test]
-fn progress_goes_from_none_to_all() {
+fn progress_is_ascending_between_0_and_1() {
     let clip = nod_then_wave(60.0, 8.0);
     let skeleton = Skeleton::main(&clip, &Overrides::default());
-    for method in Method::ALL {
-        let mut shares = Vec::new();
+    for &method in Method::ALL {
+        let mut fractions = Vec::new();
         let params = Params { method, ..Params::default() }.check().unwrap();
-        segment(&clip, &skeleton, params, &mut |share| {
-            shares.push(share);
+        segment(&clip, &skeleton, params, &mut |fraction| {
+            fractions.push(fraction);
             Ok(())
         })
         .unwrap();
-        assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)), "{method}");
-        assert!(shares.is_sorted(), "{method}");
+        assert!(fractions.iter().all(|fraction| (0.0..=1.0).contains(fraction)), "{method}");
+        assert!(fractions.is_sorted(), "{method}");
     }
 }
 
 #[test]
-fn rules_are_stated_when_broken() {
+fn violated_rules_are_stated() {
     let error = Params { dims: Some(0), ..Params::default() }.check().unwrap_err();
     assert_eq!(error.to_string(), "d must be from 1 to 56, not 0");
     assert!("best".parse::<Method>().is_err());
-    for method in Method::ALL {
+    for &method in Method::ALL {
         assert_eq!(method.name().parse(), Ok(method));
     }
 }
@@ -209,7 +209,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
     #[test]
-    fn any_motion_has_an_answer(
+    fn random_motion_has_a_result(
         seed in 0.0..9.0_f64,
         frames in 1_usize..400,
         rate in 10.0..250.0_f64,

@@ -3,9 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use nalgebra::Matrix3;
-use nalgebra::Rotation3;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::bvh::{Channel, Clip};
 use crate::foot::Side;
@@ -241,7 +239,7 @@ impl Bake<'_> {
         let clip = self.clip;
         let (mut values, width) = (clip.values().to_vec(), clip.channel_count());
         let joints: Vec<usize> = self.legs.iter().map(|leg| leg.joints.ankle).chain(self.carrier).collect();
-        let mut kinematics = Kinematics::of_joints(clip, &joints);
+        let mut kinematics = Kinematics::for_joints(clip, &joints);
         for (frame, row) in values.chunks_exact_mut(width.max(1)).enumerate() {
             kinematics.pose(frame);
             let rotations = kinematics.rotations();

@@ -2,9 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::Matrix3;
-use nalgebra::Rotation3;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::skate::leg::{Leg, median, scaled_axis, smallest_turn, upright};
 use crate::skate::phases::{Phase, runs};

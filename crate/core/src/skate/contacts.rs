@@ -2,8 +2,7 @@
 
 use crate::foot::{Part, Side};
 use crate::formats::Document;
-use crate::plants::Annotation;
-use crate::plants::Detection;
+use crate::plants::{Annotation, Detection};
 
 /// The frames in which each part of each foot is planted; `None` for a part without labels.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -1,11 +1,6 @@
 //! Channel values for a rotation, near those that were there.
 
-use nalgebra::DMatrix;
-use nalgebra::DVector;
-use nalgebra::Matrix3;
-use nalgebra::Rotation3;
-use nalgebra::Unit;
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Unit, Vector3};
 
 use crate::bvh::{Axis, Channel};
 use crate::skate::leg::scaled_axis;
@@ -48,8 +43,7 @@ pub(crate) fn is_free(channels: &[Channel]) -> bool {
 
 /// The angles of R(i)·R(j)·R(k) for three different axes that are nearest to `last`, in radians.
 fn nearest(matrix: &Matrix3<f64>, [i, j, k]: [usize; 3], last: [f64; 3]) -> [f64; 3] {
-    use std::f64::consts::PI;
-    use std::f64::consts::TAU;
+    use std::f64::consts::{PI, TAU};
     let sign = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
     let at = |row: usize, column: usize| matrix[(row, column)];
     let across = at(k, k).hypot(at(j, k));

@@ -13,8 +13,7 @@ const RANGE: f64 = 0.04;
 /// Steps of stairs are so many grounds; on a slope every plant has the height it has.
 pub(crate) fn levels(heights: &[f64], length: f64) -> Vec<f64> {
     let mut levels = heights.to_vec();
-    for ground in
-        sort::ascending(heights).chunk_by(|&low, &high| heights[high] - heights[low] <= GAP * length)
+    for ground in sort::argsort(heights).chunk_by(|&low, &high| heights[high] - heights[low] <= GAP * length)
     {
         let (low, high) = (heights[ground[0]], heights[ground[ground.len() - 1]]);
         if high - low <= RANGE * length {

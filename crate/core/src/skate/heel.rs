@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::Matrix3;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::skate::leg::{Leg, median, upright};
 use crate::skate::phases::{Phase, runs};

@@ -1,8 +1,6 @@
 //! The leg's inverse kinematics: two bones in closed form.
 
-use nalgebra::Matrix3;
-use nalgebra::Rotation3;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::skate::leg::{Leg, smallest_turn};
 

@@ -1,10 +1,6 @@
 //! One leg of a clip: its joints and where they are in each frame.
 
-use nalgebra::Matrix3;
-use nalgebra::Quaternion;
-use nalgebra::Rotation3;
-use nalgebra::UnitQuaternion;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use crate::bvh::Clip;
 use crate::foot::Side;
@@ -76,7 +72,7 @@ pub(crate) fn legs(clip: &Clip, joints: [Joints; 2]) -> [Leg; 2] {
         hinge: Vector3::zeros(),
     });
     let needed: Vec<usize> = joints.iter().flat_map(|leg| [leg.ankle, leg.toe, leg.tip]).collect();
-    let mut kinematics = Kinematics::of_joints(clip, &needed);
+    let mut kinematics = Kinematics::for_joints(clip, &needed);
     for frame in 0..count {
         let pose = kinematics.pose(frame).to_vec();
         for leg in &mut legs {

@@ -24,22 +24,16 @@ mod root;
 #[cfg(test)]
 mod tests;
 
-pub use clean::Cleaned;
-pub use clean::CleanedPlant;
-pub use clean::Options;
-pub use clean::WhyNot;
-pub use contacts::Contacts;
-pub use contacts::FootContacts;
-pub use measure::Skate;
-pub use measure::Slide;
+pub use clean::{Cleaned, CleanedPlant, Options, WhyNot};
+pub use contacts::{Contacts, FootContacts};
+pub use measure::{Skate, Slide};
 
 use nalgebra::Vector3;
 
 use crate::bvh::Clip;
 use crate::foot::Side;
 use crate::skeleton::Skeleton;
-use leg::Joints;
-use leg::Leg;
+use leg::{Joints, Leg};
 use phases::Phase;
 
 /// Why a clip's foot skate cannot be told.

@@ -1,8 +1,6 @@
 //! How the hips go along, so that legs keep their length and reach their feet.
 
-use nalgebra::Matrix3;
-use nalgebra::SVector;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, SVector, Vector3};
 
 use crate::skate::constraints::{Correction, Setting};
 use crate::skate::knee;

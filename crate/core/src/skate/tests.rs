@@ -83,10 +83,10 @@ fn where_nothing_is_planted_nothing_changes() {
 fn labels_of_another_clip_are_refused() {
     let (clip, contacts) = sample();
     let skeleton = Skeleton::main(&clip, &Overrides::default());
-    let part = clip.part(0..9);
+    let part = clip.slice(0..9);
     let refused = measure(&part, &skeleton, &contacts);
     assert_eq!(refused, Err(SkateError::Length { found: clip.frame_count(), frames: 9 }));
-    assert_eq!(measure(&clip.part(0..0), &skeleton, &contacts), Err(SkateError::NoMotion));
+    assert_eq!(measure(&clip.slice(0..0), &skeleton, &contacts), Err(SkateError::NoMotion));
     let text = SkateError::NoFeet.to_string();
     let footless = Overrides { roles: vec![(Role::LeftAnkle, None)], ..Overrides::default() };
     let refused = measure(&clip, &Skeleton::main(&clip, &footless), &contacts);
@@ -97,7 +97,7 @@ fn labels_of_another_clip_are_refused() {
 fn the_shortest_clips_are_clips() {
     let (clip, _) = sample();
     for frames in 1..4 {
-        let part = clip.part(100..100 + frames);
+        let part = clip.slice(100..100 + frames);
         let found = cleaned(&part, &every(&part, true));
         assert!(found.plants.iter().all(|plant| plant.after <= 0.001), "{:?}", found.plants);
     }
@@ -208,7 +208,7 @@ proptest! {
         is_wild in any::<bool>(),
     ) {
         let (clip, _) = sample();
-        let part = clip.part(0..seed.len());
+        let part = clip.slice(0..seed.len());
         let contacts = Contacts::of(|side, part| {
             Some(seed.iter().map(|flags| flags[3 * side as usize + part as usize]).collect())
         });

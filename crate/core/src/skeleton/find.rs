@@ -150,7 +150,7 @@ impl<'a> Tree<'a> {
             .collect();
         let mut wanted = tips.clone();
         wanted.push(self.root);
-        let frames = kinematics::spread_frames(self.clip, 64);
+        let frames = kinematics::sample_frames(self.clip, 64);
         let mut tracks = kinematics::tracks_at(self.clip, &wanted, frames);
         let root = tracks.pop()?;
         let mean_from_root = |track: &kinematics::Track| {
@@ -167,7 +167,8 @@ impl<'a> Tree<'a> {
             }
         }
         let reaches: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
-        let pairs: Vec<_> = sort::descending(&reaches).into_iter().map(|place| pairs[place]).collect();
+        let pairs: Vec<_> =
+            sort::argsort_descending(&reaches).into_iter().map(|place| pairs[place]).collect();
         let &(reach, a, b) = pairs.first()?;
         let own = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
         // A rival is a pair of other limbs that reaches nearly as far.
@@ -217,7 +218,7 @@ impl<'a> Tree<'a> {
         let (Some(here), Some(there)) = (leg.ankle, other.ankle) else { return true };
         let tips = [here, there].map(|ankle| self.tip(ankle).unwrap_or(ankle));
         let joints = [here, there, tips[0], tips[1]];
-        let tracks = kinematics::tracks_at(self.clip, &joints, kinematics::spread_frames(self.clip, 64));
+        let tracks = kinematics::tracks_at(self.clip, &joints, kinematics::sample_frames(self.clip, 64));
         let votes = (0..tracks[0].len()).map(|frame| {
             let [here, there, tip, other_tip] = [0, 1, 2, 3].map(|joint| tracks[joint][frame]);
             let forward = (tip - here) + (other_tip - there);

@@ -5,11 +5,8 @@ mod names;
 mod roles;
 mod world;
 
-pub use roles::LegRoles;
-pub use roles::Role;
-pub use roles::Roles;
-pub use world::Up;
-pub use world::unit_name;
+pub use roles::{LegRoles, Role, Roles};
+pub use world::{Up, unit_name};
 
 use std::ops::Range;
 
@@ -122,7 +119,7 @@ impl Skeleton {
     /// # Panics
     /// If there are no such poses.
     pub fn positions_in(&self, clip: &Clip, poses: Range<usize>) -> Vec<f32> {
-        let mut kinematics = kinematics::Kinematics::of(clip);
+        let mut kinematics = kinematics::Kinematics::new(clip);
         let mut positions = Vec::with_capacity(poses.len() * clip.joints().len() * 3);
         for frame in poses {
             for position in kinematics.pose(frame) {
@@ -151,9 +148,9 @@ impl Body {
             [leg.thigh, leg.shank, leg.ankle, leg.toe, leg.tip].map(|role| roles.get(role))
         };
         let track = |joint: usize| {
-            kinematics::tracks_at(clip, &[joint], kinematics::spread_frames(clip, POSES)).remove(0)
+            kinematics::tracks_at(clip, &[joint], kinematics::sample_frames(clip, POSES)).remove(0)
         };
-        let pose = kinematics::Kinematics::of(clip).pose(0).to_vec();
+        let pose = kinematics::Kinematics::new(clip).pose(0).to_vec();
         let distances = pose.iter().flat_map(|a| pose.iter().map(move |b| (a - b).norm()));
         Body {
             hips: track(roles.get(Role::Hips).unwrap_or(root)),

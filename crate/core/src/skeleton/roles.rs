@@ -1,7 +1,6 @@
 //! Roles: which joint is the left ankle, and so on.
 
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::foot::Side;
 

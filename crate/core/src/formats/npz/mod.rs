@@ -11,8 +11,7 @@ mod zip;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use read::is_archive;
-pub(crate) use read::read;
+pub(crate) use read::{is_archive, read};
 
 use crate::foot::{Part, Side};
 use crate::formats::Labelled;

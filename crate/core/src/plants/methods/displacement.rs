@@ -1,34 +1,36 @@
-//! A rule of motion-learning code: hardly moved since the frame before.
+//! Rule of motion-learning code: displacement since the previous frame.
 
 use crate::foot::Part;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "displacement",
     title: "Squared displacement 0.002",
-    about: "Toes whose squared displacement from the frame before is below 0.002 m², whatever the frame rate.",
+    description: "Toes whose squared displacement since the previous frame is below 0.002 m², at any frame rate.",
     family: Family::Threshold,
     parts: &[Part::Toe],
+    thresholds: |_| Thresholds::NONE,
     detect,
 };
 
-/// In square metres.
-const SQUARE: f64 = 0.002;
+/// Squared displacement, in m².
+const MAX_SQUARED_DISPLACEMENT: f64 = 0.002;
 
-fn detect(task: &Task) -> Found {
-    let toes = Toes::of(task);
-    let metres = task.feet.metres_per_unit;
-    let planted: Vec<bool> = task
+fn detect(input: &mut Input) -> Output {
+    let toes = Toes::new(input);
+    let metres = input.feet.metres_per_unit;
+    let planted: Vec<bool> = input
         .feet
         .tracks
         .iter()
         .flat_map(|foot| {
             (0..foot.toe.len()).map(|frame| {
                 let step = (foot.toe[frame] - foot.toe[frame.saturating_sub(1)]) * metres;
-                step.norm_squared() < SQUARE
+                step.norm_squared() < MAX_SQUARED_DISPLACEMENT
             })
         })
         .collect();
-    toes.labelled(Part::Toe, &planted, None, None)
+    toes.into_output(Part::Toe, &planted, None, None)
 }

@@ -1,40 +1,40 @@
-//! A rule of motion-learning code: slow after a median filter.
+//! Rule of motion-learning code: slow after a median filter.
 
 use crate::foot::Part;
-use crate::plants::Limits;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "median-speed",
     title: "0.15 m/s, median filter",
-    about: "Toes slower than 0.15 m/s, the labels smoothed by a median filter of seven frames.",
+    description: "Toes slower than 0.15 m/s, the labels smoothed by a median filter of seven frames.",
     family: Family::Threshold,
     parts: &[Part::Toe],
+    thresholds: |_| Thresholds { height: None, speed: Some(SPEED) },
     detect,
 };
 
-/// In metres per second.
+/// Speed threshold, in metres per second.
 const SPEED: f64 = 0.15;
 
-pub(crate) const LIMITS: Limits = Limits { height: None, speed: Some(SPEED) };
+/// Half-width of the filter, in frames.
+const HALF_WIDTH: usize = 3;
 
-/// Frames to either side of the filter.
-const HALF: usize = 3;
-
-fn detect(task: &Task) -> Found {
-    let toes = Toes::of(task);
-    let metres = task.feet.metres_per_unit;
-    let planted: Vec<bool> = toes.signals.iter().flat_map(|signal| filtered(&signal.speed, metres)).collect();
-    toes.labelled(Part::Toe, &planted, None, None)
+fn detect(input: &mut Input) -> Output {
+    let toes = Toes::new(input);
+    let metres = input.feet.metres_per_unit;
+    let planted: Vec<bool> =
+        toes.signals.iter().flat_map(|signal| median_filtered(&signal.speed, metres)).collect();
+    toes.into_output(Part::Toe, &planted, None, None)
 }
 
-/// The majority of the labels around each frame.
-fn filtered(speed: &[f64], metres: f64) -> Vec<bool> {
+/// Returns the majority of the labels around each frame.
+fn median_filtered(speed: &[f64], metres: f64) -> Vec<bool> {
     let slow: Vec<bool> = speed.iter().map(|speed| speed * metres < SPEED).collect();
     (0..slow.len())
         .map(|frame| {
-            let window = &slow[frame.saturating_sub(HALF)..(frame + HALF + 1).min(slow.len())];
+            let window = &slow[frame.saturating_sub(HALF_WIDTH)..(frame + HALF_WIDTH + 1).min(slow.len())];
             2 * window.iter().filter(|&&slow| slow).count() > window.len()
         })
         .collect()

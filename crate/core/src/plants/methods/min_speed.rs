@@ -1,26 +1,28 @@
-//! The slower of toe and ankle under a threshold: the strongest simple rule for contact.
+//! Speed threshold on the slower of toe and ankle, the strongest simple rule for contact.
 
 use crate::foot::Part;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal;
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "min-speed",
     title: "Slower of toe and ankle",
-    about: "Contact where toe or ankle is slower than a threshold in metres per second.",
+    description: "Contact if toe or ankle is slower than a threshold in metres per second.",
     family: Family::Threshold,
     parts: &[Part::Contact],
+    thresholds: |params| Thresholds { height: None, speed: Some(params.speed) },
     detect,
 };
 
-fn detect(task: &Task) -> Found {
-    let feet = task.feet;
-    let [toe, ankle] = [signal::plain(feet, |foot| &foot.toe), signal::plain(feet, |foot| &foot.ankle)];
-    let mut toes = Toes::of(task);
-    toes.signals = signal::either(&ankle, &toe, &signal::bearing(&ankle, &toe, 0.0));
-    let most = task.params.speed() / feet.metres_per_unit;
+fn detect(input: &mut Input) -> Output {
+    let feet = input.feet;
+    let [toe, ankle] = [signal::raw(feet, |foot| &foot.toe), signal::raw(feet, |foot| &foot.ankle)];
+    let mut toes = Toes::new(input);
+    toes.signals = signal::select(&ankle, &toe, &signal::weight_bearing(&ankle, &toe, 0.0));
+    let max = input.params.speed() / feet.metres_per_unit;
     let planted: Vec<bool> =
-        toes.signals.iter().flat_map(|signal| signal.speed.iter().map(|&speed| speed < most)).collect();
-    toes.labelled(Part::Contact, &planted, None, None)
+        toes.signals.iter().flat_map(|signal| signal.speed.iter().map(|&speed| speed < max)).collect();
+    toes.into_output(Part::Contact, &planted, None, None)
 }

@@ -1,15 +1,14 @@
-//! The methods of detection: one file each.
+//! Detection methods: one file or folder per method, and their registry.
 //!
-//! [`Method::Robust`] is the one to use. The others stand beside it: the
-//! published method, its relatives in spectral clustering, and what is commonly
-//! done instead.
+//! [`Method::Robust`] is the default. The others serve as a comparison: the method of the paper,
+//! other spectral clusterings, mixture models, and thresholds in common use.
 
 mod displacement;
-mod fixed_scale;
+mod fixed_sigma;
 mod gmm;
 mod height_speed;
 mod hmm;
-mod local_scale;
+mod local_sigma;
 mod median_speed;
 mod min_speed;
 mod ncut;
@@ -20,177 +19,119 @@ mod sparse;
 mod thresholds;
 mod toes;
 
-use std::cell::Cell;
-use std::fmt;
-use std::str::FromStr;
-
-pub(crate) use height_speed::LIMITS as HEIGHT_SPEED;
-pub(crate) use median_speed::LIMITS as MEDIAN_SPEED;
-pub(crate) use robust::Kept;
+pub(crate) use robust::DetectionCache;
 
 use crate::foot::Part;
-use crate::lookup::named;
 use crate::notice::Notice;
-use crate::plants::{Feet, PartLabels, ValidParams};
+use crate::plants::{Feet, Params, PartLabels, Thresholds, ValidParams};
+use crate::registry::registry;
 
-/// How plants are found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// Contact, toe and heel by anchored degrees: the one to use.
-    #[default]
-    Robust,
-    /// The published method, word for word.
-    Paper,
-    /// The published method with the same scale for every clip (paper, section 3.4).
-    FixedScale,
-    /// Two eigenvectors with rows of unit length (Ng, Jordan and Weiss 2002).
-    Njw,
-    /// The second eigenvector: normalised cut (Shi and Malik 2000).
-    Ncut,
-    /// A scale for each sample (Zelnik-Manor and Perona 2005).
-    LocalScale,
-    /// Likeness cut off at a distance (paper, section 3.3).
-    Sparse,
-    /// Two Gaussians on the logarithms of height and speed.
-    Gmm,
-    /// Two Gaussian states in a hidden Markov model.
-    Hmm,
-    /// Lower than a threshold.
-    Height,
-    /// Slower than a threshold.
-    Speed,
-    /// Both lower and slower than thresholds.
-    Dual,
-    /// The slower of toe and ankle slower than a threshold.
-    MinSpeed,
-    /// Slower than 0.15 m/s after a median filter.
-    MedianSpeed,
-    /// Moved by less than √0.002 of a unit from frame to frame.
-    Displacement,
-    /// Lower than 0.114 m and slower than 0.93 m/s.
-    HeightSpeed,
+registry! {
+    /// Method of detection.
+    pub enum Method: MethodInfo as "method" {
+        /// Contact, toe and heel by weighted degrees; the default.
+        #[default]
+        Robust => robust::METHOD,
+        /// The method of the paper, exactly as published.
+        Paper => paper::METHOD,
+        /// The method of the paper with one bandwidth for every clip (paper, section 3.4).
+        FixedSigma => fixed_sigma::METHOD,
+        /// Two eigenvectors with rows of unit length (Ng, Jordan and Weiss 2002).
+        Njw => njw::METHOD,
+        /// Second eigenvector: normalised cut (Shi and Malik 2000).
+        Ncut => ncut::METHOD,
+        /// One bandwidth per sample (Zelnik-Manor and Perona 2005).
+        LocalSigma => local_sigma::METHOD,
+        /// Affinities truncated at a distance (paper, section 3.3).
+        Sparse => sparse::METHOD,
+        /// Two Gaussians on the logarithms of height and speed.
+        Gmm => gmm::METHOD,
+        /// Two Gaussian states in a hidden Markov model.
+        Hmm => hmm::METHOD,
+        /// Threshold on height.
+        Height => thresholds::HEIGHT,
+        /// Threshold on speed.
+        Speed => thresholds::SPEED,
+        /// Thresholds on both height and speed.
+        Dual => thresholds::DUAL,
+        /// Threshold on the speed of the slower of toe and ankle.
+        MinSpeed => min_speed::METHOD,
+        /// 0.15 m/s after a median filter.
+        MedianSpeed => median_speed::METHOD,
+        /// Squared displacement of 0.002 m² per frame.
+        Displacement => displacement::METHOD,
+        /// 0.114 m and 0.93 m/s.
+        HeightSpeed => height_speed::METHOD,
+    }
 }
 
-/// What kind of method it is.
+/// Family of methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Family {
-    /// It clusters a graph of likenesses.
+    /// Clusters an affinity graph.
     Spectral,
-    /// It fits distributions to each clip.
+    /// Fits distributions to each clip.
     Mixture,
-    /// It compares heights or speeds in metres with thresholds.
+    /// Compares heights or speeds in metres with thresholds.
     Threshold,
 }
 
-/// What a method is told.
-pub(crate) struct Task<'a> {
-    pub feet: &'a Feet,
-    /// The feet of the same character standing still, to be clustered along.
-    pub still: Option<&'a Feet>,
-    pub params: ValidParams,
-    /// What was kept from one detection of these feet to the next, where there may be one.
-    pub kept: Option<&'a Cell<Option<Kept>>>,
+impl Family {
+    /// Returns the name: `spectral`, `mixture` or `threshold`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Family::Spectral => "spectral",
+            Family::Mixture => "mixture",
+            Family::Threshold => "threshold",
+        }
+    }
 }
 
-/// What a method finds.
-pub(crate) struct Found {
+/// Input of a method.
+pub(crate) struct Input<'a> {
+    pub feet: &'a Feet,
+    /// Feet of the same character standing still, whose samples are clustered along.
+    pub standing: Option<&'a Feet>,
+    pub params: ValidParams,
+    /// Results cached between detections on these feet.
+    pub cache: Option<&'a mut DetectionCache>,
+}
+
+/// Output of a method.
+pub(crate) struct Output {
     pub parts: Vec<PartLabels>,
     pub notices: Vec<Notice>,
 }
 
-/// What a method's file says of it.
-pub(crate) struct Entry {
+/// Registry entry of a method.
+pub(crate) struct MethodInfo {
     name: &'static str,
     title: &'static str,
-    about: &'static str,
+    description: &'static str,
     family: Family,
-    /// The parts that it labels, the one that says best when a foot is down first.
+    /// Labelled parts; the first one defines the plants.
     parts: &'static [Part],
-    detect: fn(&Task) -> Found,
+    /// Thresholds that the method compares with.
+    thresholds: fn(&Params) -> Thresholds,
+    detect: fn(&mut Input) -> Output,
 }
 
 impl Method {
-    /// All methods, the default first.
-    pub const ALL: [Method; 16] = [
-        Method::Robust,
-        Method::Paper,
-        Method::FixedScale,
-        Method::Njw,
-        Method::Ncut,
-        Method::LocalScale,
-        Method::Sparse,
-        Method::Gmm,
-        Method::Hmm,
-        Method::Height,
-        Method::Speed,
-        Method::Dual,
-        Method::MinSpeed,
-        Method::MedianSpeed,
-        Method::Displacement,
-        Method::HeightSpeed,
-    ];
-
-    fn entry(self) -> &'static Entry {
-        match self {
-            Method::Robust => &robust::METHOD,
-            Method::Paper => &paper::METHOD,
-            Method::FixedScale => &fixed_scale::METHOD,
-            Method::Njw => &njw::METHOD,
-            Method::Ncut => &ncut::METHOD,
-            Method::LocalScale => &local_scale::METHOD,
-            Method::Sparse => &sparse::METHOD,
-            Method::Gmm => &gmm::METHOD,
-            Method::Hmm => &hmm::METHOD,
-            Method::Height => &thresholds::HEIGHT,
-            Method::Speed => &thresholds::SPEED,
-            Method::Dual => &thresholds::DUAL,
-            Method::MinSpeed => &min_speed::METHOD,
-            Method::MedianSpeed => &median_speed::METHOD,
-            Method::Displacement => &displacement::METHOD,
-            Method::HeightSpeed => &height_speed::METHOD,
-        }
-    }
-
-    /// The method's name on the command line and in documents, as in `robust`.
-    pub fn name(self) -> &'static str {
-        self.entry().name
-    }
-
-    /// The method's name for people, as in `Robust spectral`.
-    pub fn title(self) -> &'static str {
-        self.entry().title
-    }
-
-    /// What the method does, in a sentence.
-    pub fn about(self) -> &'static str {
-        self.entry().about
-    }
-
-    /// What kind of method it is.
+    /// Returns the family of the method.
     pub fn family(self) -> Family {
         self.entry().family
     }
 
-    /// The parts that it labels, the one that says best when a foot is down first.
+    /// Returns the labelled parts; the first one defines the plants.
     pub fn parts(self) -> &'static [Part] {
         self.entry().parts
     }
 
-    pub(crate) fn detect(self, task: &Task) -> Found {
-        (self.entry().detect)(task)
+    pub(crate) fn thresholds(self, params: &Params) -> Thresholds {
+        (self.entry().thresholds)(params)
     }
-}
 
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Method {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Method, String> {
-        named("method", &Method::ALL, Method::name, name)
+    pub(crate) fn detect(self, input: &mut Input) -> Output {
+        (self.entry().detect)(input)
     }
 }

@@ -1,47 +1,49 @@
-//! Normalised cut: the second eigenvector (Shi and Malik, *Normalized cuts and
-//! image segmentation*, PAMI 22(8), 2000).
+//! Normalised cut: the second eigenvector (Shi and Malik, *Normalized cuts and image segmentation*,
+//! PAMI 22(8), 2000).
 
 use crate::foot::Part;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal::samples::Samples;
-use crate::plants::spectral::affinity::{Graph, Kernel};
+use crate::plants::spectral::affinity::{AffinityGraph, Kernel};
 use crate::plants::spectral::lanczos;
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "ncut",
     title: "Normalised cut",
-    about: "The second eigenvector of the same graph, parted by two-means.",
+    description: "Second eigenvector of the same graph, split by two-means.",
     family: Family::Spectral,
     parts: &[Part::Toe],
+    thresholds: |_| Thresholds::NONE,
     detect,
 };
 
-fn detect(task: &Task) -> Found {
-    let toes = Toes::of(task);
-    let (scale, sigma) = toes.scale(task);
-    let (first, second) = leading_vectors(&toes.samples, sigma);
-    // D^-½ turns the symmetric matrix's vector into the cut's indicator.
+fn detect(input: &mut Input) -> Output {
+    let toes = Toes::new(input);
+    let (bandwidth, sigma) = toes.bandwidth(input);
+    let (first, second) = leading_eigenvectors(&toes.samples, sigma);
+    // D^-½ maps the eigenvector of the symmetric matrix to the indicator of the cut.
     let values =
         second.iter().zip(&first).map(|(second, first)| if *first > 0.0 { second / first } else { 0.0 });
-    toes.parted_by(values.collect(), scale, sigma)
+    toes.split_by_value(values.collect(), bandwidth, sigma)
 }
 
-/// The two leading eigenvectors of D^-½ A D^-½, of unit length.
-pub(crate) fn leading_vectors(samples: &Samples, sigma: f64) -> (Vec<f64>, Vec<f64>) {
+/// Returns the two leading eigenvectors of D^-½ A D^-½, with unit length.
+pub(crate) fn leading_eigenvectors(samples: &Samples, sigma: f64) -> (Vec<f64>, Vec<f64>) {
     let count = samples.len();
     if sigma <= 1e-30 {
         return (vec![0.0; count], vec![0.0; count]);
     }
-    let graph = Graph::new(samples, sigma, Kernel::Gaussian);
-    let roots: Vec<f64> = graph.times(&vec![1.0; count]).into_iter().map(f64::sqrt).collect();
-    let length = roots.iter().map(|root| root * root).sum::<f64>().sqrt();
-    let first: Vec<f64> = roots.iter().map(|root| root / length).collect();
-    // A sample without neighbours is nobody's part.
-    let over = |x: &[f64]| -> Vec<f64> {
-        x.iter().zip(&roots).map(|(x, root)| if *root > 1e-8 { x / root } else { 0.0 }).collect()
+    let graph = AffinityGraph::new(samples, sigma, Kernel::Gaussian);
+    let sqrt_degrees: Vec<f64> = graph.multiply(&vec![1.0; count]).into_iter().map(f64::sqrt).collect();
+    let length = sqrt_degrees.iter().map(|value| value * value).sum::<f64>().sqrt();
+    let first: Vec<f64> = sqrt_degrees.iter().map(|value| value / length).collect();
+    // A sample without neighbours belongs to neither class.
+    let scale = |x: &[f64]| -> Vec<f64> {
+        x.iter().zip(&sqrt_degrees).map(|(x, value)| if *value > 1e-8 { x / value } else { 0.0 }).collect()
     };
-    let times = |x: &[f64]| over(&graph.times(&over(x)));
-    let second = lanczos::leading(times, &first);
+    let multiply = |x: &[f64]| scale(&graph.multiply(&scale(x)));
+    let second = lanczos::leading_eigenvector(multiply, &first);
     (first, second)
 }

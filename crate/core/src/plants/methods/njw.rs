@@ -1,25 +1,27 @@
-//! Two eigenvectors with rows of unit length (Ng, Jordan and Weiss, *On spectral
-//! clustering: analysis and an algorithm*, NIPS 2002).
+//! Two eigenvectors with rows of unit length (Ng, Jordan and Weiss, *On spectral clustering:
+//! analysis and an algorithm*, NIPS 2002).
 
 use crate::foot::Part;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task, ncut};
+use crate::plants::methods::{Family, Input, MethodInfo, Output, ncut};
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "njw",
     title: "Ng–Jordan–Weiss",
-    about: "Two eigenvectors with rows of unit length, as the algorithm that the paper builds on has them.",
+    description: "Two eigenvectors with rows of unit length: the algorithm on which the paper builds.",
     family: Family::Spectral,
     parts: &[Part::Toe],
+    thresholds: |_| Thresholds::NONE,
     detect,
 };
 
-fn detect(task: &Task) -> Found {
-    let toes = Toes::of(task);
-    let (scale, sigma) = toes.scale(task);
-    let (first, second) = ncut::leading_vectors(&toes.samples, sigma);
-    // The first vector has no negative entry, so the rows lie on half a circle:
-    // where along it a row lies says all that k-means needs.
+fn detect(input: &mut Input) -> Output {
+    let toes = Toes::new(input);
+    let (bandwidth, sigma) = toes.bandwidth(input);
+    let (first, second) = ncut::leading_eigenvectors(&toes.samples, sigma);
+    // The first eigenvector has no negative entry, so the rows lie on a semicircle, and the angle
+    // of a row is all that k-means needs.
     let angles = first.iter().zip(&second).map(|(first, second)| second.atan2(*first));
-    toes.parted_by(angles.collect(), scale, sigma)
+    toes.split_by_value(angles.collect(), bandwidth, sigma)
 }

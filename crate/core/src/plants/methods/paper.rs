@@ -1,20 +1,22 @@
-//! The published method (paper, section 2.3).
+//! The method of the paper (section 2.3).
 
 use crate::foot::Part;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "paper",
     title: "Paper 2014",
-    about: "The published method, word for word: toes only, and no answer for feet that never move.",
+    description: "The method exactly as published: toes only, and no answer for feet that never move.",
     family: Family::Spectral,
     parts: &[Part::Toe],
+    thresholds: |_| Thresholds::NONE,
     detect,
 };
 
-fn detect(task: &Task) -> Found {
-    let toes = Toes::of(task);
-    let (scale, sigma) = toes.scale(task);
-    toes.parted_by_degree(scale, sigma, task.params.pairs())
+fn detect(input: &mut Input) -> Output {
+    let toes = Toes::new(input);
+    let (bandwidth, sigma) = toes.bandwidth(input);
+    toes.split_by_degree(bandwidth, sigma, input.params.summation())
 }

@@ -1,43 +1,46 @@
-//! Likeness cut off at a distance, which makes the matrix sparse (paper, section 3.3).
+//! Affinities truncated at a distance, which makes the matrix sparse (paper, section 3.3).
 
 use crate::foot::Part;
 use crate::numeric::sort;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal::samples::Samples;
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "sparse",
     title: "Sparse",
-    about: "The published method without the likeness of samples more than 2σ apart.",
+    description: "The method of the paper without affinities of samples more than 2σ apart.",
     family: Family::Spectral,
     parts: &[Part::Toe],
+    thresholds: |_| Thresholds::NONE,
     detect,
 };
 
-/// Distance in units of σ from which samples are not alike at all.
-const REACH: f64 = 2.0;
+/// Distance beyond which the affinity is zero, in units of σ.
+const CUTOFF: f64 = 2.0;
 
-fn detect(task: &Task) -> Found {
-    let toes = Toes::of(task);
-    let (scale, sigma) = toes.scale(task);
-    let roots = roots(&toes.samples, sigma);
-    toes.parted_by(roots, scale, sigma)
+fn detect(input: &mut Input) -> Output {
+    let toes = Toes::new(input);
+    let (bandwidth, sigma) = toes.bandwidth(input);
+    let values = sqrt_degrees(&toes.samples, sigma);
+    toes.split_by_value(values, bandwidth, sigma)
 }
 
-/// Roots of the degrees: samples in the order of their norms, which differ by less than any distance.
-fn roots(samples: &Samples, sigma: f64) -> Vec<f64> {
+/// Returns the sqrt-degrees. Samples are visited in the order of their norms, whose differences are
+/// lower bounds of the distances.
+fn sqrt_degrees(samples: &Samples, sigma: f64) -> Vec<f64> {
     let count = samples.len();
     let mut degrees = vec![0.0; count];
-    let order = sort::ascending(&samples.norms);
-    for (place, &i) in order.iter().enumerate() {
-        let near = |&&j: &&usize| samples.norms[j] - samples.norms[i] <= REACH * sigma;
-        for &j in order[place + 1..].iter().take_while(near) {
-            let square = samples.square(i, j);
-            if sigma > 0.0 && square <= (REACH * sigma).powi(2) {
-                let likeness = (-square / (sigma * sigma)).exp();
-                degrees[i] += likeness;
-                degrees[j] += likeness;
+    let order = sort::argsort(&samples.norms);
+    for (position, &i) in order.iter().enumerate() {
+        let near = |&&j: &&usize| samples.norms[j] - samples.norms[i] <= CUTOFF * sigma;
+        for &j in order[position + 1..].iter().take_while(near) {
+            let squared = samples.squared_distance(i, j);
+            if sigma > 0.0 && squared <= (CUTOFF * sigma).powi(2) {
+                let affinity = (-squared / (sigma * sigma)).exp();
+                degrees[i] += affinity;
+                degrees[j] += affinity;
             }
         }
     }

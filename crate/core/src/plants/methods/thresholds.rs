@@ -1,37 +1,43 @@
-//! Thresholds on height and speed: the baselines of the paper's table 3.
+//! Thresholds on height and speed: the baselines of table 3 of the paper.
 
 use crate::foot::Part;
+use crate::plants::Thresholds;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Entry, Family, Found, Task};
+use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
-pub(crate) const HEIGHT: Entry = Entry {
+pub(crate) const HEIGHT: MethodInfo = MethodInfo {
     name: "height",
     title: "Height threshold",
-    about: "Toes lower than a threshold in metres, the same for every clip.",
+    description: "Toes lower than a threshold in metres, the same for every clip.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    detect: |task| by(task, true, false),
+    thresholds: |params| Thresholds { height: Some(params.height), speed: None },
+    detect: by_thresholds,
 };
 
-pub(crate) const SPEED: Entry = Entry {
+pub(crate) const SPEED: MethodInfo = MethodInfo {
     name: "speed",
     title: "Speed threshold",
-    about: "Toes slower than a threshold in metres per second, the same for every clip.",
+    description: "Toes slower than a threshold in metres per second, the same for every clip.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    detect: |task| by(task, false, true),
+    thresholds: |params| Thresholds { height: None, speed: Some(params.speed) },
+    detect: by_thresholds,
 };
 
-pub(crate) const DUAL: Entry = Entry {
+pub(crate) const DUAL: MethodInfo = MethodInfo {
     name: "dual",
     title: "Height and speed thresholds",
-    about: "Toes both lower and slower than thresholds, the same for every clip.",
+    description: "Toes both lower and slower than thresholds, the same for every clip.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    detect: |task| by(task, true, true),
+    thresholds: |params| Thresholds { height: Some(params.height), speed: Some(params.speed) },
+    detect: by_thresholds,
 };
 
-fn by(task: &Task, low: bool, slow: bool) -> Found {
-    let (most_height, most_speed) = (task.params.height(), task.params.speed());
-    Toes::of(task).by_rule(|height, speed| (!low || height < most_height) && (!slow || speed < most_speed))
+fn by_thresholds(input: &mut Input) -> Output {
+    let Thresholds { height: max_height, speed: max_speed } = input.params.thresholds();
+    Toes::new(input).by_rule(|height, speed| {
+        max_height.is_none_or(|max| height < max) && max_speed.is_none_or(|max| speed < max)
+    })
 }

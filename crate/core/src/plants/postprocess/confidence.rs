@@ -1,23 +1,25 @@
-//! How sure a label is.
+//! Confidence of labels.
 
 use crate::plants::spectral::threshold::Evidence;
 
-/// Steepness and offset of the logistic curve, fitted on the generated set (seeds 0 to 2).
+/// Slope and offset of the logistic curve, fitted on generated motion (seeds 0 to 2).
 const SLOPE: f64 = 9.6;
 const OFFSET: f64 = -5.2;
 
-/// Probability that each sample of one run of frames is planted.
+/// Returns the probability that each sample of a span is planted.
 ///
-/// `roots` are the samples' u; the margin to the threshold is averaged over
-/// `half` frames to either side.
-pub(crate) fn planted_probability(roots: &[f32], evidence: &Evidence, half: usize) -> Vec<f64> {
-    let span = evidence.planted_middle - evidence.threshold;
-    // Samples that are all alike have no threshold: there is nothing to doubt.
-    if !span.is_finite() {
-        return vec![1.0; roots.len()];
+/// `values` are the u of the samples. Their distance to the threshold, relative to the median of
+/// the planted class, is averaged over `half` frames on either side.
+pub(crate) fn planted_probability(values: &[f32], evidence: &Evidence, half: usize) -> Vec<f64> {
+    let scale = evidence.planted_median - evidence.threshold;
+    // Equal samples have no threshold and no doubt.
+    if !scale.is_finite() {
+        return vec![1.0; values.len()];
     }
-    let margins: Vec<f64> =
-        roots.iter().map(|&root| ((f64::from(root) - evidence.threshold) / span).clamp(-1.0, 1.0)).collect();
+    let margins: Vec<f64> = values
+        .iter()
+        .map(|&value| ((f64::from(value) - evidence.threshold) / scale).clamp(-1.0, 1.0))
+        .collect();
     (0..margins.len())
         .map(|frame| {
             let window = &margins[frame.saturating_sub(half)..(frame + half + 1).min(margins.len())];
@@ -27,7 +29,8 @@ pub(crate) fn planted_probability(roots: &[f32], evidence: &Evidence, half: usiz
         .collect()
 }
 
-/// Probability that a label is right, given that of being planted; never worse than a coin.
-pub(crate) fn of_label(planted: bool, probability: f64) -> f32 {
+/// Returns the probability that a label is right, at least 0.5, given the probability of being
+/// planted.
+pub(crate) fn label_confidence(planted: bool, probability: f64) -> f32 {
     (if planted { probability } else { 1.0 - probability }).max(0.5) as f32
 }

@@ -1,10 +1,9 @@
-//! Feet that are dragged: low and slow like planted ones, but bound for somewhere.
+//! Dragged feet: low and slow like planted feet, but travelling.
 //!
-//! Frame by frame, a foot that creeps is a planted one with noise. What tells them
-//! apart is where it gets to. Feet that stand, stand on the same ground, be it a
-//! floor, a belt or a platform on the move: they do not part. So where both feet are
-//! labelled planted and part all the same, steadily and without a step, the one that
-//! moves is dragged.
+//! In a single frame a dragged foot looks like a planted foot with noise; the difference is the
+//! distance it travels. Planted feet stand on the same ground, be it a floor, a treadmill or a
+//! moving platform, and keep their distance. If both feet are labelled as planted and separate
+//! steadily and without a step, the foot that moves is dragged.
 
 use std::ops::Range;
 
@@ -13,47 +12,53 @@ use nalgebra::Vector3;
 use crate::kinematics::Track;
 use crate::plants::{Feet, FootLabels};
 
-/// Off the ground and faster than this, in legs per second, a foot takes a step.
-const STEP: f64 = 1.0;
-/// How far feet part if one is dragged, in legs: further than plants slide.
-const PARTED: f64 = 0.4;
-/// The least and the most time that this takes, in seconds in which both are labelled
-/// planted: landings and slips are over sooner, and what takes longer is drift.
-const SHORTEST: f64 = 0.6;
-const LONGEST: f64 = 3.0;
-/// The least share of [`PARTED`] in either half of the time: a slip comes to rest, a dragged foot goes on.
-const STEADY: f64 = 0.25;
+/// Speed of a step, in leg lengths per second: a foot that is not planted and faster takes a step.
+const STEP_SPEED: f64 = 1.0;
+/// Separation that indicates dragging, in leg lengths; planted feet slide less.
+const SEPARATION: f64 = 0.4;
+/// Minimum and maximum duration of the separation, in seconds with both feet planted. Landings and
+/// slips are shorter; slower separation is drift.
+const MIN_DURATION: f64 = 0.6;
+const MAX_DURATION: f64 = 3.0;
+/// Minimum fraction of [`SEPARATION`] in either half of the time: a slip comes to rest, a dragged
+/// foot continues.
+const MIN_HALF_SEPARATION: f64 = 0.25;
 
-/// What is left of [`PARTED`] where feet are far from parted, as a share: then places are passed over.
-const ROOM: f64 = 0.25;
+/// Minimum slack, as a fraction of [`SEPARATION`], that allows skipping samples of feet that are
+/// far from separated.
+const MIN_SLACK: f64 = 0.25;
 
-/// Takes the contact of dragged feet away, in one piece of the motion.
-pub(crate) fn drop_dragged(feet: &Feet, piece: &Range<usize>, contact: &mut [FootLabels; 2]) {
-    let both = |frame: &usize| contact.iter().all(|labels| labels.planted[*frame]);
-    let shared: Vec<usize> = piece.clone().filter(both).collect();
-    let steps = contact.each_ref().map(|labels| steps(labels, STEP * feet.leg));
-    let stand = Stand::of(feet, &shared);
+/// Removes the contact of dragged feet within one span of motion.
+pub(crate) fn drop_dragged(feet: &Feet, span: &Range<usize>, contact: &mut [FootLabels; 2]) {
+    let both_planted = |frame: &usize| contact.iter().all(|labels| labels.planted[*frame]);
+    let both_planted_frames: Vec<usize> = span.clone().filter(both_planted).collect();
+    let stance_ids = contact.each_ref().map(|labels| stance_ids(labels, STEP_SPEED * feet.leg));
+    let both = BothPlanted::of(feet, &both_planted_frames);
     for foot in 0..2 {
-        let stay = |place: usize| steps[foot][shared[place]];
+        let stance_id = |index: usize| stance_ids[foot][both_planted_frames[index]];
         let labels = &mut contact[foot];
-        for (from, to) in stand.partings(feet, foot, stay) {
-            // While the other foot is up there is no telling: those frames are as their neighbours.
-            let start = from.checked_sub(1).map_or(piece.start, |before| shared[before] + 1);
-            let end = shared.get(to + 1).copied().unwrap_or(piece.end);
-            let is_dragged = |frame: &usize| labels.planted[*frame] && steps[foot][*frame] == stay(from);
+        for (from, to) in both.separations(feet, foot, stance_id) {
+            // While the other foot is up, the frames take the label of their neighbours.
+            let start = from.checked_sub(1).map_or(span.start, |before| both_planted_frames[before] + 1);
+            let end = both_planted_frames.get(to + 1).copied().unwrap_or(span.end);
+            let is_dragged =
+                |frame: &usize| labels.planted[*frame] && stance_ids[foot][*frame] == stance_id(from);
             for frame in (start..end).filter(is_dragged).collect::<Vec<_>>() {
                 labels.planted[frame] = false;
-                // The clustering says otherwise.
+                // The clustering disagrees.
                 labels.confidence[frame] = 0.5;
             }
         }
     }
 }
 
-/// A number for each frame of the clip that is another one once a foot has taken a step.
-fn steps(labels: &FootLabels, fast: f64) -> Vec<usize> {
-    let is_step =
-        labels.planted.iter().zip(&labels.speed).map(|(planted, speed)| !planted && f64::from(*speed) > fast);
+/// Returns a number per frame that increases when the foot takes a step.
+fn stance_ids(labels: &FootLabels, step_speed: f64) -> Vec<usize> {
+    let is_step = labels
+        .planted
+        .iter()
+        .zip(&labels.speed)
+        .map(|(planted, speed)| !planted && f64::from(*speed) > step_speed);
     is_step
         .scan(0, |count, is_step| {
             *count += usize::from(is_step);
@@ -62,112 +67,119 @@ fn steps(labels: &FootLabels, fast: f64) -> Vec<usize> {
         .collect()
 }
 
-/// Both feet in the frames in which both are labelled planted, which its methods count by place.
-struct Stand {
-    /// The ways of ankle and toe of each foot; what they move in other frames is left out.
-    ways: [[Track; 2]; 2],
-    /// The furthest that two joints part from one place to the next.
-    fastest: f64,
+/// Both feet in the frames in which both are planted; its methods use indices into these frames.
+struct BothPlanted {
+    /// Paths of ankle and toe of each foot; motion in other frames is left out.
+    paths: [[Track; 2]; 2],
+    /// Maximum separation of two joints from one index to the next.
+    max_step: f64,
 }
 
-impl Stand {
-    fn of(feet: &Feet, shared: &[usize]) -> Stand {
-        let way = |track: &Track| {
-            let mut place = Vector3::zeros();
+impl BothPlanted {
+    fn of(feet: &Feet, both_planted_frames: &[usize]) -> BothPlanted {
+        let path = |track: &Track| {
+            let mut position = Vector3::zeros();
             let step = |index: usize| {
-                let frame = shared[index];
-                if index > 0 && shared[index - 1] + 1 == frame {
-                    place += track[frame] - track[frame - 1];
+                let frame = both_planted_frames[index];
+                if index > 0 && both_planted_frames[index - 1] + 1 == frame {
+                    position += track[frame] - track[frame - 1];
                 }
-                place
+                position
             };
-            (0..shared.len()).map(step).collect()
+            (0..both_planted_frames.len()).map(step).collect()
         };
-        let ways = feet.tracks.each_ref().map(|foot| [way(&foot.ankle), way(&foot.toe)]);
-        let [left, right] = &ways;
+        let paths = feet.tracks.each_ref().map(|foot| [path(&foot.ankle), path(&foot.toe)]);
+        let [left, right] = &paths;
         let step =
             |a: &Track, b: &Track, to: usize| ((a[to] - a[to - 1]) - (b[to] - b[to - 1])).norm_squared();
-        let fastest = (1..shared.len())
+        let max_step = (1..both_planted_frames.len())
             .flat_map(|to| left.iter().flat_map(move |a| right.iter().map(move |b| step(a, b, to))))
-            .fold(0.0, |most, step| if step > most { step } else { most })
+            .fold(0.0, |max, step| if step > max { step } else { max })
             .sqrt();
-        Stand { ways, fastest }
+        BothPlanted { paths, max_step }
     }
 
-    /// The shortest stretches in which a foot is dragged away from the other, as first and last
-    /// place; `stay` numbers its stays between two steps.
-    fn partings(&self, feet: &Feet, foot: usize, stay: impl Fn(usize) -> usize) -> Vec<(usize, usize)> {
-        let count = self.ways[foot][0].len();
-        let (shortest, longest) = (feet.frames_in(SHORTEST), feet.frames_in(LONGEST));
-        let parted = PARTED * feet.leg;
+    /// Returns the shortest ranges, as first and last index, in which a foot is dragged away from
+    /// the other. `stance_id` numbers the periods between two steps of the foot.
+    fn separations(
+        &self,
+        feet: &Feet,
+        foot: usize,
+        stance_id: impl Fn(usize) -> usize,
+    ) -> Vec<(usize, usize)> {
+        let count = self.paths[foot][0].len();
+        let (min_frames, max_frames) = (feet.frames_in(MIN_DURATION), feet.frames_in(MAX_DURATION));
+        let distance = SEPARATION * feet.leg;
         let mut earliest = count;
-        let mut stay_end = count;
-        let mut partings = Vec::new();
-        let mut room = 0.0;
+        let mut stance_end = count;
+        let mut separations = Vec::new();
+        let mut slack = 0.0;
         for from in (0..count).rev() {
-            if from + 1 < count && stay(from + 1) != stay(from) {
-                stay_end = from + 1;
+            if from + 1 < count && stance_id(from + 1) != stance_id(from) {
+                stance_end = from + 1;
             }
-            // One that holds a shorter one begins or ends at rest.
-            let end = earliest.min(from + longest + 1).min(stay_end);
-            // From the place after this one they parted by so much less.
-            room -= self.fastest;
-            if room > 0.0 {
+            // A range that contains a shorter one begins or ends at rest.
+            let end = earliest.min(from + max_frames + 1).min(stance_end);
+            // From the next index on the separation was larger by at most `max_step`.
+            slack -= self.max_step;
+            if slack > 0.0 {
                 continue;
             }
-            let to = match self.first_parted(from, end, parted) {
+            let to = match self.first_separated(from, end, distance) {
                 Ok(to) => to,
-                Err(left) => {
-                    room = left;
+                Err(remaining) => {
+                    slack = remaining;
                     continue;
                 }
             };
             earliest = to;
             let middle = usize::midpoint(from, to);
-            let is_steady = self.parted(from, middle).min(self.parted(middle, to)) > STEADY * parted;
-            let is_mover = self.moved(foot, from, to) > self.moved(1 - foot, from, to);
-            if to - from >= shortest && is_steady && is_mover {
-                partings.push((from, to));
+            let is_steady = self.separation(from, middle).min(self.separation(middle, to))
+                > MIN_HALF_SEPARATION * distance;
+            let is_mover = self.distance_moved(foot, from, to) > self.distance_moved(1 - foot, from, to);
+            if to - from >= min_frames && is_steady && is_mover {
+                separations.push((from, to));
             }
         }
-        partings
+        separations
     }
 
-    /// The first place after `from` and before `end` to which the feet part by more than `far`; if
-    /// there is none, by how much less they part at least.
-    fn first_parted(&self, from: usize, end: usize, far: f64) -> Result<usize, f64> {
-        let mut least = ROOM * far;
+    /// Returns the first index between `from` and `end` at which the feet are separated by more
+    /// than `distance`, or by how much they fall short of it at min_slack.
+    fn first_separated(&self, from: usize, end: usize, distance: f64) -> Result<usize, f64> {
+        let mut min_slack = MIN_SLACK * distance;
         let mut to = from + 1;
         while to < end {
-            let left = far - self.parted(from, to);
-            if left < 0.0 {
+            let remaining = distance - self.separation(from, to);
+            if remaining < 0.0 {
                 return Ok(to);
             }
-            least = lesser(least, left / 2.0);
-            // Sooner they cannot have less room than that.
-            to = to.saturating_add(((left - least) / self.fastest) as usize).saturating_add(1);
+            min_slack = fmin(min_slack, remaining / 2.0);
+            // Until that index the slack cannot fall below `min_slack`.
+            to = to.saturating_add(((remaining - min_slack) / self.max_step) as usize).saturating_add(1);
         }
-        Err(least)
+        Err(min_slack)
     }
 
-    /// How far the feet part between two places: by the joints that do least, as ankles turn about toes.
-    fn parted(&self, from: usize, to: usize) -> f64 {
-        let [left, right] = &self.ways;
+    /// Returns the separation of the feet between two indices: the minimum over the joints, as
+    /// ankles rotate about toes.
+    fn separation(&self, from: usize, to: usize) -> f64 {
+        let [left, right] = &self.paths;
         let pairs = left.iter().flat_map(|left| right.iter().map(move |right| (left, right)));
         pairs
             .map(|(left, right)| ((left[to] - left[from]) - (right[to] - right[from])).norm_squared())
-            .fold(f64::INFINITY, lesser)
+            .fold(f64::INFINITY, fmin)
             .sqrt()
     }
 
-    /// How far a foot moves between two places.
-    fn moved(&self, foot: usize, from: usize, to: usize) -> f64 {
-        self.ways[foot].iter().map(|way| (way[to] - way[from]).norm()).fold(f64::INFINITY, lesser)
+    /// Returns the distance that a foot moves between two indices.
+    fn distance_moved(&self, foot: usize, from: usize, to: usize) -> f64 {
+        self.paths[foot].iter().map(|path| (path[to] - path[from]).norm()).fold(f64::INFINITY, fmin)
     }
 }
 
-/// The smaller of two; a call to `min` costs more than the comparison on wasm.
-fn lesser(a: f64, b: f64) -> f64 {
+/// Returns the smaller value. In WebAssembly, calling `min` costs more than the comparison.
+fn fmin(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
@@ -180,14 +192,14 @@ mod tests {
 
     const RATE: f64 = 60.0;
 
-    /// Where something is at a time, in legs and seconds.
-    type Way<'a> = &'a dyn Fn(f64) -> Vector3<f64>;
+    /// Position at a time, in leg lengths and seconds.
+    type Path<'a> = &'a dyn Fn(f64) -> Vector3<f64>;
 
-    /// What is left of the contact of two feet, labelled planted where their toes are slower
-    /// than two legs per second; ankles are given from the toes on.
-    fn left_of(seconds: f64, rate: f64, toes: [Way; 2], ankles: [Way; 2]) -> [Vec<bool>; 2] {
+    /// Returns the contact that remains of two feet, which are labelled as planted while their toes
+    /// are slower than two leg lengths per second. Ankles are relative to toes.
+    fn remaining_contact(seconds: f64, rate: f64, toes: [Path; 2], ankles: [Path; 2]) -> [Vec<bool>; 2] {
         let frames = (seconds * rate) as usize;
-        let track = |way: Way| -> Track { (0..frames).map(|frame| way(frame as f64 / rate)).collect() };
+        let track = |path: Path| -> Track { (0..frames).map(|frame| path(frame as f64 / rate)).collect() };
         let feet = Feet {
             tracks: [0, 1].map(|foot| FootTracks {
                 ankle: track(&|time| toes[foot](time) + ankles[foot](time)),
@@ -218,16 +230,16 @@ mod tests {
         Vector3::new(0.0, 0.08, -0.13)
     }
 
-    /// Whether nothing is taken from two feet that are planted throughout.
-    fn stay(toes: [Way; 2]) -> bool {
-        left_of(30.0, RATE, toes, [&rigid; 2]).concat().iter().all(|&planted| planted)
+    /// True if nothing is removed from two feet that are planted in all frames.
+    fn all_contact_remains(toes: [Path; 2]) -> bool {
+        remaining_contact(30.0, RATE, toes, [&rigid; 2]).concat().iter().all(|&planted| planted)
     }
 
     #[test]
-    fn a_foot_that_creeps_away_from_one_that_stands_is_dragged_from_where_it_sets_out() {
+    fn a_foot_that_creeps_away_from_a_standing_foot_is_dragged() {
         for rate in [24.0, 60.0, 250.0] {
             let creeping = |time: f64| Vector3::z() * 0.25 * (time - 4.0).clamp(0.0, 6.0);
-            let [creeping, standing] = left_of(14.0, rate, [&creeping, &at_rest], [&rigid; 2]);
+            let [creeping, standing] = remaining_contact(14.0, rate, [&creeping, &at_rest], [&rigid; 2]);
             assert!(standing.iter().all(|&planted| planted));
             for (frame, planted) in creeping.iter().enumerate() {
                 let time = frame as f64 / rate;
@@ -239,62 +251,62 @@ mod tests {
     }
 
     #[test]
-    fn slips_drift_and_sway_are_none() {
+    fn slips_drift_and_sway_are_not_dragging() {
         let slip = |time: f64| Vector3::z() * 0.5 * (time - 10.0).clamp(0.0, 0.6);
         let missed_step = |time: f64| Vector3::z() * (time - 10.0).clamp(0.0, 0.5);
         let drift = |time: f64| Vector3::x() * 0.06 * time;
         let sway = |time: f64| Vector3::z() * 0.15 * (2.0 * time).sin();
-        for way in [&slip as Way, &missed_step, &drift, &sway] {
-            assert!(stay([way, &at_rest]) && stay([&at_rest, way]));
+        for path in [&slip as Path, &missed_step, &drift, &sway] {
+            assert!(all_contact_remains([path, &at_rest]) && all_contact_remains([&at_rest, path]));
         }
     }
 
     #[test]
-    fn ground_that_moves_carries_both_feet() {
+    fn moving_ground_is_not_dragging() {
         for speed in [0.05, 0.3, 0.8, 1.3] {
             let belt = |time: f64| Vector3::z() * -speed * time;
-            let quicker_and_quicker = |time: f64| Vector3::z() * -speed * time * time / 60.0;
+            let accelerating = |time: f64| Vector3::z() * -speed * time * time / 60.0;
             let platform =
                 |time: f64| Vector3::new((speed * time).sin(), 0.1 * time.cos(), speed * time.sin());
-            for way in [&belt as Way, &quicker_and_quicker, &platform] {
-                assert!(stay([way, &|time| way(time) + Vector3::x()]), "{speed}");
+            for path in [&belt as Path, &accelerating, &platform] {
+                assert!(all_contact_remains([path, &|time| path(time) + Vector3::x()]), "{speed}");
             }
         }
     }
 
     #[test]
-    fn a_foot_that_turns_about_its_toe_stands() {
+    fn a_foot_that_rotates_about_its_toe_is_planted() {
         let turning = |time: f64| Vector3::new(-0.5 * (0.6 * time).sin(), 0.08, -0.5 * (0.6 * time).cos());
-        let left = left_of(5.0, RATE, [&at_rest, &|_| Vector3::zeros()], [&turning, &rigid]);
-        assert!(left.concat().iter().all(|&planted| planted));
+        let contact = remaining_contact(5.0, RATE, [&at_rest, &|_| Vector3::zeros()], [&turning, &rigid]);
+        assert!(contact.concat().iter().all(|&planted| planted));
     }
 
-    /// Steps of 0.6 legs and 0.2 s, one a second, each foot at rest for the others'.
+    /// Steps of 0.6 leg lengths in 0.2 s, one per second; each foot rests during the other's steps.
     fn walk(time: f64, ahead: f64) -> f64 {
         let time = time + ahead;
         0.6 * (time.floor() + ((time.fract() - 0.8) / 0.2).max(0.0))
     }
 
     #[test]
-    fn between_two_steps_plants_may_skate() {
-        // Skating takes every plant a quarter of a leg on.
+    fn skating_between_steps_is_not_dragging() {
+        // Skating moves each plant by a quarter of a leg length.
         let skating = |time: f64| Vector3::z() * (walk(time, 0.0) + 0.3 * time);
         let walking = |time: f64| Vector3::z() * walk(time, 0.5);
-        let left = left_of(20.0, RATE, [&skating, &walking], [&rigid; 2]);
-        let share =
+        let contact = remaining_contact(20.0, RATE, [&skating, &walking], [&rigid; 2]);
+        let fraction =
             |labels: &[bool]| labels.iter().filter(|&&planted| planted).count() as f64 / labels.len() as f64;
         assert!(
-            left.iter().all(|labels| (share(labels) - 0.8).abs() < 0.05),
+            contact.iter().all(|labels| (fraction(labels) - 0.8).abs() < 0.05),
             "{:?}",
-            left.map(|l| share(&l))
+            contact.map(|l| fraction(&l))
         );
     }
 
     #[test]
-    fn a_foot_that_never_steps_is_dragged_after_one_that_does() {
+    fn a_foot_that_never_steps_is_dragged() {
         let dragged = |time: f64| Vector3::z() * 0.6 * time;
         let walking = |time: f64| Vector3::z() * walk(time, 0.0);
-        let [dragged, walking] = left_of(20.0, RATE, [&dragged, &walking], [&rigid; 2]);
+        let [dragged, walking] = remaining_contact(20.0, RATE, [&dragged, &walking], [&rigid; 2]);
         assert!(dragged.iter().all(|planted| !planted));
         assert!(walking.iter().filter(|&&planted| planted).count() > 900);
     }

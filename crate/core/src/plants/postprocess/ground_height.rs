@@ -1,9 +1,10 @@
-//! Where the ground is.
+//! Height of the ground.
 
 use crate::kinematics::Track;
+use crate::numeric::stats;
 use crate::plants::{Feet, PartLabels};
 
-/// The height of the lowest joint of each foot, per frame, along the up axis and in file units.
+/// Returns the height of the lowest joint of each foot per frame, along the up axis in file units.
 pub(crate) fn lowest(feet: &Feet) -> [Vec<f64>; 2] {
     feet.tracks.each_ref().map(|tracks| {
         let height = |track: &Track, frame: usize| feet.up.height(&track[frame]);
@@ -15,16 +16,13 @@ pub(crate) fn lowest(feet: &Feet) -> [Vec<f64>; 2] {
     })
 }
 
-/// Height of the ground along the up axis, in file units.
+/// Returns the height of the ground along the up axis, in file units.
 ///
-/// The middle height of the lowest joint of a planted foot; where no foot is
-/// ever planted, the lowest that any comes.
+/// The median height of the lowest joint of planted feet; if no foot is ever planted, the minimum
+/// height.
 pub(crate) fn height(lowest: &[Vec<f64>; 2], labels: &PartLabels) -> f64 {
     let all = || lowest.iter().zip(&labels.feet).flat_map(|(lowest, foot)| lowest.iter().zip(&foot.planted));
-    let mut planted: Vec<f64> = all().filter(|(_, planted)| **planted).map(|(lowest, _)| *lowest).collect();
-    if planted.is_empty() {
-        return all().map(|(lowest, _)| *lowest).fold(f64::INFINITY, f64::min);
-    }
-    let middle = planted.len() / 2;
-    *planted.select_nth_unstable_by(middle, f64::total_cmp).1
+    let planted = all().filter(|(_, planted)| **planted).map(|(lowest, _)| *lowest);
+    stats::median_high(planted)
+        .unwrap_or_else(|| all().map(|(lowest, _)| *lowest).fold(f64::INFINITY, f64::min))
 }

@@ -1,4 +1,4 @@
-//! Steps after the clustering.
+//! Post-processing: from classes of samples to labels.
 
 pub(crate) mod confidence;
 pub(crate) mod dragging;

@@ -1,19 +1,20 @@
-//! Doubts about labels and rate that a person should hear of.
+//! Plausibility of labels and frame rate.
 
 use crate::foot::Part;
 use crate::notice::{Code, Notice};
+use crate::numeric::stats;
 use crate::plants::{Feet, PartLabels};
 
-/// Nobody's foot is faster, in legs per second.
-const FASTEST: f64 = 25.0;
-/// Nobody travels with feet slower than this, in legs per second.
-const SLOWEST: f64 = 2.0;
-/// How far the hips have to come for that to count, in legs.
-const TRAVEL: f64 = 2.0;
-/// No gait leaves both feet off the ground for longer than this share of the time; sprinting does for a third.
-const AIRBORNE: f64 = 0.5;
+/// Maximum plausible speed of a foot, in leg lengths per second.
+const MAX_SPEED: f64 = 25.0;
+/// Minimum plausible speed of feet during travel, in leg lengths per second.
+const MIN_SPEED: f64 = 2.0;
+/// Minimum travel of the hips for that check, in leg lengths.
+const MIN_TRAVEL: f64 = 2.0;
+/// Maximum plausible fraction of frames with both feet off the ground; sprinting reaches a third.
+const MAX_AIRBORNE: f64 = 0.5;
 
-/// A rate at which nobody moves so.
+/// Returns a notice if the feet are implausibly fast or slow at the frame rate.
 pub(crate) fn rate(feet: &Feet) -> Option<Notice> {
     let legs_per_second =
         |pair: &[nalgebra::Vector3<f64>]| (pair[1] - pair[0]).norm() / (feet.frame_time * feet.leg);
@@ -23,36 +24,36 @@ pub(crate) fn rate(feet: &Feet) -> Option<Notice> {
     if speeds.is_empty() {
         return None;
     }
-    // A stuck-on pose is one fast step and says nothing about the rate.
-    let most = (speeds.len() as f64 * 0.98) as usize;
-    let fastest = *speeds.select_nth_unstable_by(most, f64::total_cmp).1;
+    // An added pose is one fast step and does not count.
+    let index = (speeds.len() as f64 * 0.98) as usize;
+    let fastest = stats::nth_smallest(&mut speeds, index);
     let travel = feet.hips.iter().map(|hips| (hips - start).norm()).fold(0.0, f64::max) / feet.leg;
-    let doubt = if fastest > FASTEST {
+    let problem = if fastest > MAX_SPEED {
         "faster than feet can be"
-    } else if fastest < SLOWEST && travel > TRAVEL {
+    } else if fastest < MIN_SPEED && travel > MIN_TRAVEL {
         "too slow for how far the hips travel"
     } else {
         return None;
     };
     let text = format!(
-        "At {:.4} Hz the feet are {doubt} ({fastest:.1} leg lengths per second): \
-         the file may state a wrong frame time. Set the true rate if you know it.",
+        "At {:.4} Hz the feet are {problem} ({fastest:.1} leg lengths per second); \
+         the file may state a wrong frame time. Set the frame rate if you know it.",
         1.0 / feet.frame_time
     );
     Some(Notice::new(Code::ImplausibleRate, text))
 }
 
-/// Longer in the air than anybody is.
+/// Returns a notice if both feet are in the air for an implausible fraction of the clip.
 pub(crate) fn airborne(parts: &[PartLabels]) -> Option<Notice> {
     let contact = parts.iter().find(|labels| labels.part == Part::Contact)?;
     let [left, right] = [&contact.feet[0].planted, &contact.feet[1].planted];
     let in_air = left.iter().zip(right).filter(|(left, right)| !**left && !**right).count();
-    let share = in_air as f64 / left.len().max(1) as f64;
-    (share > AIRBORNE).then(|| {
+    let fraction = in_air as f64 / left.len().max(1) as f64;
+    (fraction > MAX_AIRBORNE).then(|| {
         let text = format!(
-            "Both feet are off the ground in {:.0} % of the frames, more than any gait allows: \
-             the clip may hold no plants at all, which motion alone cannot tell.",
-            100.0 * share
+            "Both feet are off the ground in {:.0} % of the frames, more than in any gait; \
+             the clip may contain no plants at all, which motion alone cannot show.",
+            100.0 * fraction
         );
         Notice::new(Code::ImplausibleAirborne, text)
     })

@@ -1,16 +1,16 @@
-//! Runs too short for a person to make.
+//! Runs too short for a person.
 
-/// Fills gaps of less than `shortest` frames, then drops runs of less than that.
+/// Fills gaps shorter than `min_length` frames, then removes runs shorter than `min_length`.
 ///
-/// What touches either end stays: nobody knows how long it goes on.
-pub(crate) fn drop_short_runs(labels: &mut [bool], shortest: usize) {
+/// Runs that touch either end remain, as their length is unknown.
+pub(crate) fn drop_short_runs(labels: &mut [bool], min_length: usize) {
     for value in [false, true] {
         let lengths: Vec<usize> = labels.chunk_by(|a, b| a == b).map(<[bool]>::len).collect();
         let mut start = 0;
         for length in lengths {
             let run = start..start + length;
             let is_interior = run.start > 0 && run.end < labels.len();
-            if is_interior && length < shortest && labels[run.start] == value {
+            if is_interior && length < min_length && labels[run.start] == value {
                 labels[run.clone()].fill(!value);
             }
             start = run.end;
@@ -22,18 +22,18 @@ pub(crate) fn drop_short_runs(labels: &mut [bool], shortest: usize) {
 mod tests {
     use super::*;
 
-    fn cleaned(text: &str, shortest: usize) -> String {
+    fn after_removal(text: &str, min_length: usize) -> String {
         let mut labels: Vec<bool> = text.chars().map(|c| c == '#').collect();
-        drop_short_runs(&mut labels, shortest);
+        drop_short_runs(&mut labels, min_length);
         labels.iter().map(|&label| if label { '#' } else { '.' }).collect()
     }
 
     #[test]
     fn gaps_are_filled_before_runs_are_dropped() {
-        assert_eq!(cleaned("...#.#.#....", 3), "...#####....");
-        assert_eq!(cleaned("....##...###", 3), ".........###");
-        assert_eq!(cleaned("#..........#", 3), "#..........#");
-        assert_eq!(cleaned(".##########.", 3), ".##########.");
-        assert_eq!(cleaned("", 3), "");
+        assert_eq!(after_removal("...#.#.#....", 3), "...#####....");
+        assert_eq!(after_removal("....##...###", 3), ".........###");
+        assert_eq!(after_removal("#..........#", 3), "#..........#");
+        assert_eq!(after_removal(".##########.", 3), ".##########.");
+        assert_eq!(after_removal("", 3), "");
     }
 }

@@ -1,54 +1,56 @@
-//! Frames that belong to no motion: leading and trailing poses, and jumps in between.
+//! Spans of continuous motion: excludes poses at the ends of a clip and splits it at jumps.
 
 use std::ops::Range;
 
 use crate::kinematics::Track;
 use crate::plants::Feet;
 
-/// A foot faster than this, in legs per second, near an end of the clip: a pose that was stuck on.
-const STUCK_ON: f64 = 12.0;
-/// Frame steps from either end in which such poses are looked for.
-const STEPS: usize = 5;
-/// Frames dropped after the step, in which filters of the recording still ring.
-const RINGING: usize = 2;
-/// Both feet faster than this, in legs per second: no motion, but a cut.
-const TELEPORT: f64 = 25.0;
+/// Foot speed near an end of the clip that indicates an added pose, in leg lengths per second.
+const ADDED_POSE_SPEED: f64 = 12.0;
+/// Number of frame steps at either end in which added poses are searched.
+const SEARCH_STEPS: usize = 5;
+/// Frames dropped next to an added pose, in which filters of the recording still ring.
+const RINGING_FRAMES: usize = 2;
+/// Speed of both feet that indicates a jump and not motion, in leg lengths per second.
+const JUMP_SPEED: f64 = 25.0;
 
-/// The runs of frames that are one motion each; at least one frame is kept.
-pub(crate) fn pieces(feet: &Feet) -> Vec<Range<usize>> {
+/// Returns the spans of continuous motion; at least one frame remains.
+pub(crate) fn motion_spans(feet: &Feet) -> Vec<Range<usize>> {
     let frames = feet.frame_count();
-    let kept = kept(feet);
-    let mut pieces = Vec::new();
-    let mut start = kept.start;
-    for step in kept.start..kept.end.saturating_sub(1).min(frames) {
-        let is_cut = feet.tracks.iter().all(|foot| step_speed(feet, &foot.ankle, step) > TELEPORT);
-        if is_cut {
-            pieces.push(start..step + 1);
+    let frames_left = without_added_poses(feet);
+    let mut spans = Vec::new();
+    let mut start = frames_left.start;
+    for step in frames_left.start..frames_left.end.saturating_sub(1).min(frames) {
+        let is_jump = feet.tracks.iter().all(|foot| step_speed(feet, &foot.ankle, step) > JUMP_SPEED);
+        if is_jump {
+            spans.push(start..step + 1);
             start = step + 1;
         }
     }
-    pieces.push(start..kept.end);
-    pieces
+    spans.push(start..frames_left.end);
+    spans
 }
 
-fn kept(feet: &Feet) -> Range<usize> {
+fn without_added_poses(feet: &Feet) -> Range<usize> {
     let frames = feet.frame_count();
-    if frames < 4 * STEPS {
+    if frames < 4 * SEARCH_STEPS {
         return 0..frames;
     }
-    let is_stuck_on = |step: &usize| {
+    let is_added_pose = |step: &usize| {
         feet.tracks
             .iter()
             .flat_map(|foot| [&foot.ankle, &foot.toe])
-            .any(|track| step_speed(feet, track, *step) > STUCK_ON)
+            .any(|track| step_speed(feet, track, *step) > ADDED_POSE_SPEED)
     };
     // Step k leads from frame k to frame k + 1.
-    let first = (0..STEPS).rev().find(is_stuck_on).map_or(0, |step| step + 1 + RINGING);
-    let end = (frames - 1 - STEPS..frames - 1).find(is_stuck_on).map_or(frames, |step| step + 1 - RINGING);
+    let first = (0..SEARCH_STEPS).rev().find(is_added_pose).map_or(0, |step| step + 1 + RINGING_FRAMES);
+    let end = (frames - 1 - SEARCH_STEPS..frames - 1)
+        .find(is_added_pose)
+        .map_or(frames, |step| step + 1 - RINGING_FRAMES);
     first..end
 }
 
-/// Speed of the step from `frame` to the next, in legs per second.
+/// Returns the speed of the step from `frame` to the next, in leg lengths per second.
 fn step_speed(feet: &Feet, track: &Track, frame: usize) -> f64 {
     (track[frame + 1] - track[frame]).norm() / (feet.frame_time * feet.leg)
 }
@@ -61,7 +63,8 @@ mod tests {
     use crate::plants::FootTracks;
     use crate::skeleton::Up;
 
-    /// Feet of a leg of one unit at 100 Hz that jump by one unit where told.
+    /// Feet of a person with legs of one unit at 100 Hz, which jump by one unit at the given
+    /// frames.
     fn feet(frames: usize, jumps: &[usize]) -> Feet {
         let track: Track = (0..frames)
             .map(|frame| Vector3::x() * jumps.iter().filter(|&&jump| frame >= jump).count() as f64)
@@ -78,18 +81,18 @@ mod tests {
     }
 
     #[test]
-    fn whole_clips_stay_whole() {
-        assert_eq!(pieces(&feet(100, &[])), [0..100]);
+    fn continuous_clips_are_one_span() {
+        assert_eq!(motion_spans(&feet(100, &[])), [0..100]);
     }
 
     #[test]
-    fn poses_at_the_ends_are_dropped() {
-        assert_eq!(pieces(&feet(100, &[1])), [3..100]);
-        assert_eq!(pieces(&feet(100, &[2, 99])), [4..97]);
+    fn added_poses_are_dropped() {
+        assert_eq!(motion_spans(&feet(100, &[1])), [3..100]);
+        assert_eq!(motion_spans(&feet(100, &[2, 99])), [4..97]);
     }
 
     #[test]
-    fn teleports_split() {
-        assert_eq!(pieces(&feet(100, &[50])), [0..50, 50..100]);
+    fn jumps_split_the_clip() {
+        assert_eq!(motion_spans(&feet(100, &[50])), [0..50, 50..100]);
     }
 }

@@ -1,4 +1,4 @@
-//! Positions between frames, so that clips of low rates are measured as those of high ones.
+//! Resampling of clips with a low frame rate.
 
 use std::ops::Range;
 
@@ -6,50 +6,51 @@ use crate::kinematics::Track;
 use crate::numeric::interpolate;
 use crate::plants::Feet;
 
-/// The rate that clips are brought to at least, in frames per second.
-const RATE: f64 = 120.0;
+/// Minimum rate after resampling, in Hz.
+const MIN_RATE: f64 = 120.0;
 
-/// How clips of low rates are brought to about 120 Hz, piece by piece; faster ones stay as they are.
-pub(crate) struct Refined {
-    /// The pieces of the clip.
-    coarse: Vec<Range<usize>>,
-    /// The same pieces once refined.
-    pub pieces: Vec<Range<usize>>,
-    /// Frame n of the clip is frame n × stride of what is refined.
-    pub stride: usize,
-    /// Seconds from one frame of what is refined to the next.
+/// Resamples clips of low rates to about 120 Hz, span by span; faster clips are not changed.
+pub(crate) struct Resampler {
+    /// Spans of the clip, in frames.
+    spans: Vec<Range<usize>>,
+    /// The same spans in resampled frames.
+    pub fine_spans: Vec<Range<usize>>,
+    /// Upsampling factor: frame n of the clip is frame n × factor after resampling.
+    pub factor: usize,
+    /// Time between resampled frames, in seconds.
     pub frame_time: f64,
 }
 
-impl Refined {
-    /// The feet's motion in `pieces`.
-    pub fn of(feet: &Feet, pieces: &[Range<usize>]) -> Refined {
-        let stride = (RATE * feet.frame_time).round().max(1.0) as usize;
-        let fine = |piece: &Range<usize>| piece.start * stride..(piece.end - 1) * stride + 1;
-        Refined {
-            coarse: pieces.to_vec(),
-            pieces: pieces.iter().map(fine).collect(),
-            stride,
-            frame_time: feet.frame_time / stride as f64,
+impl Resampler {
+    /// Creates a resampler for these feet with the given spans.
+    pub fn new(feet: &Feet, spans: &[Range<usize>]) -> Resampler {
+        let factor = (MIN_RATE * feet.frame_time).round().max(1.0) as usize;
+        let to_fine = |span: &Range<usize>| span.start * factor..(span.end - 1) * factor + 1;
+        Resampler {
+            spans: spans.to_vec(),
+            fine_spans: spans.iter().map(to_fine).collect(),
+            factor,
+            frame_time: feet.frame_time / factor as f64,
         }
     }
 
-    /// A track with what lies between its frames.
-    pub fn between(&self, track: &Track) -> Track {
-        if self.stride == 1 { track.clone() } else { between(track, &self.coarse, self.stride) }
+    /// Returns the resampled track.
+    pub fn resample(&self, track: &Track) -> Track {
+        if self.factor == 1 { track.clone() } else { interpolate_track(track, &self.spans, self.factor) }
     }
 }
 
-/// A track with cubics between its frames that pass through them.
-fn between(track: &Track, pieces: &[Range<usize>], stride: usize) -> Track {
+/// Interpolates a track by Catmull–Rom splines, which pass through its frames.
+fn interpolate_track(track: &Track, spans: &[Range<usize>], factor: usize) -> Track {
     let last = track.len() - 1;
-    let mut fine = Track::with_capacity(last * stride + 1);
+    let mut fine = Track::with_capacity(last * factor + 1);
     for frame in 0..last {
-        // Beyond a piece's end its last position stands; a jump between pieces is no motion.
-        let piece = pieces.iter().find(|piece| piece.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
-        let at = |frame: usize| track[frame.clamp(piece.start, piece.end - 1)];
+        // Beyond the end of a span its last position is repeated; a jump between spans is not
+        // motion.
+        let span = spans.iter().find(|span| span.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
+        let at = |frame: usize| track[frame.clamp(span.start, span.end - 1)];
         let points = [at(frame.saturating_sub(1)), at(frame), at(frame + 1), at(frame + 2)];
-        fine.extend((0..stride).map(|step| interpolate::cubic(points, step as f64 / stride as f64)));
+        fine.extend((0..factor).map(|step| interpolate::catmull_rom(points, step as f64 / factor as f64)));
     }
     fine.push(track[last]);
     fine
@@ -62,16 +63,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn frames_stay_and_parabolas_are_kept() {
-        let place = |t: f64| Vector3::new(t, 3.0 * t * t - t, 0.0);
-        let track: Track = (0..8).map(|frame| place(f64::from(frame))).collect();
-        let fine = between(&track, &[0..8], 4);
+    fn frames_and_parabolas_are_reproduced() {
+        let position_at = |t: f64| Vector3::new(t, 3.0 * t * t - t, 0.0);
+        let track: Track = (0..8).map(|frame| position_at(f64::from(frame))).collect();
+        let fine = interpolate_track(&track, &[0..8], 4);
         assert_eq!(fine.len(), 29);
         for (index, position) in fine.iter().enumerate() {
             let t = index as f64 / 4.0;
-            // At the ends there is no neighbour to take the slope from.
+            // At the ends there is no neighbour that determines the slope.
             if (1.0..=6.0).contains(&t) {
-                assert!((position - place(t)).norm() < 1e-12, "{t}");
+                assert!((position - position_at(t)).norm() < 1e-12, "{t}");
             }
         }
     }
@@ -79,7 +80,7 @@ mod tests {
     #[test]
     fn jumps_between_pieces_are_not_smoothed() {
         let track: Track = (0..6).map(|frame| Vector3::x() * if frame < 3 { 0.0 } else { 9.0 }).collect();
-        let fine = between(&track, &[0..3, 3..6], 2);
+        let fine = interpolate_track(&track, &[0..3, 3..6], 2);
         assert!(fine.iter().all(|position| position.x == 0.0 || position.x == 9.0), "{fine:?}");
     }
 }

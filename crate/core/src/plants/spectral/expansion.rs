@@ -1,101 +1,102 @@
-//! Sums of likenesses over many samples, by expansion about cells of them.
+//! Sums of affinities over many samples, by expansion about cells.
 //!
-//! The likeness f(|y − y′|²) of a sample and all those of a cell is written as a series about
-//! the centres of both cells. Of the cell of sources, weight, centre and second moments count;
-//! on the side of the targets, value, slope and curvature. What is left out is of the third order
-//! in the size of one cell, measured in units of the kernel's scale. The sum over all pairs of n
-//! samples takes time proportional to n and to the product of the numbers of cells.
+//! The affinity f(|y − y′|²) of a sample and the samples of a cell is expanded in a series about
+//! the centres of both cells. A source cell contributes its weight, centre and second moments; a
+//! target cell uses value, gradient and Hessian. The error is of third order in the size of a cell,
+//! in units of the bandwidth. The sum over all pairs of n samples takes time proportional to n and
+//! to the product of the numbers of cells.
 //!
-//! What is left out on the side of the targets is wrong for each of them in its own way, while the
-//! errors of many cells of sources hardly add up: one sample that is no cell's is close to exact.
+//! The error of the target expansion differs for each target, while the errors of many source cells
+//! nearly cancel: a single sample evaluated without a target cell is close to exact.
 
 use crate::plants::spectral::affinity::Kernel;
-use crate::plants::spectral::cells::{Cells, DIMS, Group, Point};
+use crate::plants::spectral::cells::{CellExtent, Cells, DIMS, Point};
 
-/// Axes along which second moments and curvature count: along the others cells have next to no extent.
-const LEADING: usize = 4;
-/// Entries of a symmetric matrix over them.
-const TRIANGLE: usize = LEADING * (LEADING + 1) / 2;
-/// Cells that are looked at together, by the same instruction where the machine can.
+/// Number of axes with second moments; along the others, cells have hardly any extent.
+const LEADING_AXES: usize = 4;
+/// Number of entries of a symmetric matrix over these axes.
+const TRIANGLE: usize = LEADING_AXES * (LEADING_AXES + 1) / 2;
+/// Number of cells processed by one vector instruction.
 const LANES: usize = 8;
 
-/// The series is short: samples farther from the centre of their cell than this, in units of the
-/// kernel's scale and over all coordinates, are looked at by themselves ...
-const FAR: f32 = 0.3;
-/// ... of so many samples one at most, the farthest first.
-const FAR_SHARE: usize = 100;
+/// Samples farther from the centre of their cell than this, in units of the bandwidth, are
+/// evaluated one by one because the series is short …
+const FAR_DISTANCE: f32 = 0.3;
+/// … but at max one in this many samples, the farthest first.
+const SAMPLES_PER_FAR: usize = 100;
 
 type Lanes = [f32; LANES];
-const NONE: Lanes = [0.0; LANES];
+const ZEROS: Lanes = [0.0; LANES];
 
-/// Cells of sources, as many as there are lanes.
+/// Source cells, one per lane.
 struct Sources {
     weight: Lanes,
     centre: [Lanes; DIMS],
-    /// Second moments about the centre, lower triangle by rows.
+    /// Second moments about the centre: lower triangle by rows.
     moments: [Lanes; TRIANGLE],
-    /// Trace of the second moments along all axes.
+    /// Trace of the second moments over all axes.
     trace: Lanes,
-    /// Mean square of what coordinates do not keep.
-    rest: Lanes,
+    /// Mean squared distance from the principal subspace.
+    residual: Lanes,
 }
 
 impl Sources {
-    /// The ways from the centres to a place, `rest` of whose square is not in its coordinates, and
-    /// their squares.
+    /// Returns the offsets from the centres to a point and their squared lengths. `residual` is the
+    /// squared distance of the point from the principal subspace.
     #[inline(always)]
-    fn off(&self, place: &[f32; DIMS], rest: f32) -> ([Lanes; DIMS], Lanes) {
-        let mut off = [NONE; DIMS];
-        let mut squares = self.rest.map(|own| own + rest);
+    fn offsets(&self, position: &[f32; DIMS], residual: f32) -> ([Lanes; DIMS], Lanes) {
+        let mut offset = [ZEROS; DIMS];
+        let mut squared = self.residual.map(|own| own + residual);
         for axis in 0..DIMS {
             for lane in 0..LANES {
-                off[axis][lane] = place[axis] - self.centre[axis][lane];
-                squares[lane] += off[axis][lane] * off[axis][lane];
+                offset[axis][lane] = position[axis] - self.centre[axis][lane];
+                squared[lane] += offset[axis][lane] * offset[axis][lane];
             }
         }
-        (off, squares)
+        (offset, squared)
     }
 
-    /// The moments along the way between the centres.
+    /// Returns the product of the second moments and the offset.
     #[inline(always)]
-    fn turned(&self, off: &[Lanes; DIMS]) -> [Lanes; LEADING] {
-        let mut turned = [NONE; LEADING];
+    fn moment_product(&self, offset: &[Lanes; DIMS]) -> [Lanes; LEADING_AXES] {
+        let mut product = [ZEROS; LEADING_AXES];
         let mut entry = 0;
-        for row in 0..LEADING {
+        for row in 0..LEADING_AXES {
             for column in 0..=row {
                 let moments = &self.moments[entry];
                 entry += 1;
                 for lane in 0..LANES {
-                    turned[row][lane] += moments[lane] * off[column][lane];
+                    product[row][lane] += moments[lane] * offset[column][lane];
                 }
                 if column < row {
                     for lane in 0..LANES {
-                        turned[column][lane] += moments[lane] * off[row][lane];
+                        product[column][lane] += moments[lane] * offset[row][lane];
                     }
                 }
             }
         }
-        turned
+        product
     }
 }
 
-/// What all sources add up to at a place, `rest` of whose square is not in its coordinates.
+/// Returns the sum over all sources at a point with the squared distance `residual` from the
+/// principal subspace.
 #[inline(always)]
 fn value_at(
-    place: &[f32; DIMS],
-    rest: f32,
+    position: &[f32; DIMS],
+    residual: f32,
     sources: &[Sources],
     derivatives: impl Fn(Lanes) -> [Lanes; 4],
 ) -> f32 {
-    let mut value = NONE;
+    let mut value = ZEROS;
     for source in sources {
-        let (off, squares) = source.off(place, rest);
-        let [f, f1, f2, _] = derivatives(squares);
-        let turned = source.turned(&off);
+        let (offset, squared) = source.offsets(position, residual);
+        let [f, f1, f2, _] = derivatives(squared);
+        let product = source.moment_product(&offset);
         for lane in 0..LANES {
             let mut along = 0.0;
-            for axis in 0..LEADING {
-                along += off[axis][lane] * turned[axis][lane];
+            for axis in 0..LEADING_AXES {
+                along += offset[axis][lane] * product[axis][lane];
             }
             value[lane] +=
                 source.weight[lane] * f[lane] + f1[lane] * source.trace[lane] + 2.0 * f2[lane] * along;
@@ -104,63 +105,69 @@ fn value_at(
     value.iter().sum()
 }
 
-/// What all sources add up to about the centre of a cell of targets.
-struct Local {
+/// Expansion of the sum over all sources about the centre of a target cell.
+struct LocalExpansion {
     value: f32,
-    slope: [f32; DIMS],
-    /// Curvature but for what is the same in all directions.
-    curvature: [f32; TRIANGLE],
-    /// Half the curvature that is the same in all directions.
+    gradient: [f32; DIMS],
+    /// Anisotropic part of the Hessian.
+    hessian: [f32; TRIANGLE],
+    /// Half of the isotropic part of the Hessian.
     isotropic: f32,
 }
 
-/// Sources as they are seen from anywhere, at one scale.
+/// Expanded sources for one bandwidth.
 pub(crate) struct Expansion {
     kernel: Kernel,
-    /// What lengths are multiplied by.
+    /// Factor of lengths.
     scale: f32,
     sources: Vec<Sources>,
 }
 
 impl Expansion {
-    /// Of samples with weights, by sample; `sigma` is the kernel's scale in the units of the cells.
-    pub fn of(kernel: Kernel, sigma: f64, cells: &Cells, weights: &[f64]) -> Expansion {
-        Expansion { kernel, scale: (1.0 / sigma) as f32, sources: gathered(cells, weights, 1.0 / sigma) }
+    /// Creates the expansion of weighted samples; `sigma` is the bandwidth in the units of the
+    /// cells.
+    pub fn new(kernel: Kernel, sigma: f64, cells: &Cells, weights: &[f64]) -> Expansion {
+        Expansion {
+            kernel,
+            scale: (1.0 / sigma) as f32,
+            sources: source_moments(cells, weights, 1.0 / sigma),
+        }
     }
 
-    /// Number of cells of sources, at least one.
+    /// Returns the number of source cells, at least one.
     pub fn cells(&self) -> usize {
         LANES * self.sources.len().max(1)
     }
 
-    /// For each sample of `targets`, the weighted sum of its likenesses to all sources.
+    /// Returns the weighted sum of affinities to all sources for each sample of `targets`.
     pub fn sums(&self, targets: &Cells) -> Vec<f64> {
         let scale = self.scale;
         let mut sums = vec![0.0; targets.points.len()];
         let mut far = Vec::new();
         for (range, centre) in &targets.targets {
             let points = &targets.points[range.clone()];
-            let place = centre.map(|place| place * scale);
-            let middle =
-                points.iter().map(|point| point.rest).sum::<f32>() / points.len() as f32 * scale * scale;
+            let position = centre.map(|position| position * scale);
+            let mean =
+                points.iter().map(|point| point.residual).sum::<f32>() / points.len() as f32 * scale * scale;
             let local = match self.kernel {
-                Kernel::Gaussian => Local::about(&place, middle, &self.sources, gaussian),
-                Kernel::Cauchy => Local::about(&place, middle, &self.sources, cauchy),
+                Kernel::Gaussian => LocalExpansion::new(&position, mean, &self.sources, gaussian),
+                Kernel::Cauchy => LocalExpansion::new(&position, mean, &self.sources, cauchy),
             };
             for point in points {
-                let off: [f32; DIMS] = std::array::from_fn(|axis| (point.place[axis] - centre[axis]) * scale);
-                let rest = point.rest * scale * scale - middle;
-                sums[point.index as usize] = f64::from(local.at(off, rest)).max(0.0);
-                let square = off.iter().map(|off| off * off).sum::<f32>() + rest.abs();
-                if square > FAR * FAR {
+                let offset: [f32; DIMS] =
+                    std::array::from_fn(|axis| (point.coords[axis] - centre[axis]) * scale);
+                let residual = point.residual * scale * scale - mean;
+                sums[point.index as usize] = f64::from(local.at(offset, residual)).max(0.0);
+                let square = offset.iter().map(|offset| offset * offset).sum::<f32>() + residual.abs();
+                if square > FAR_DISTANCE * FAR_DISTANCE {
                     far.push((square, point));
                 }
             }
         }
-        let most = sums.len() / FAR_SHARE;
-        if far.len() > most {
-            far.select_nth_unstable_by(most, |a, b| b.0.total_cmp(&a.0).then(a.1.index.cmp(&b.1.index)));
-            far.truncate(most);
+        let max = sums.len() / SAMPLES_PER_FAR;
+        if far.len() > max {
+            far.select_nth_unstable_by(max, |a, b| b.0.total_cmp(&a.0).then(a.1.index.cmp(&b.1.index)));
+            far.truncate(max);
         }
         for (_, point) in far {
             sums[point.index as usize] = self.at(point);
@@ -168,71 +175,73 @@ impl Expansion {
         sums
     }
 
-    /// The same for one sample, without an expansion on its own side.
+    /// Returns the sum for one sample, without a target expansion.
     pub fn at(&self, point: &Point) -> f64 {
-        let place = point.place.map(|place| place * self.scale);
-        let rest = point.rest * self.scale * self.scale;
+        let position = point.coords.map(|position| position * self.scale);
+        let residual = point.residual * self.scale * self.scale;
         let sum = match self.kernel {
-            Kernel::Gaussian => value_at(&place, rest, &self.sources, gaussian),
-            Kernel::Cauchy => value_at(&place, rest, &self.sources, cauchy),
+            Kernel::Gaussian => value_at(&position, residual, &self.sources, gaussian),
+            Kernel::Cauchy => value_at(&position, residual, &self.sources, cauchy),
         };
         f64::from(sum).max(0.0)
     }
 }
 
-/// f, f′, f″ and f‴ of exp(−x) at squares x.
+/// Returns f, f′, f″ and f‴ of exp(−x) at squared distances x.
 #[inline(always)]
-fn gaussian(squares: Lanes) -> [Lanes; 4] {
+fn gaussian(squared: Lanes) -> [Lanes; 4] {
     let value = crate::plants::spectral::affinity::power_of_two(
-        squares.map(|square| square * std::f32::consts::LOG2_E),
+        squared.map(|square| square * std::f32::consts::LOG2_E),
     );
     let minus = value.map(|value| -value);
     [value, minus, value, minus]
 }
 
-/// f, f′, f″ and f‴ of 1 / (1 + x) at squares x.
+/// Returns f, f′, f″ and f‴ of 1 / (1 + x) at squared distances x.
 #[inline(always)]
-fn cauchy(squares: Lanes) -> [Lanes; 4] {
-    let value = squares.map(|square| 1.0 / (1.0 + square));
+fn cauchy(squared: Lanes) -> [Lanes; 4] {
+    let value = squared.map(|square| 1.0 / (1.0 + square));
     let first = value.map(|value| -value * value);
     let second = value.map(|value| 2.0 * value * value * value);
     let third = value.map(|value| -6.0 * (value * value) * (value * value));
     [value, first, second, third]
 }
 
-/// The moments of all cells, lengths times `scale`; lanes that are left over weigh nothing.
-fn gathered(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
-    let gather = |chunk: &[Group]| {
+/// Computes the moments of all source cells, with lengths times `scale`; unused lanes have weight
+/// 0.
+fn source_moments(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
+    let moments_of = |chunk: &[CellExtent]| {
         let mut sources = Sources {
-            weight: NONE,
-            centre: [NONE; DIMS],
-            moments: [NONE; TRIANGLE],
-            trace: NONE,
-            rest: NONE,
+            weight: ZEROS,
+            centre: [ZEROS; DIMS],
+            moments: [ZEROS; TRIANGLE],
+            trace: ZEROS,
+            residual: ZEROS,
         };
-        for (lane, (range, middle)) in chunk.iter().enumerate() {
+        for (lane, (range, mean)) in chunk.iter().enumerate() {
             let points = &cells.points[range.clone()];
-            let weighed = || points.iter().map(|point| (point, weights[point.index as usize]));
-            let whole: f64 = weighed().map(|(_, weight)| weight).sum();
+            let weighted = || points.iter().map(|point| (point, weights[point.index as usize]));
+            let total: f64 = weighted().map(|(_, weight)| weight).sum();
             let centre: [f64; DIMS] = std::array::from_fn(|axis| {
-                let off = |place: f32| f64::from(place - middle[axis]);
-                let sum: f64 = weighed().map(|(point, weight)| weight * off(point.place[axis])).sum();
-                f64::from(middle[axis]) + if whole > 0.0 { sum / whole } else { 0.0 }
+                let offset = |position: f32| f64::from(position - mean[axis]);
+                let sum: f64 = weighted().map(|(point, weight)| weight * offset(point.coords[axis])).sum();
+                f64::from(mean[axis]) + if total > 0.0 { sum / total } else { 0.0 }
             });
             let mut moments = [0.0; TRIANGLE];
-            let (mut trace, mut rest) = (0.0, 0.0);
-            for (point, weight) in weighed() {
-                let off: [f64; DIMS] =
-                    std::array::from_fn(|axis| f64::from(point.place[axis]) - centre[axis]);
-                trace += weight * off.iter().map(|off| off * off).sum::<f64>();
-                rest += weight * f64::from(point.rest);
+            let (mut trace, mut residual) = (0.0, 0.0);
+            for (point, weight) in weighted() {
+                let offset: [f64; DIMS] =
+                    std::array::from_fn(|axis| f64::from(point.coords[axis]) - centre[axis]);
+                trace += weight * offset.iter().map(|offset| offset * offset).sum::<f64>();
+                residual += weight * f64::from(point.residual);
                 for (moment, (row, column)) in moments.iter_mut().zip(entries()) {
-                    *moment += weight * off[row] * off[column];
+                    *moment += weight * offset[row] * offset[column];
                 }
             }
-            sources.weight[lane] = whole as f32;
+            sources.weight[lane] = total as f32;
             sources.trace[lane] = (trace * scale * scale) as f32;
-            sources.rest[lane] = if whole > 0.0 { (rest / whole * scale * scale) as f32 } else { 0.0 };
+            sources.residual[lane] =
+                if total > 0.0 { (residual / total * scale * scale) as f32 } else { 0.0 };
             for (lanes, value) in sources.centre.iter_mut().zip(centre) {
                 lanes[lane] = (value * scale) as f32;
             }
@@ -242,85 +251,87 @@ fn gathered(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
         }
         sources
     };
-    cells.sources.chunks(LANES).map(gather).collect()
+    cells.sources.chunks(LANES).map(moments_of).collect()
 }
 
-/// Row and column of each entry of a lower triangle.
+/// Returns row and column of each entry of a lower triangle.
 #[inline(always)]
 fn entries() -> impl Iterator<Item = (usize, usize)> {
-    (0..LEADING).flat_map(|row| (0..=row).map(move |column| (row, column)))
+    (0..LEADING_AXES).flat_map(|row| (0..=row).map(move |column| (row, column)))
 }
 
-impl Local {
+impl LocalExpansion {
     #[inline(always)]
-    fn about(
+    fn new(
         centre: &[f32; DIMS],
-        rest: f32,
+        residual: f32,
         sources: &[Sources],
         derivatives: impl Fn(Lanes) -> [Lanes; 4],
-    ) -> Local {
-        let mut value = NONE;
-        let mut isotropic = NONE;
-        let mut slope = [NONE; DIMS];
-        let mut curvature = [NONE; TRIANGLE];
+    ) -> LocalExpansion {
+        let mut value = ZEROS;
+        let mut isotropic = ZEROS;
+        let mut gradient = [ZEROS; DIMS];
+        let mut hessian = [ZEROS; TRIANGLE];
         for source in sources {
-            let (off, squares) = source.off(centre, rest);
-            let [f, f1, f2, f3] = derivatives(squares);
-            let turned = source.turned(&off);
-            let mut along = NONE;
-            for axis in 0..LEADING {
+            let (offset, squared) = source.offsets(centre, residual);
+            let [f, f1, f2, f3] = derivatives(squared);
+            let product = source.moment_product(&offset);
+            let mut along = ZEROS;
+            for axis in 0..LEADING_AXES {
                 for lane in 0..LANES {
-                    along[lane] += off[axis][lane] * turned[axis][lane];
+                    along[lane] += offset[axis][lane] * product[axis][lane];
                 }
             }
-            let (mut pull, mut turn, mut bend) = (NONE, NONE, NONE);
+            let (mut gradient_factor, mut moment_factor, mut hessian_factor) = (ZEROS, ZEROS, ZEROS);
             for lane in 0..LANES {
                 let (weight, trace) = (source.weight[lane], source.trace[lane]);
                 value[lane] += weight * f[lane] + f1[lane] * trace + 2.0 * f2[lane] * along[lane];
                 isotropic[lane] += weight * f1[lane];
-                pull[lane] = 2.0 * (weight * f1[lane] + f2[lane] * trace + 2.0 * f3[lane] * along[lane]);
-                turn[lane] = 4.0 * f2[lane];
-                bend[lane] = 4.0 * weight * f2[lane];
+                gradient_factor[lane] =
+                    2.0 * (weight * f1[lane] + f2[lane] * trace + 2.0 * f3[lane] * along[lane]);
+                moment_factor[lane] = 4.0 * f2[lane];
+                hessian_factor[lane] = 4.0 * weight * f2[lane];
             }
             let mut entry = 0;
             for row in 0..DIMS {
                 for lane in 0..LANES {
-                    slope[row][lane] += pull[lane] * off[row][lane];
+                    gradient[row][lane] += gradient_factor[lane] * offset[row][lane];
                 }
             }
-            for row in 0..LEADING {
-                let mut bent = NONE;
+            for row in 0..LEADING_AXES {
+                let mut scaled = ZEROS;
                 for lane in 0..LANES {
-                    slope[row][lane] += turn[lane] * turned[row][lane];
-                    bent[lane] = bend[lane] * off[row][lane];
+                    gradient[row][lane] += moment_factor[lane] * product[row][lane];
+                    scaled[lane] = hessian_factor[lane] * offset[row][lane];
                 }
-                for along in &off[..=row] {
+                for along in &offset[..=row] {
                     for lane in 0..LANES {
-                        curvature[entry][lane] += bent[lane] * along[lane];
+                        hessian[entry][lane] += scaled[lane] * along[lane];
                     }
                     entry += 1;
                 }
             }
         }
         let sum = |lanes: Lanes| lanes.iter().sum();
-        Local {
+        LocalExpansion {
             value: sum(value),
-            slope: slope.map(sum),
-            curvature: curvature.map(sum),
+            gradient: gradient.map(sum),
+            hessian: hessian.map(sum),
             isotropic: sum(isotropic),
         }
     }
 
-    /// The sum at a point `off` the centre, of whose square its coordinates leave out so much more.
-    fn at(&self, off: [f32; DIMS], rest: f32) -> f32 {
-        let square: f32 = off.iter().map(|off| off * off).sum();
-        let mut sum = self.value + self.isotropic * (rest + square);
-        for (slope, off) in self.slope.iter().zip(off) {
-            sum += slope * off;
+    /// Returns the sum at an offset from the centre; `residual` is relative to the mean of the
+    /// cell.
+    fn at(&self, offset: [f32; DIMS], residual: f32) -> f32 {
+        let square: f32 = offset.iter().map(|offset| offset * offset).sum();
+        let mut sum = self.value + self.isotropic * (residual + square);
+        for (gradient, offset) in self.gradient.iter().zip(offset) {
+            sum += gradient * offset;
         }
-        for (curvature, (row, column)) in self.curvature.iter().zip(entries()) {
-            let share = if row == column { 0.5 } else { 1.0 };
-            sum += share * curvature * off[row] * off[column];
+        for (hessian, (row, column)) in self.hessian.iter().zip(entries()) {
+            let factor = if row == column { 0.5 } else { 1.0 };
+            sum += factor * hessian * offset[row] * offset[column];
         }
         sum
     }
@@ -332,34 +343,47 @@ mod tests {
 
     use super::*;
     use crate::plants::signal::samples::Samples;
-    use crate::plants::spectral::cells::Axes;
+    use crate::plants::spectral::cells::PrincipalAxes;
 
-    fn likeness(kernel: Kernel, square: f64) -> f64 {
+    fn affinity(kernel: Kernel, square: f64) -> f64 {
         match kernel {
             Kernel::Gaussian => (-square).exp(),
             Kernel::Cauchy => 1.0 / (1.0 + square),
         }
     }
 
-    fn plain(kernel: Kernel, samples: &Samples, weights: &[f64], sigma: f64, of: usize) -> f64 {
-        let likeness = |other: usize| likeness(kernel, samples.square(of, other) / (sigma * sigma));
-        (0..samples.len()).map(|other| weights[other] * likeness(other)).sum()
+    fn sum_by_definition(
+        kernel: Kernel,
+        samples: &Samples,
+        weights: &[f64],
+        sigma: f64,
+        query: usize,
+    ) -> f64 {
+        let affinity =
+            |other: usize| affinity(kernel, samples.squared_distance(query, other) / (sigma * sigma));
+        (0..samples.len()).map(|other| weights[other] * affinity(other)).sum()
     }
 
-    fn close(kernel: Kernel, samples: &Samples, weights: &[f64], sigma: f64, most: usize) -> Vec<f64> {
-        let cells = Cells::of(Axes::of(samples).points(samples), most, most);
-        Expansion::of(kernel, sigma, &cells, weights).sums(&cells)
+    fn sums_by_expansion(
+        kernel: Kernel,
+        samples: &Samples,
+        weights: &[f64],
+        sigma: f64,
+        max: usize,
+    ) -> Vec<f64> {
+        let cells = Cells::new(PrincipalAxes::new(samples).points(samples), max, max);
+        Expansion::new(kernel, sigma, &cells, weights).sums(&cells)
     }
 
     #[test]
-    fn samples_that_stray_from_their_cell_are_looked_at_by_themselves() {
+    fn samples_far_from_their_cell_are_evaluated_one_by_one() {
         let near = |index: u32| [f64::from(index % 25) * 1e-3, f64::from(index % 40) * 1e-3];
         let samples = Samples::new(2, (0..999).flat_map(near).chain([0.7, -0.6]).collect());
         let weights = vec![1.0; samples.len()];
         for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-            let found = close(kernel, &samples, &weights, 1.0, 1)[999];
-            let expected = plain(kernel, &samples, &weights, 1.0, 999);
-            assert!((found / expected - 1.0).abs() < 5e-3, "{found} {expected}");
+            let actual = sums_by_expansion(kernel, &samples, &weights, 1.0, 1)[999];
+            let expected = sum_by_definition(kernel, &samples, &weights, 1.0, 999);
+            assert!((actual / expected - 1.0).abs() < 5e-3, "{actual} {expected}");
         }
     }
 
@@ -367,42 +391,42 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(48))]
 
         #[test]
-        fn cells_of_one_sample_each_are_exact(
+        fn cells_of_one_sample_are_exact(
             values in prop::collection::vec(0.0..1.0_f64, 6 * 20),
             weights in prop::collection::vec(0.0..1.0_f64, 20),
             sigma in 0.1..1.0_f64,
         ) {
             let samples = Samples::new(6, values);
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-                let found = close(kernel, &samples, &weights, sigma, 20);
-                for (of, found) in found.iter().enumerate() {
-                    let expected = plain(kernel, &samples, &weights, sigma, of);
-                    prop_assert!((found - expected).abs() < 1e-5 * (1.0 + expected), "{found} {expected}");
+                let actual = sums_by_expansion(kernel, &samples, &weights, sigma, 20);
+                for (query, actual) in actual.iter().enumerate() {
+                    let expected = sum_by_definition(kernel, &samples, &weights, sigma, query);
+                    prop_assert!((actual - expected).abs() < 1e-5 * (1.0 + expected), "{actual} {expected}");
                 }
             }
         }
 
-        /// Third order: in cells of a tenth of the scale what is left out is about a thousandth.
+        /// Third order: with cells of a tenth of the bandwidth the error is about a thousandth.
         #[test]
-        fn small_cells_are_close(
+        fn small_cells_are_accurate(
             seeds in prop::collection::vec(0.0..1.0_f64, 6 * 8),
-            offs in prop::collection::vec(-0.0625..0.0625_f64, 6 * 8 * 12),
+            offsets in prop::collection::vec(-0.0625..0.0625_f64, 6 * 8 * 12),
             sigma in 0.9..1.1_f64,
         ) {
-            let points = (0..12 * 8 * 6).map(|index| seeds[index % 48] + offs[index] * 0.5).collect();
+            let points = (0..12 * 8 * 6).map(|index| seeds[index % 48] + offsets[index] * 0.5).collect();
             let samples = Samples::new(6, points);
             let weights = vec![1.0; samples.len()];
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-                let found = close(kernel, &samples, &weights, sigma, 48);
-                for (of, found) in found.iter().enumerate() {
-                    let expected = plain(kernel, &samples, &weights, sigma, of);
-                    prop_assert!((found / expected - 1.0).abs() < 2e-3, "{found} {expected}");
+                let actual = sums_by_expansion(kernel, &samples, &weights, sigma, 48);
+                for (query, actual) in actual.iter().enumerate() {
+                    let expected = sum_by_definition(kernel, &samples, &weights, sigma, query);
+                    prop_assert!((actual / expected - 1.0).abs() < 2e-3, "{actual} {expected}");
                 }
             }
         }
 
         #[test]
-        fn what_coordinates_do_not_keep_is_not_forgotten(
+        fn distances_from_the_principal_subspace_count(
             values in prop::collection::vec(0.0..1.0_f64, 10 * 24),
         ) {
             // The last four of ten coordinates hardly vary.
@@ -410,10 +434,10 @@ mod tests {
             let samples = Samples::new(10, values.into_iter().enumerate().map(shrink).collect());
             let weights = vec![1.0; 24];
             for kernel in [Kernel::Gaussian, Kernel::Cauchy] {
-                let found = close(kernel, &samples, &weights, 1.0, 24);
-                for (of, found) in found.iter().enumerate() {
-                    let expected = plain(kernel, &samples, &weights, 1.0, of);
-                    prop_assert!((found / expected - 1.0).abs() < 5e-3, "{found} {expected}");
+                let actual = sums_by_expansion(kernel, &samples, &weights, 1.0, 24);
+                for (query, actual) in actual.iter().enumerate() {
+                    let expected = sum_by_definition(kernel, &samples, &weights, 1.0, query);
+                    prop_assert!((actual / expected - 1.0).abs() < 5e-3, "{actual} {expected}");
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Spectral clustering.
+//! Spectral clustering of samples: affinity → bandwidth → degree → two-means → threshold.
 
 pub(crate) mod affinity;
 pub(crate) mod bandwidth;

@@ -1,68 +1,65 @@
-//! Exact two-means of numbers.
+//! Exact two-means clustering of numbers.
 
 use std::ops::RangeInclusive;
 
-/// Values are equal that differ by no more than this share of the largest.
-const ROUNDING: f64 = 1e-12;
+use crate::numeric::stats::median_of_sorted;
+
+/// Values whose difference is at most this fraction of the largest count as equal.
+const EQUALITY_TOLERANCE: f64 = 1e-12;
 
 /// Two classes of numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Classes {
-    /// Halfway between them.
+    /// Middle of the gap between the classes.
     pub threshold: f64,
-    /// The middle value of the lower and of the higher one.
+    /// Medians of the lower and the higher class.
     pub medians: [f64; 2],
 }
 
-/// Splits ascending values into the two classes with the least squared distances to their
-/// means; `None` if all are equal.
+/// Splits ascending values into the two classes with the smallest sum of squared distances to their
+/// means; `None` if all values are equal.
 ///
-/// Every split is tried, so the answer is the best there is; among equally good splits it is the
+/// Every split is tried, so the result is the global optimum; of equally good splits it is the
 /// lowest.
 pub(crate) fn classes(sorted: &[f64]) -> Option<Classes> {
-    let (least, most) = (sorted.first()?, sorted.last()?);
-    if most - least <= ROUNDING * most.abs().max(least.abs()) {
+    let (min, max) = (sorted.first()?, sorted.last()?);
+    if max - min <= EQUALITY_TOLERANCE * max.abs().max(min.abs()) {
         return None;
     }
     let count = sorted.len();
     let mean = sorted.iter().sum::<f64>() / count as f64;
-    // With the mean at zero both classes' sums are opposite, and rounding stays small.
+    // With zero mean the sums of the classes are opposite, and rounding errors stay small.
     let mut low_sum = 0.0;
     let mut best: Option<(f64, usize)> = None;
     for split in 1..count {
         low_sum += sorted[split - 1] - mean;
         if sorted[split - 1] < sorted[split] {
             let between = low_sum * low_sum * (1.0 / split as f64 + 1.0 / (count - split) as f64);
-            if best.is_none_or(|(most, _)| between > most) {
+            if best.is_none_or(|(best, _)| between > best) {
                 best = Some((between, split));
             }
         }
     }
     let (low, high) = sorted.split_at(best?.1);
     let threshold = (low[low.len() - 1] + high[0]) / 2.0;
-    Some(Classes { threshold, medians: [median(low), median(high)] })
+    Some(Classes { threshold, medians: [median_of_sorted(low), median_of_sorted(high)] })
 }
 
-/// Values in ascending order.
+/// Returns the values in ascending order.
 pub(crate) fn sorted(values: &[f64]) -> Vec<f64> {
     let mut sorted = values.to_vec();
     sorted.sort_unstable_by(f64::total_cmp);
     sorted
 }
 
-/// Sorts values anew of which some within `band` have changed, and are within it still.
+/// Restores the order of sorted values after changes within `band`: the changed values were and are
+/// within it.
 pub(crate) fn sort_band(sorted: &mut [f64], values: &[f64], band: RangeInclusive<f64>) {
     let start = sorted.partition_point(|value| value < band.start());
     let end = sorted.partition_point(|value| value <= band.end());
     let within = values.iter().filter(|value| band.contains(value));
-    sorted[start..end].iter_mut().zip(within).for_each(|(place, value)| *place = *value);
+    sorted[start..end].iter_mut().zip(within).for_each(|(slot, value)| *slot = *value);
     sorted[start..end].sort_unstable_by(f64::total_cmp);
-}
-
-/// The middle one of ascending values, or the mean of the two middle ones.
-fn median(sorted: &[f64]) -> f64 {
-    let upper = sorted.len() / 2;
-    if sorted.len() % 2 == 1 { sorted[upper] } else { (sorted[upper - 1] + sorted[upper]) / 2.0 }
 }
 
 #[cfg(test)]
@@ -76,7 +73,7 @@ mod tests {
     }
 
     proptest! {
-        /// Against every way to put the values into two classes, contiguous or not.
+        /// Compares with every assignment of the values to two classes, contiguous or not.
         #[test]
         fn no_other_classes_are_better(values in prop::collection::vec(-1e3..1e3_f64, 2..11)) {
             let found = classes(&sorted(&values));
@@ -86,10 +83,10 @@ mod tests {
                 let (high, low): (Vec<_>, Vec<_>) = (0..values.len()).partition(|&index| in_high(index));
                 [low, high].map(|class| class.into_iter().map(|index| values[index]).collect::<Vec<_>>())
             };
-            let ours: f64 = classes(&|index| values[index] > threshold).iter().map(|class| scatter(class)).sum();
+            let actual: f64 = classes(&|index| values[index] > threshold).iter().map(|class| scatter(class)).sum();
             for mask in 0..1_u32 << values.len() {
                 let other: f64 = classes(&|index| mask >> index & 1 == 1).iter().map(|class| scatter(class)).sum();
-                prop_assert!(ours <= other + 1e-6 * (1.0 + other));
+                prop_assert!(actual <= other + 1e-6 * (1.0 + other));
             }
         }
     }
@@ -107,18 +104,18 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_band_is_sorted_as_all_would_be(
+        fn sorting_a_band_sorts_all_values(
             values in prop::collection::vec(0.0..1.0_f64, 1..40),
             changes in prop::collection::vec((any::<prop::sample::Index>(), 0.0..1.0_f64), 1..8),
         ) {
             let mut found = sorted(&values);
-            let (mut now, mut least, mut most) = (values.clone(), 1.0_f64, 0.0_f64);
+            let (mut changed, mut low, mut high) = (values.clone(), 1.0_f64, 0.0_f64);
             for (index, value) in changes {
-                let old = std::mem::replace(&mut now[index.index(values.len())], value);
-                (least, most) = (least.min(old).min(value), most.max(old).max(value));
+                let old = std::mem::replace(&mut changed[index.index(values.len())], value);
+                (low, high) = (low.min(old).min(value), high.max(old).max(value));
             }
-            sort_band(&mut found, &now, least..=most);
-            prop_assert_eq!(found, sorted(&now));
+            sort_band(&mut found, &changed, low..=high);
+            prop_assert_eq!(found, sorted(&changed));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The methods of segmentation: one file or folder each.
+//! Segmentation methods: one file or folder per method, and their registry.
 
 mod auto;
 mod growing_window;
@@ -7,32 +7,35 @@ mod mvu;
 mod pca;
 mod ppca;
 
-use std::fmt;
-use std::str::FromStr;
+use std::ops::Range;
 
-use crate::lookup::named;
-use crate::segments::SegmentError;
-use crate::segments::task::{Found, Task};
+use crate::bvh::Clip;
+use crate::notice::Notice;
+use crate::registry::registry;
+use crate::segments::progress::Progress;
+use crate::segments::{Curve, Kind, Motif, Segment, SegmentError, ValidParams};
+use crate::skeleton::Skeleton;
 
-/// How a clip is cut.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// Gaussian segments whose number the data decide: the one to use.
-    #[default]
-    Auto,
-    /// The curve of least-squares distances to a template pose (Zhang, Liu and Wei 2012).
-    Lsd,
-    /// Jumps of the residual of maximum variance unfolding (Zhang and Wang).
-    Mvu,
-    /// Jumps of the error of a linear subspace (Barbič et al. 2004, section 3.1).
-    Pca,
-    /// Jumps of the variance that two dimensions leave over.
-    PcaTail,
-    /// How unlikely what comes next is (Barbič et al. 2004, section 3.2).
-    Ppca,
+registry! {
+    /// Method of segmentation.
+    pub enum Method: MethodInfo as "method" {
+        /// Gaussian segments whose number is determined by the data; the default.
+        #[default]
+        Auto => auto::METHOD,
+        /// Least-squares distances to a template pose (Zhang, Liu and Wei 2012).
+        Lsd => lsd::METHOD,
+        /// Jumps of the residual of maximum variance unfolding (Zhang and Wang).
+        Mvu => mvu::METHOD,
+        /// Jumps of the error of a linear subspace (Barbič et al. 2004, section 3.1).
+        Pca => pca::PCA,
+        /// Jumps of the variance beyond two dimensions.
+        PcaTail => pca::PCA_TAIL,
+        /// Peaks of the Mahalanobis distance of the next poses (Barbič et al. 2004, section 3.2).
+        Ppca => ppca::METHOD,
+    }
 }
 
-/// A parameter that matters to a method.
+/// Parameter that a method uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MethodOption {
     /// [`Params::dims`](crate::segments::Params::dims), with its default.
@@ -45,66 +48,60 @@ pub enum MethodOption {
     Published,
 }
 
-/// What a method's file says of it.
-pub(crate) struct Entry {
+/// Registry entry of a method.
+pub(crate) struct MethodInfo {
     pub name: &'static str,
     pub title: &'static str,
-    pub about: &'static str,
+    pub description: &'static str,
+    /// Parameters that the method uses.
     pub options: &'static [MethodOption],
-    pub segment: fn(&mut Task) -> Result<Found, SegmentError>,
+    pub segment: fn(&mut Input) -> Result<Output, SegmentError>,
+}
+
+/// Input of a method.
+pub(crate) struct Input<'a> {
+    pub clip: &'a Clip,
+    pub skeleton: &'a Skeleton,
+    pub params: ValidParams,
+    /// Frames of motion, without an added first pose.
+    pub frames: Range<usize>,
+    pub progress: &'a mut Progress<'a>,
+}
+
+/// Output of a method.
+pub(crate) struct Output {
+    pub segments: Vec<Segment>,
+    pub transitions: Vec<Range<usize>>,
+    pub motifs: Vec<Motif>,
+    pub curve: Curve,
+    pub notices: Vec<Notice>,
+}
+
+impl Output {
+    /// Creates segments without kinds or labels from cuts.
+    pub fn from_cuts(frames: usize, cuts: &[usize], curve: Curve, notices: Vec<Notice>) -> Output {
+        let segments = partition(frames, cuts)
+            .map(|frames| Segment { frames, kind: Kind::Action, label: String::new() })
+            .collect();
+        Output { segments, transitions: Vec::new(), motifs: Vec::new(), curve, notices }
+    }
 }
 
 impl Method {
-    /// All methods, the default first.
-    pub const ALL: [Method; 6] =
-        [Method::Auto, Method::Lsd, Method::Mvu, Method::Pca, Method::PcaTail, Method::Ppca];
-
-    fn entry(self) -> &'static Entry {
-        match self {
-            Method::Auto => &auto::METHOD,
-            Method::Lsd => &lsd::METHOD,
-            Method::Mvu => &mvu::METHOD,
-            Method::Pca => &pca::BARBIC,
-            Method::PcaTail => &pca::TAIL,
-            Method::Ppca => &ppca::METHOD,
-        }
-    }
-
-    /// The method's name on the command line and in documents, as in `auto`.
-    pub fn name(self) -> &'static str {
-        self.entry().name
-    }
-
-    /// The method's name for people, as in `Gaussian segments`.
-    pub fn title(self) -> &'static str {
-        self.entry().title
-    }
-
-    /// What the method does, in a sentence.
-    pub fn about(self) -> &'static str {
-        self.entry().about
-    }
-
-    /// The parameters that matter to the method.
+    /// Returns the parameters that the method uses.
     pub fn options(self) -> &'static [MethodOption] {
         self.entry().options
     }
 
-    pub(crate) fn segment(self, task: &mut Task) -> Result<Found, SegmentError> {
-        (self.entry().segment)(task)
+    pub(crate) fn segment(self, input: &mut Input) -> Result<Output, SegmentError> {
+        (self.entry().segment)(input)
     }
 }
 
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Method {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Method, String> {
-        named("method", &Method::ALL, Method::name, name)
-    }
+/// Returns the frame ranges between ascending cuts, from frame 0; cuts at the ends of the clip are ignored.
+pub(crate) fn partition(frames: usize, cuts: &[usize]) -> impl Iterator<Item = Range<usize>> {
+    let inner = cuts.iter().copied().filter(move |&cut| cut > 0 && cut < frames);
+    let starts: Vec<usize> = std::iter::once(0).chain(inner).collect();
+    let ends: Vec<usize> = starts[1..].iter().copied().chain([frames]).collect();
+    starts.into_iter().zip(ends).map(|(start, end)| start..end)
 }

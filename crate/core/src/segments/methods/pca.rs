@@ -1,47 +1,50 @@
-//! Cuts where what a linear subspace leaves over jumps.
+//! Cuts where the variance outside of a linear subspace jumps.
 //!
-//! After Barbič, Safonova, Pan, Faloutsos, Hodgins and Pollard, *Segmenting Motion Capture
-//! Data into Distinct Behaviors*, Graphics Interface 2004, section 3.1; and a simpler rule
-//! that does better: the variance beyond two dimensions, judged as that of
-//! maximum variance unfolding is.
+//! After Barbič, Safonova, Pan, Faloutsos, Hodgins and Pollard, *Segmenting Motion Capture Data
+//! into Distinct Behaviors*, Graphics Interface 2004, section 3.1; and a simpler rule with better
+//! results: jumps of the variance beyond two dimensions, detected like those of maximum variance
+//! unfolding.
 
+use crate::numeric::stats::{mean, standard_deviation};
 use crate::segments::body::Body;
-use crate::segments::methods::growing_window::{Jumps, Moments, residual};
-use crate::segments::methods::{Entry, MethodOption};
+use crate::segments::methods::growing_window::{JumpDetector, Moments, residual};
+use crate::segments::methods::{Input, Output};
+use crate::segments::methods::{MethodInfo, MethodOption};
 use crate::segments::pose::{Poses, RECORDED_RATE};
-use crate::segments::task::{Found, Pause, Task};
+use crate::segments::progress::Checkpoint;
 use crate::segments::{Curve, Residual, SegmentError};
 
-pub(crate) const BARBIC: Entry = Entry {
+pub(crate) const PCA: MethodInfo = MethodInfo {
     name: "pca",
     title: "PCA, as published",
-    about: "Cuts where the error of the subspace that held the beginning grows faster than it did.",
+    description: "Cuts where the error of the subspace of the first poses grows faster than before.",
     options: &[],
-    segment: barbic,
+    segment: segment_pca,
 };
 
-pub(crate) const TAIL: Entry = Entry {
+pub(crate) const PCA_TAIL: MethodInfo = MethodInfo {
     name: "pca-tail",
     title: "PCA tail",
-    about: "Cuts where the variance that two dimensions leave over jumps.",
+    description: "Cuts where the variance beyond two dimensions jumps.",
     options: &[MethodOption::Dims(2)],
-    segment: tail,
+    segment: segment_pca_tail,
 };
 
-/// First window, in seconds.
-const FIRST: f64 = 2.0;
-/// Share of the energy that the subspace keeps.
-const KEPT: f64 = 0.9;
-/// Seconds from one error to the one it is compared with, and of differences before they are judged.
+/// Length of the first window, in seconds.
+const FIRST_WINDOW: f64 = 2.0;
+/// Fraction of the energy within the subspace.
+const ENERGY_FRACTION: f64 = 0.9;
+/// Time between the compared errors, and duration of the differences before the first decision, in
+/// seconds.
 const LAG: f64 = 0.5;
-/// Standard deviations by which a difference has to exceed the mean of those before.
-const DEVIATIONS: f64 = 3.0;
+/// Threshold of a difference above the mean of the previous ones, in standard deviations.
+const THRESHOLD_DEVIATIONS: f64 = 3.0;
 
-fn barbic(task: &mut Task) -> Result<Found, SegmentError> {
-    let body = Body::turning(task.clip, task.skeleton)?;
-    let poses = Poses::of(task.clip, &body, &task.frames, RECORDED_RATE);
+fn segment_pca(input: &mut Input) -> Result<Output, SegmentError> {
+    let body = Body::rotation_joints(input.clip, input.skeleton)?;
+    let poses = Poses::new(input.clip, &body, &input.frames, RECORDED_RATE);
     let count = poses.count();
-    let (first, lag) = ((FIRST * RECORDED_RATE) as usize, (LAG * RECORDED_RATE) as usize);
+    let (first, lag) = ((FIRST_WINDOW * RECORDED_RATE) as usize, (LAG * RECORDED_RATE) as usize);
     let mut curve = Curve { title: "Error of the subspace", ..Curve::default() };
     let mut cuts = Vec::new();
     let mut start = 0;
@@ -50,74 +53,67 @@ fn barbic(task: &mut Task) -> Result<Found, SegmentError> {
         let mut dims = 0;
         let (mut errors, mut rises): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
         let mut next = count;
-        for place in start..count {
-            moments.add(poses.columns.column(place));
-            let end = place + 1;
+        for pose in start..count {
+            moments.add(poses.columns.column(pose));
+            let end = pose + 1;
             if end < start + first {
                 continue;
             }
-            (task.progress)(end as f64 / count as f64)?;
-            let eigenvalues = moments.spread();
+            (input.progress)(end as f64 / count as f64)?;
+            let eigenvalues = moments.eigenvalues();
             if errors.is_empty() {
                 dims = (1..eigenvalues.len())
-                    .find(|&dims| residual(eigenvalues.as_slice(), dims, Residual::Ratio) <= 1.0 - KEPT)
+                    .find(|&dims| {
+                        residual(eigenvalues.as_slice(), dims, Residual::Ratio) <= 1.0 - ENERGY_FRACTION
+                    })
                     .unwrap_or(eigenvalues.len());
             }
             let error = residual(eigenvalues.as_slice(), dims, Residual::Absolute);
             errors.push(error);
             let before = errors.len().checked_sub(lag + 1).map(|index| errors[index]);
-            let limit = before
-                .filter(|_| rises.len() >= lag)
-                .map(|before| before + mean(&rises) + DEVIATIONS * deviation(&rises));
-            curve.frames.push(poses.place(place));
+            let threshold = before.filter(|_| rises.len() >= lag).map(|before| {
+                before + mean(rises.iter().copied()) + THRESHOLD_DEVIATIONS * standard_deviation(&rises)
+            });
+            curve.frames.push(poses.position(pose));
             curve.values.push(error);
-            curve.threshold.push(limit.unwrap_or(error));
-            if limit.is_some_and(|limit| error > limit) {
-                next = place;
-                cuts.push(poses.frame(place));
+            curve.threshold.push(threshold.unwrap_or(error));
+            if threshold.is_some_and(|threshold| error > threshold) {
+                next = pose;
+                cuts.push(poses.frame(pose));
                 break;
             }
             rises.extend(before.map(|before| error - before));
         }
         start = next;
     }
-    Ok(Found::of_cuts(task.clip.frame_count(), &cuts, curve, body.notices()))
+    Ok(Output::from_cuts(input.clip.frame_count(), &cuts, curve, body.notices()))
 }
 
-/// Poses per second that the tail is judged by.
+/// Pose rate of the tail method, in Hz.
 const TAIL_RATE: f64 = 10.0;
-/// A first window of 2 s, differences over 0.6 s, cuts 0.3 s before they show, windows of at most 20 s.
-const JUMPS: Jumps = Jumps { first: 20, step: 2, lag: 3, factor: 3.0, fewest: 4, early: 3, longest: 200 };
+/// First window 2 s, differences over 0.6 s, cuts 0.3 s before detection, windows of at most 20 s.
+const JUMP_DETECTOR: JumpDetector =
+    JumpDetector { first: 20, step: 2, lag: 3, factor: 3.0, min_differences: 4, lead: 3, max_length: 200 };
 
-fn tail(task: &mut Task) -> Result<Found, SegmentError> {
-    let body = Body::turning(task.clip, task.skeleton)?;
-    let poses = Poses::of(task.clip, &body, &task.frames, TAIL_RATE);
-    let dims = task.params.dims().unwrap_or_default();
+fn segment_pca_tail(input: &mut Input) -> Result<Output, SegmentError> {
+    let body = Body::rotation_joints(input.clip, input.skeleton)?;
+    let poses = Poses::new(input.clip, &body, &input.frames, TAIL_RATE);
+    let dims = input.params.dims().unwrap_or_default();
     let mut window = 0..0;
     let mut moments = Moments::new(poses.columns.nrows());
-    let of_window = |wanted: std::ops::Range<usize>, _: &mut Pause| {
-        if wanted.start != window.start || window.end > wanted.end {
+    let window_residual = |requested: std::ops::Range<usize>, _: &mut Checkpoint| {
+        if requested.start != window.start || window.end > requested.end {
             moments = Moments::new(poses.columns.nrows());
-            window = wanted.start..wanted.start;
+            window = requested.start..requested.start;
         }
-        for place in window.end..wanted.end {
-            moments.add(poses.columns.column(place));
+        for pose in window.end..requested.end {
+            moments.add(poses.columns.column(pose));
         }
-        window = wanted;
-        Ok(residual(moments.spread().as_slice(), dims, Residual::Absolute))
+        window = requested;
+        Ok(residual(moments.eigenvalues().as_slice(), dims, Residual::Absolute))
     };
-    let traced = JUMPS.trace(poses.count(), of_window, task.progress)?;
-    let cuts: Vec<usize> = traced.cuts.iter().map(|&cut| poses.frame(cut)).collect();
-    let curve = traced.curve("Variance beyond the kept dimensions", &poses);
-    Ok(Found::of_cuts(task.clip.frame_count(), &cuts, curve, body.notices()))
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
-}
-
-/// Standard deviation about the mean, with n.
-fn deviation(values: &[f64]) -> f64 {
-    let mean = mean(values);
-    (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
+    let trace = JUMP_DETECTOR.trace(poses.count(), window_residual, input.progress)?;
+    let cuts: Vec<usize> = trace.cuts.iter().map(|&cut| poses.frame(cut)).collect();
+    let curve = trace.curve("Variance beyond the first dimensions", &poses);
+    Ok(Output::from_cuts(input.clip.frame_count(), &cuts, curve, body.notices()))
 }

@@ -1,101 +1,104 @@
-//! Cuts where what comes next is unlikely under the distribution of what has been.
+//! Cuts where the next poses are unlikely under the distribution of the previous ones.
 //!
-//! After Barbič, Safonova, Pan, Faloutsos, Hodgins and Pollard, *Segmenting Motion Capture
-//! Data into Distinct Behaviors*, Graphics Interface 2004, section 3.2: a Gaussian with a few
-//! full dimensions and noise in the others (probabilistic principal components) is fitted to
-//! all poses since the last cut, and the mean Mahalanobis distance of the next ones followed
-//! through a valley up to its peak.
+//! After Barbič, Safonova, Pan, Faloutsos, Hodgins and Pollard, *Segmenting Motion Capture Data
+//! into Distinct Behaviors*, Graphics Interface 2004, section 3.2. A Gaussian with a few principal
+//! dimensions and isotropic noise in the others (probabilistic PCA) is fitted to all poses since
+//! the last cut. The mean Mahalanobis distance of the next poses is followed through a valley to
+//! its peak.
 
 use nalgebra::DMatrixView;
 
+use crate::numeric::sort;
 use crate::segments::body::Body;
 use crate::segments::methods::growing_window::{Moments, residual};
-use crate::segments::methods::{Entry, MethodOption};
+use crate::segments::methods::{Input, Output};
+use crate::segments::methods::{MethodInfo, MethodOption};
 use crate::segments::pose::{Poses, RECORDED_RATE};
-use crate::segments::task::{Found, Task};
 use crate::segments::{Curve, Residual, SegmentError};
 
-use crate::numeric::sort;
-
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "ppca",
     title: "Probabilistic PCA",
-    about: "Cuts where the next poses are most unlikely under the distribution of those before.",
+    description: "Cuts where the next poses are least likely under the distribution of the previous ones.",
     options: &[MethodOption::Published],
     segment,
 };
 
-/// First window, and the stretch ahead that is judged, in seconds: the paper's 1.25 is no whole number of poses.
-const STRETCH: f64 = 1.5;
-/// Share of the variance that the full dimensions keep.
-const KEPT: f64 = 0.95;
-/// Least variance of the others, in squares of quaternion units.
-const LEAST_NOISE: f64 = 1e-3;
-/// How many times the valley's distance a peak has at least.
-const PEAK: f64 = 5.0;
-/// What a peak has at least as published, whatever the valley: with these poses every stretch has.
+/// Length of the first window and of the window ahead, in seconds; the 1.25 s of the paper is not a
+/// whole number of poses.
+const WINDOW: f64 = 1.5;
+/// Fraction of the variance within the principal dimensions.
+const VARIANCE_FRACTION: f64 = 0.95;
+/// Minimum variance of the noise, in squared quaternion units.
+const MIN_NOISE: f64 = 1e-3;
+/// Minimum height of a peak, as a multiple of the valley.
+const PEAK_FACTOR: f64 = 5.0;
+/// Minimum height of a peak as published, independent of the valley; with these poses every window
+/// exceeds it.
 const PUBLISHED_PEAK: f64 = 15.0;
 
-fn segment(task: &mut Task) -> Result<Found, SegmentError> {
-    let body = Body::turning(task.clip, task.skeleton)?;
-    let poses = Poses::of(task.clip, &body, &task.frames, RECORDED_RATE);
-    let (count, stretch) = (poses.count(), (STRETCH * RECORDED_RATE).round() as usize);
-    let mut curve = Curve { title: "Mahalanobis distance of what comes next", ..Curve::default() };
+fn segment(input: &mut Input) -> Result<Output, SegmentError> {
+    let body = Body::rotation_joints(input.clip, input.skeleton)?;
+    let poses = Poses::new(input.clip, &body, &input.frames, RECORDED_RATE);
+    let (count, window) = (poses.count(), (WINDOW * RECORDED_RATE).round() as usize);
+    let mut curve = Curve { title: "Mahalanobis distance of the next poses", ..Curve::default() };
     let mut cuts = Vec::new();
     let mut start = 0;
-    while start + 2 * stretch <= count {
+    while start + 2 * window <= count {
         let mut moments = Moments::new(poses.columns.nrows());
-        for place in start..start + stretch {
-            moments.add(poses.columns.column(place));
+        for pose in start..start + window {
+            moments.add(poses.columns.column(pose));
         }
         let mut valley = f64::INFINITY;
         let mut peak: Option<(f64, usize)> = None;
         let mut next = count;
-        for place in start + stretch..=count - stretch {
-            (task.progress)(place as f64 / count as f64)?;
-            let distance = distance(&moments, place - start, poses.columns.columns(place, stretch));
-            // Poses of the same distribution have as many as it has dimensions.
-            let usual = poses.columns.nrows() as f64;
-            let limit = if task.params.published() { PUBLISHED_PEAK } else { (PEAK * valley).max(usual) };
-            curve.frames.push(poses.place(place));
+        for pose in start + window..=count - window {
+            (input.progress)(pose as f64 / count as f64)?;
+            let distance = distance(&moments, pose - start, poses.columns.columns(pose, window));
+            // Expected distance of poses of the same distribution: the number of dimensions.
+            let expected = poses.columns.nrows() as f64;
+            let threshold =
+                if input.params.published() { PUBLISHED_PEAK } else { (PEAK_FACTOR * valley).max(expected) };
+            curve.frames.push(poses.position(pose));
             curve.values.push(distance);
-            curve.threshold.push(if limit.is_finite() { limit } else { distance });
+            curve.threshold.push(if threshold.is_finite() { threshold } else { distance });
             match peak {
                 Some((highest, at)) if distance < highest => {
                     next = at;
                     cuts.push(poses.frame(at));
                     break;
                 }
-                None if distance < limit => {}
-                _ => peak = Some((distance, place)),
+                None if distance < threshold => {}
+                _ => peak = Some((distance, pose)),
             }
             valley = valley.min(distance);
-            moments.add(poses.columns.column(place));
+            moments.add(poses.columns.column(pose));
         }
         start = next;
     }
-    Ok(Found::of_cuts(task.clip.frame_count(), &cuts, curve, body.notices()))
+    Ok(Output::from_cuts(input.clip.frame_count(), &cuts, curve, body.notices()))
 }
 
-/// Mean squared Mahalanobis distance of `ahead` from the Gaussian of `count` poses.
+/// Returns the mean squared Mahalanobis distance of the poses `ahead` from the Gaussian of `count`
+/// poses.
 fn distance(moments: &Moments, count: usize, ahead: DMatrixView<f64>) -> f64 {
     let eigen = (moments.scatter() / count as f64).symmetric_eigen();
     let values = eigen.eigenvalues.as_slice();
-    let kept = (1..values.len())
-        .find(|&dims| residual(values, dims, Residual::Ratio) <= 1.0 - KEPT)
+    let dims = (1..values.len())
+        .find(|&dims| residual(values, dims, Residual::Ratio) <= 1.0 - VARIANCE_FRACTION)
         .unwrap_or(values.len());
-    let rest = residual(values, kept, Residual::Absolute);
-    let noise = (rest / (values.len() - kept).max(1) as f64).max(LEAST_NOISE);
-    let order = sort::descending(values);
+    let rest = residual(values, dims, Residual::Absolute);
+    let noise = (rest / (values.len() - dims).max(1) as f64).max(MIN_NOISE);
+    let order = sort::argsort_descending(values);
     let mean = moments.mean();
     let mut sum = 0.0;
-    for pose in ahead.column_iter() {
-        let difference = pose - &mean;
-        // All of it as noise, then the full dimensions put right.
+    for next_pose in ahead.column_iter() {
+        let difference = next_pose - &mean;
+        // The whole difference counts as noise; the principal dimensions are then corrected.
         sum += difference.norm_squared() / noise;
-        for &index in &order[..kept] {
+        for &index in &order[..dims] {
             let along = eigen.eigenvectors.column(index).dot(&difference);
-            sum += along * along * (values[index].max(LEAST_NOISE).recip() - noise.recip());
+            sum += along * along * (values[index].max(MIN_NOISE).recip() - noise.recip());
         }
     }
     sum / ahead.ncols() as f64

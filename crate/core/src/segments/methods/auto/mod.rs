@@ -1,84 +1,84 @@
-//! Gaussian segments: the clip is cut where several distributions of poses describe it
-//! so much better than fewer do that the Bayesian information criterion accepts the price.
+//! Gaussian segments: cuts a clip where several distributions of poses describe it better than
+//! fewer by more than the penalty of the Bayesian information criterion.
 //!
-//! The cost of a segment is its negative log likelihood under a Gaussian of its own; each
-//! segment costs a penalty besides, for the numbers that describe it. The cuts of least
-//! cost are found exactly, by dynamic programming with pruning.
+//! The cost of a segment is its negative log-likelihood under its own Gaussian plus a penalty for
+//! the parameters of that Gaussian. The cuts of minimum total cost are found exactly, by dynamic
+//! programming with pruning.
 
 mod gaussian;
 mod pelt;
 
-use gaussian::DIMS;
-use gaussian::Gaussians;
+use gaussian::{DIMS, Gaussians};
 
 use crate::notice::{Code, Notice};
 use crate::segments::body::Body;
-use crate::segments::methods::Entry;
+use crate::segments::methods::MethodInfo;
+use crate::segments::methods::{Input, Output};
 use crate::segments::pose::Poses;
-use crate::segments::task::{Found, Task};
 use crate::segments::{Curve, SegmentError};
 
-/// Poses per second: more of them would only repeat each other, which a likelihood takes for evidence.
+/// Pose rate, in Hz. Higher rates repeat poses, which a likelihood counts as evidence.
 const RATE: f64 = 10.0;
-/// The shortest segment, in seconds.
-const SHORTEST: f64 = 1.2;
+/// Minimum duration of a segment, in seconds.
+const MIN_DURATION: f64 = 1.2;
 
-pub(crate) const METHOD: Entry = Entry {
+pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "auto",
     title: "Gaussian segments",
-    about: "Cuts where several clouds of poses fit so much better than fewer that they are worth their price.",
+    description: "Cuts where several Gaussian distributions of poses describe the clip better than fewer.",
     options: &[],
     segment,
 };
 
-fn segment(task: &mut Task) -> Result<Found, SegmentError> {
-    let body = Body::turning(task.clip, task.skeleton)?;
+fn segment(input: &mut Input) -> Result<Output, SegmentError> {
+    let body = Body::rotation_joints(input.clip, input.skeleton)?;
     let mut notices = body.notices();
-    let poses = Poses::of(task.clip, &body, &task.frames, RATE);
-    (task.progress)(0.2)?;
-    let shortest = (SHORTEST * RATE).round() as usize;
-    if poses.count() < 2 * shortest {
-        let text = format!("The clip is shorter than two actions of {SHORTEST} s: it is one.");
+    let poses = Poses::new(input.clip, &body, &input.frames, RATE);
+    (input.progress)(0.2)?;
+    let min_length = (MIN_DURATION * RATE).round() as usize;
+    if poses.count() < 2 * min_length {
+        let text = format!("The clip is shorter than two actions of {MIN_DURATION} s; it is one segment.");
         notices.push(Notice::new(Code::ShortClip, text));
     }
-    let gaussians = Gaussians::of(&poses.columns);
+    let gaussians = Gaussians::new(&poses.columns);
     let count = poses.count();
     let cost = |start: usize, end: usize| gaussians.cost(start, end);
-    let cuts =
-        pelt::cuts(count, shortest, penalty(count), cost, &mut |share| (task.progress)(0.2 + 0.8 * share))?;
+    let cuts = pelt::optimal_cuts(count, min_length, penalty(count), cost, &mut |fraction| {
+        (input.progress)(0.2 + 0.8 * fraction)
+    })?;
     let frames: Vec<usize> = cuts.iter().map(|&cut| poses.frame(cut)).collect();
-    let curve = curve(&poses, &gaussians, &cuts, shortest);
-    Ok(Found::of_cuts(task.clip.frame_count(), &frames, curve, notices))
+    let curve = curve(&poses, &gaussians, &cuts, min_length);
+    Ok(Output::from_cuts(input.clip.frame_count(), &frames, curve, notices))
 }
 
-/// What a segment has to be worth: half the logarithm of the number of poses for each
-/// number of its mean and covariance, and for its place.
+/// Returns the penalty of a segment: half the logarithm of the number of poses for each parameter
+/// of its mean and covariance and for its cut.
 fn penalty(count: usize) -> f64 {
-    let numbers = DIMS + DIMS * (DIMS + 1) / 2 + 1;
-    0.5 * numbers as f64 * (count as f64).ln()
+    let parameters = DIMS + DIMS * (DIMS + 1) / 2 + 1;
+    0.5 * parameters as f64 * (count as f64).ln()
 }
 
-/// What a cut at each place saves, or would save, between the cuts on both sides of the nearest one.
-fn curve(poses: &Poses, gaussians: &Gaussians, cuts: &[usize], shortest: usize) -> Curve {
+/// Returns the likelihood gained by a cut at each pose, between the cuts on both sides of the
+/// nearest one.
+fn curve(poses: &Poses, gaussians: &Gaussians, cuts: &[usize], min_length: usize) -> Curve {
     let count = poses.count();
     let bounds: Vec<usize> = std::iter::once(0).chain(cuts.iter().copied()).chain([count]).collect();
     let mut nearest = 1;
-    let mut saved = |place: usize| {
-        while nearest + 2 < bounds.len()
-            && bounds[nearest + 1] - place < place.saturating_sub(bounds[nearest])
+    let mut gain = |pose: usize| {
+        while nearest + 2 < bounds.len() && bounds[nearest + 1] - pose < pose.saturating_sub(bounds[nearest])
         {
             nearest += 1;
         }
         let (start, end) = (bounds[nearest - 1], bounds[(nearest + 1).min(bounds.len() - 1)]);
-        if place < start + shortest || end < place + shortest {
+        if pose < start + min_length || end < pose + min_length {
             return 0.0;
         }
-        gaussians.cost(start, end) - gaussians.cost(start, place) - gaussians.cost(place, end)
+        gaussians.cost(start, end) - gaussians.cost(start, pose) - gaussians.cost(pose, end)
     };
-    let values: Vec<f64> = (0..count).map(&mut saved).collect();
+    let values: Vec<f64> = (0..count).map(&mut gain).collect();
     Curve {
         title: "Likelihood gained by a cut",
-        frames: (0..count).map(|column| poses.place(column)).collect(),
+        frames: (0..count).map(|column| poses.position(column)).collect(),
         threshold: vec![penalty(count); count],
         values,
         extrema: Vec::new(),

@@ -1,31 +1,32 @@
-//! The cheapest way to cut: dynamic programming with exact pruning (Killick, Fearnhead and Eckley 2012).
+//! PELT: optimal segmentation by dynamic programming with exact pruning (Killick, Fearnhead and
+//! Eckley 2012).
 
-use crate::segments::task::{Cancelled, Progress};
+use crate::segments::progress::{Cancelled, Progress};
 
-/// How many places are passed between two reports of progress.
-const REPORT: usize = 256;
+/// Number of steps between two progress reports.
+const PROGRESS_INTERVAL: usize = 256;
 
-/// Places to cut `0..count` at, so that the costs of all segments and `penalty` for each are least.
+/// Returns the cuts of `0..count` with the minimum sum of segment costs and penalties.
 ///
-/// Segments are at least `shortest` long. `cost(start, end)` must never grow when a segment
-/// is cut in two. Of several cheapest ways it is the one whose last segments are longest.
-pub(crate) fn cuts(
+/// Segments have at least `min_length` elements. `cost(start, end)` must not increase when a
+/// segment is split. Of several optimal segmentations the result has the longest last segments.
+pub(crate) fn optimal_cuts(
     count: usize,
-    shortest: usize,
+    min_length: usize,
     penalty: f64,
     cost: impl Fn(usize, usize) -> f64,
     progress: &mut Progress,
 ) -> Result<Vec<usize>, Cancelled> {
-    // The least cost of 0..end and where its last segment starts.
+    // Minimum cost of 0..end and the start of its last segment.
     let mut best = vec![(f64::INFINITY, 0); count + 1];
     best[0].0 = 0.0;
-    // Starts that the last segment may still have, and from which end on they may not.
+    // Possible starts of the last segment, each with the end from which it is excluded.
     let mut starts: Vec<(usize, usize)> = Vec::new();
-    for end in shortest..=count {
-        if end % REPORT == 0 {
+    for end in min_length..=count {
+        if end % PROGRESS_INTERVAL == 0 {
             progress(end as f64 / count as f64)?;
         }
-        let newest = end - shortest;
+        let newest = end - min_length;
         if best[newest].0.is_finite() {
             starts.push((newest, usize::MAX));
         }
@@ -35,14 +36,14 @@ pub(crate) fn cuts(
                 best[end] = (total + penalty, start);
             }
         }
-        // A start that is dearer than to cut here as well can never win again, once a
-        // segment that starts here may end.
-        for ((_, last), total) in starts.iter_mut().zip(totals) {
+        // A start that costs more than an additional cut here cannot be optimal once a segment that
+        // starts here may end.
+        for ((_, excluded_from), total) in starts.iter_mut().zip(totals) {
             if total > best[end].0 {
-                *last = (*last).min(end + shortest);
+                *excluded_from = (*excluded_from).min(end + min_length);
             }
         }
-        starts.retain(|&(_, last)| end + 1 < last);
+        starts.retain(|&(_, excluded_from)| end + 1 < excluded_from);
     }
     let mut cuts = Vec::new();
     let mut end = if best[count].0.is_finite() { count } else { 0 };
@@ -62,7 +63,7 @@ mod tests {
 
     use super::*;
 
-    /// Sum of squared distances from the mean.
+    /// Returns the sum of squared distances from the mean.
     fn variation(values: &[f64]) -> impl Fn(usize, usize) -> f64 {
         |start, end| {
             let run = &values[start..end];
@@ -77,30 +78,41 @@ mod tests {
     }
 
     #[test]
-    fn steps_are_cut_where_they_rise() {
+    fn steps_are_cut_at_their_rise() {
         let values = [0.0, 0.0, 0.1, 0.0, 5.0, 5.1, 5.0, 5.0, 5.0];
-        assert_eq!(cuts(9, 2, 1.0, variation(&values), &mut |_| Ok(())), Ok(vec![4]));
-        assert_eq!(cuts(9, 2, 100.0, variation(&values), &mut |_| Ok(())), Ok(vec![]));
-        assert_eq!(cuts(9, 2, 1.0, variation(&values), &mut |_| Err(Cancelled)), Ok(vec![4]));
-        assert_eq!(cuts(1, 2, 1.0, variation(&values), &mut |_| Ok(())), Ok(vec![]));
+        assert_eq!(optimal_cuts(9, 2, 1.0, variation(&values), &mut |_| Ok(())), Ok(vec![4]));
+        assert_eq!(optimal_cuts(9, 2, 100.0, variation(&values), &mut |_| Ok(())), Ok(vec![]));
+        assert_eq!(optimal_cuts(1, 2, 1.0, variation(&values), &mut |_| Ok(())), Ok(vec![]));
+    }
+
+    #[test]
+    fn can_be_cancelled() {
+        let values = vec![0.0; 2 * PROGRESS_INTERVAL];
+        let mut reports = 0;
+        let mut progress = |_| {
+            reports += 1;
+            Err(Cancelled)
+        };
+        let result = optimal_cuts(values.len(), 2, 1.0, variation(&values), &mut progress);
+        assert_eq!((result, reports), (Err(Cancelled), 1));
     }
 
     proptest! {
         #[test]
-        fn pruning_loses_nothing(
+        fn pruning_keeps_the_optimum(
             values in prop::collection::vec(0.0..4.0_f64, 4..14),
             penalty in 0.1..6.0_f64,
-            shortest in 1_usize..4,
+            min_length in 1_usize..4,
         ) {
             let count = values.len();
             let cost = variation(&values);
-            let found = cuts(count, shortest, penalty, &cost, &mut |_| Ok(())).unwrap();
-            // Every way to cut is a subset of the places between.
+            let found = optimal_cuts(count, min_length, penalty, &cost, &mut |_| Ok(())).unwrap();
+            // Every segmentation is a subset of the inner positions.
             let cheapest = (0_u32..1 << (count - 1))
-                .map(|set| (1..count).filter(|place| set >> (place - 1) & 1 == 1).collect::<Vec<_>>())
+                .map(|set| (1..count).filter(|position| set >> (position - 1) & 1 == 1).collect::<Vec<_>>())
                 .filter(|cuts| {
                     let bounds: Vec<usize> = std::iter::once(0).chain(cuts.iter().copied()).chain([count]).collect();
-                    bounds.windows(2).all(|pair| pair[1] - pair[0] >= shortest)
+                    bounds.windows(2).all(|pair| pair[1] - pair[0] >= min_length)
                 })
                 .map(|cuts| total(&cuts, count, penalty, &cost))
                 .fold(f64::INFINITY, f64::min);

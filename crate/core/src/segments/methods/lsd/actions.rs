@@ -1,58 +1,59 @@
-//! From motifs to actions (patent, section 4.3).
+//! Actions from motifs (patent, section 4.3).
 
 use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::segments::methods::lsd::periods;
 
-/// What lies between periodic actions and has fewer motifs is a transition ...
-const MOTIFS: usize = 2;
+/// Minimum number of motifs between periodic actions; fewer are a transition …
+const MIN_MOTIFS: usize = 2;
 
-/// ... and so is what takes less, in seconds; no split leaves a shorter part.
-const SHORT: f64 = 0.5;
+/// … as are motifs of a shorter total duration, in seconds. No split leaves a shorter part.
+const MIN_PART: f64 = 0.5;
 
-/// Amplitudes next to each other that differ by more than this factor belong to two actions.
-const RATIO: f64 = 3.0;
+/// Ratio of neighbouring amplitudes above which they belong to two actions.
+const AMPLITUDE_RATIO: f64 = 3.0;
 
-/// What takes less is no action, in seconds.
-const ACTION: f64 = 1.5;
+/// Minimum duration of an action, in seconds.
+const MIN_ACTION: f64 = 1.5;
 
-/// Motifs that make an action.
+/// Range of motifs that form an action.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Action {
-    /// Its motifs.
+    /// The motifs.
     pub motifs: Range<usize>,
-    /// The classes that it repeats, from the least on; empty where it does not.
+    /// Classes of the cycle, from the smallest; empty if the action does not repeat.
     pub cycle: Vec<usize>,
 }
 
-/// What is known of the motifs of a clip.
+/// Motifs of a clip.
 #[derive(Clone, Debug)]
 pub(crate) struct Sequence {
-    /// When the turning points are that they lie between, in seconds.
+    /// Times of the turning points, in seconds.
     pub times: Vec<f64>,
-    /// How far the curve rises in each.
+    /// Change of the curve over each motif.
     pub rises: Vec<f64>,
-    /// The class of each.
+    /// Class of each motif.
     pub classes: Vec<usize>,
 }
 
-/// The actions of a clip, at least one; motifs between two of them are a transition.
+/// Returns the actions of a clip, at least one. Motifs between two actions are a transition.
 ///
-/// As `published`, what does not repeat is split by its amplitudes alone. Otherwise only where
-/// no motif comes again, for different actions are made of different motifs (patent, section 1).
+/// If `published`, motifs that do not repeat are split by their amplitudes alone. Otherwise they
+/// are split only where no motif occurs on both sides, as different actions consist of different
+/// motifs (patent, section 1).
 pub(crate) fn actions(sequence: &Sequence, published: bool) -> Vec<Action> {
     let count = sequence.classes.len();
     let mut actions = Vec::new();
-    let mut done = 0;
-    for repeat in periods::repeats(&sequence.classes) {
-        actions.extend(sequence.split(done..repeat.motifs.start, published));
-        done = repeat.motifs.end;
+    let mut next = 0;
+    for repeat in periods::repetitions(&sequence.classes) {
+        actions.extend(sequence.split(next..repeat.motifs.start, published));
+        next = repeat.motifs.end;
         actions.push(repeat);
     }
-    actions.extend(sequence.split(done..count, published));
-    let mut actions = sequence.lasting(actions);
-    // Two periodic actions of one cycle with no other between them are one.
+    actions.extend(sequence.split(next..count, published));
+    let mut actions = sequence.merge_short(actions);
+    // Two periodic actions with the same cycle and no other action between them are merged.
     actions.dedup_by(|next, last| {
         let is_same = !next.cycle.is_empty() && next.cycle == last.cycle;
         if is_same {
@@ -71,44 +72,48 @@ impl Sequence {
         self.times[motifs.end] - self.times[motifs.start]
     }
 
-    /// The actions in what lies between periodic ones.
-    fn split(&self, rest: Range<usize>, published: bool) -> Vec<Action> {
+    /// Returns the actions between periodic ones.
+    fn split(&self, between: Range<usize>, published: bool) -> Vec<Action> {
         let mut parts = Vec::new();
-        if rest.len() < MOTIFS || self.seconds(&rest) < SHORT {
+        if between.len() < MIN_MOTIFS || self.seconds(&between) < MIN_PART {
             return parts;
         }
-        let last: HashMap<usize, usize> = rest.clone().map(|motif| (self.classes[motif], motif)).collect();
+        let last: HashMap<usize, usize> = between.clone().map(|motif| (self.classes[motif], motif)).collect();
         let mut part = |motifs| parts.push(Action { motifs, cycle: Vec::new() });
-        let (mut start, mut again) = (rest.start, rest.start);
-        for joint in rest.start + 1..rest.end {
-            again = again.max(last[&self.classes[joint - 1]]);
+        let (mut start, mut last_occurrence) = (between.start, between.start);
+        for joint in between.start + 1..between.end {
+            last_occurrence = last_occurrence.max(last[&self.classes[joint - 1]]);
             let (a, b) = (self.rises[joint - 1].abs(), self.rises[joint].abs());
-            let is_split = a.max(b) > RATIO * a.min(b) && (published || again < joint);
-            if is_split && [start..joint, joint..rest.end].iter().all(|part| self.seconds(part) >= SHORT) {
+            let is_split = a.max(b) > AMPLITUDE_RATIO * a.min(b) && (published || last_occurrence < joint);
+            if is_split
+                && [start..joint, joint..between.end].iter().all(|part| self.seconds(part) >= MIN_PART)
+            {
                 part(start..joint);
                 start = joint;
             }
         }
-        part(start..rest.end);
+        part(start..between.end);
         parts
     }
 
-    /// Puts together what is too short, the shortest first: a part goes to the shorter of those
-    /// that it was split from; what stands alone becomes a transition.
-    fn lasting(&self, mut actions: Vec<Action>) -> Vec<Action> {
+    /// Merges actions that are too short, the shortest first, with the shorter of the neighbours
+    /// from which they were split. An action without such a neighbour becomes a transition.
+    fn merge_short(&self, mut actions: Vec<Action>) -> Vec<Action> {
         let seconds = |action: &Action| self.seconds(&action.motifs);
         while actions.len() > 1 {
             let shortest =
                 (0..actions.len()).min_by(|&a, &b| seconds(&actions[a]).total_cmp(&seconds(&actions[b])));
-            let Some(short) = shortest.filter(|&action| seconds(&actions[action]) < ACTION) else { break };
+            let Some(short) = shortest.filter(|&action| seconds(&actions[action]) < MIN_ACTION) else {
+                break;
+            };
             let is_split = |first: &usize| match &actions[*first..] {
                 [a, b, ..] => a.motifs.end == b.motifs.start && a.cycle.is_empty() && b.cycle.is_empty(),
                 _ => false,
             };
             let joints = [short.checked_sub(1), Some(short)].into_iter().flatten().filter(is_split);
-            // Either joint has the short part itself on one side.
-            let both = |first: usize| seconds(&actions[first]) + seconds(&actions[first + 1]);
-            match joints.min_by(|&a, &b| both(a).total_cmp(&both(b))) {
+            // The short action is on one side of either joint.
+            let joint_duration = |first: usize| seconds(&actions[first]) + seconds(&actions[first + 1]);
+            match joints.min_by(|&a, &b| joint_duration(a).total_cmp(&joint_duration(b))) {
                 Some(first) => actions[first].motifs.end = actions.remove(first + 1).motifs.end,
                 None => drop(actions.remove(short)),
             }
@@ -136,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_repeats_is_an_action_and_so_is_what_lies_between() {
+    fn repeating_motifs_and_those_between_are_actions() {
         let walk_bend_walk = sequence(&[1, 2, 1, 2, 3, 4, 5, 1, 2, 1, 2], &[20.0; 11]);
         let found = actions(&walk_bend_walk, false);
         let motifs: Vec<_> = found.iter().map(|action| action.motifs.clone()).collect();
@@ -145,13 +150,13 @@ mod tests {
     }
 
     #[test]
-    fn one_motif_between_is_a_transition() {
+    fn a_single_motif_between_actions_is_a_transition() {
         let motifs = sequence(&[1, 2, 1, 2, 9, 3, 4, 3, 4], &[20.0; 9]);
         assert_eq!(ranges(&motifs, false), [0..4, 5..9]);
     }
 
     #[test]
-    fn two_motifs_that_are_too_short_are_a_transition_too() {
+    fn short_motifs_between_actions_are_a_transition() {
         let mut motifs = sequence(&[1, 2, 1, 2, 8, 9, 3, 4, 3, 4], &[20.0; 10]);
         motifs.times[5..].iter_mut().for_each(|time| *time -= 0.5);
         motifs.times[6..].iter_mut().for_each(|time| *time -= 0.5);
@@ -159,22 +164,22 @@ mod tests {
     }
 
     #[test]
-    fn amplitudes_split_what_does_not_repeat() {
+    fn amplitudes_split_motifs_that_do_not_repeat() {
         let amplitudes = [20.0, 22.0, 18.0, 70.0, 75.0, 80.0];
         assert_eq!(ranges(&sequence(&[1, 2, 3, 4, 5, 6], &amplitudes), false), [0..3, 3..6]);
-        // The same motif on both sides: one action, but for the letter of the patent.
-        let again = sequence(&[1, 2, 3, 4, 3, 6], &amplitudes);
-        assert_eq!((ranges(&again, false), ranges(&again, true)), (vec![0..6], vec![0..3, 3..6]));
+        // With the same motif on both sides there is one action, except as published.
+        let repeated = sequence(&[1, 2, 3, 4, 3, 6], &amplitudes);
+        assert_eq!((ranges(&repeated, false), ranges(&repeated, true)), (vec![0..6], vec![0..3, 3..6]));
     }
 
     #[test]
-    fn short_parts_go_back_to_what_they_were_split_from() {
+    fn short_parts_are_merged_with_their_neighbours() {
         let motifs = sequence(&[1, 2, 3, 4, 5, 6, 7], &[20.0, 20.0, 90.0, 20.0, 20.0, 20.0, 20.0]);
         assert_eq!(ranges(&motifs, false), [0..3, 3..7]);
     }
 
     #[test]
-    fn the_same_cycle_after_a_transition_goes_on() {
+    fn a_cycle_continues_after_a_transition() {
         let motifs = sequence(&[1, 2, 1, 2, 1, 9, 8, 2, 1, 2, 1], &[20.0; 11]);
         let found = actions(&motifs, false);
         assert_eq!((found.len(), found[0].motifs.clone(), &found[0].cycle[..]), (1, 0..11, &[1, 2][..]));

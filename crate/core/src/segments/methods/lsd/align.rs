@@ -1,39 +1,39 @@
-//! Shapes: poses freed of place and heading, and the least-squares distance between two.
+//! Shapes: joint positions up to translation and rotation, and the min-squares distance of two
+//! shapes.
 
-use nalgebra::Matrix3;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-/// Coordinates end here, some 50 km from the first joint: beyond, powers would overflow.
-const FAR: f64 = 1e6;
+/// Maximum coordinate, some 50 km from the first joint; larger values would overflow when squared.
+const MAX_COORDINATE: f64 = 1e6;
 
-/// Most steps towards the best turn: a handful do, but where all joints are in line.
-const STEPS: usize = 60;
+/// Maximum number of Newton steps; a handful suffice unless all joints are collinear.
+const MAX_STEPS: usize = 60;
 
-/// A step this small in proportion is the last.
-const SETTLED: f64 = 1e-13;
+/// Relative size of the last step.
+const STEP_TOLERANCE: f64 = 1e-13;
 
-/// Joint positions about their centre.
+/// Joint positions relative to their centre.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Shape {
     points: Vec<Vector3<f64>>,
-    /// Sum of the points' squared lengths.
-    square: f64,
+    /// Sum of the squared lengths of the points.
+    squared_norm: f64,
 }
 
 impl Shape {
-    /// The shape of some points, in whose unit distances are.
+    /// Creates the shape of points; distances are in their unit.
     pub fn new(points: impl ExactSizeIterator<Item = Vector3<f64>> + Clone) -> Shape {
-        let bounded = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-FAR, FAR) };
-        // From the first point on, no digits are lost far from the origin.
+        let bounded = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-MAX_COORDINATE, MAX_COORDINATE) };
+        // Relative to the first point no digits are lost far from the origin.
         let origin = points.clone().next().unwrap_or_default();
         let mut points: Vec<_> = points.map(|point| (point - origin).map(bounded)).collect();
         let centre = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
         points.iter_mut().for_each(|point| *point -= centre);
-        let square = points.iter().map(Vector3::norm_squared).sum();
-        Shape { points, square }
+        let squared_norm = points.iter().map(Vector3::norm_squared).sum();
+        Shape { points, squared_norm }
     }
 
-    /// The mean of shapes as they lie, by their weights.
+    /// Returns the weighted mean of shapes without aligning them.
     pub fn mean(shapes: impl Iterator<Item = (Shape, f64)>) -> Shape {
         let (mut sum, mut total) = (Vec::new(), 0.0);
         for (shape, weight) in shapes {
@@ -44,21 +44,24 @@ impl Shape {
         Shape::new(sum.iter().map(|point| point / total))
     }
 
-    /// The sum over joints of the squared distance from `other`, when turned to lie best on it
+    /// Returns the sum over the joints of the squared distance to `other` after optimal rotation
     /// (patent, step S3).
     pub fn distance(&self, other: &Shape) -> f64 {
-        let both = self.square + other.square;
-        (both - 2.0 * best_product(&self.cross(other), both / 2.0)).max(0.0)
+        let total = self.squared_norm + other.squared_norm;
+        (total - 2.0 * max_trace(&self.cross_covariance(other), total / 2.0)).max(0.0)
     }
 
-    /// The shape turned to lie best on `other`, never mirrored.
-    pub fn turned_onto(&self, other: &Shape) -> Shape {
-        let turn = best_turn(&self.cross(other));
-        Shape { points: self.points.iter().map(|point| turn * point).collect(), square: self.square }
+    /// Returns the shape rotated onto `other` optimally; never mirrored.
+    pub fn rotated_onto(&self, other: &Shape) -> Shape {
+        let rotation = optimal_rotation(&self.cross_covariance(other));
+        Shape {
+            points: self.points.iter().map(|point| rotation * point).collect(),
+            squared_norm: self.squared_norm,
+        }
     }
 
-    /// The cross covariance, but for the number of joints.
-    fn cross(&self, other: &Shape) -> Matrix3<f64> {
+    /// Returns the cross-covariance times the number of joints.
+    fn cross_covariance(&self, other: &Shape) -> Matrix3<f64> {
         let mut cross = Matrix3::zeros();
         for (p, q) in self.points.iter().zip(&other.points) {
             cross += p * q.transpose();
@@ -67,8 +70,8 @@ impl Shape {
     }
 }
 
-/// The rotation R that makes tr(R·H) largest (patent, section 3, steps 4 and 5).
-fn best_turn(cross: &Matrix3<f64>) -> Matrix3<f64> {
+/// Returns the rotation R that maximises tr(R·H) (patent, section 3, steps 4 and 5).
+fn optimal_rotation(cross: &Matrix3<f64>) -> Matrix3<f64> {
     let svd = cross.svd(true, true);
     let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return Matrix3::identity() };
     let mut v = v_t.transpose();
@@ -78,24 +81,24 @@ fn best_turn(cross: &Matrix3<f64>) -> Matrix3<f64> {
     v * u.transpose()
 }
 
-/// The largest tr(R·H) over rotations R, which is no more than `bound`.
+/// Returns the maximum of tr(R·H) over rotations R, which is at most `bound`.
 ///
-/// It is σ₁ + σ₂ + s·σ₃, from the singular values of H and the sign s of its determinant, and
-/// therefore the largest root of (x² − |H|²)² − 8·det(H)·x − 4·|cof(H)|². Newton's method comes
-/// down on it from above (Theobald, Acta Crystallographica A61, 2005), quicker than by the
-/// singular values.
-fn best_product(cross: &Matrix3<f64>, bound: f64) -> f64 {
+/// The maximum is σ₁ + σ₂ + s·σ₃, with the singular values of H and the sign s of its determinant,
+/// and thus the largest root of (x² − |H|²)² − 8·det(H)·x − 4·|cof(H)|². Newton's method converges
+/// to it from above (Theobald, Acta Crystallographica A61, 2005), faster than a singular value
+/// decomposition.
+fn max_trace(cross: &Matrix3<f64>, bound: f64) -> f64 {
     let (a, b, c) = (cross.column(0), cross.column(1), cross.column(2));
     let cofactors = Matrix3::from_columns(&[b.cross(&c), c.cross(&a), a.cross(&b)]);
-    let (square, determinant) = (cross.norm_squared(), a.dot(&cofactors.column(0)));
-    let cofactor_square = cofactors.norm_squared();
-    let mut x = bound.min((3.0 * square).sqrt());
-    for _ in 0..STEPS {
-        let off = x * x - square;
-        let slope = 4.0 * x * off - 8.0 * determinant;
-        let step = (off * off - 8.0 * determinant * x - 4.0 * cofactor_square) / slope;
-        // Without a slope there is no number to compare.
-        if !(slope > 0.0 && step > SETTLED * x) {
+    let (squared_norm, determinant) = (cross.norm_squared(), a.dot(&cofactors.column(0)));
+    let cofactor_norm = cofactors.norm_squared();
+    let mut x = bound.min((3.0 * squared_norm).sqrt());
+    for _ in 0..MAX_STEPS {
+        let difference = x * x - squared_norm;
+        let slope = 4.0 * x * difference - 8.0 * determinant;
+        let step = (difference * difference - 8.0 * determinant * x - 4.0 * cofactor_norm) / slope;
+        // A slope of zero gives NaN, for which the comparison is false.
+        if !(slope > 0.0 && step > STEP_TOLERANCE * x) {
             break;
         }
         x -= step;
@@ -115,7 +118,7 @@ mod tests {
         prop::collection::vec(point, count)
     }
 
-    fn turn() -> impl Strategy<Value = Rotation3<f64>> {
+    fn rotation() -> impl Strategy<Value = Rotation3<f64>> {
         prop::array::uniform3(-3.0..3.0_f64).prop_map(|angles| Rotation3::from_scaled_axis(angles.into()))
     }
 
@@ -125,49 +128,49 @@ mod tests {
 
     proptest! {
         #[test]
-        fn rotations_and_places_do_not_count(points in points(7), turn in turn(), x in -1e4..1e4_f64) {
-            let moved: Vec<_> = points.iter().map(|p| turn * p + Vector3::new(x, -x, 3.0)).collect();
-            let (still, moved) = (shape(&points), shape(&moved));
-            prop_assert!(still.distance(&moved) < 1e-7, "{}", still.distance(&moved));
-            let back = moved.turned_onto(&still);
-            for (p, q) in back.points.iter().zip(&still.points) {
+        fn distance_is_invariant_to_rotation_and_translation(points in points(7), rotation in rotation(), x in -1e4..1e4_f64) {
+            let moved: Vec<_> = points.iter().map(|p| rotation * p + Vector3::new(x, -x, 3.0)).collect();
+            let (original, moved) = (shape(&points), shape(&moved));
+            prop_assert!(original.distance(&moved) < 1e-7, "{}", original.distance(&moved));
+            let back = moved.rotated_onto(&original);
+            for (p, q) in back.points.iter().zip(&original.points) {
                 prop_assert!((p - q).norm() < 1e-6);
             }
         }
 
         #[test]
-        fn the_best_turn_is_a_rotation_and_reaches_the_distance(a in points(6), b in points(6)) {
+        fn the_optimal_rotation_is_a_rotation_and_reaches_the_distance(a in points(6), b in points(6)) {
             let (a, b) = (shape(&a), shape(&b));
-            let turn = best_turn(&a.cross(&b));
-            prop_assert!((turn.determinant() - 1.0).abs() < 1e-9);
-            let turned = a.turned_onto(&b);
-            let reached: f64 = turned.points.iter().zip(&b.points).map(|(p, q)| (p - q).norm_squared()).sum();
-            prop_assert!((reached - a.distance(&b)).abs() < 1e-7, "{reached} {}", a.distance(&b));
+            let rotation = optimal_rotation(&a.cross_covariance(&b));
+            prop_assert!((rotation.determinant() - 1.0).abs() < 1e-9);
+            let rotated = a.rotated_onto(&b);
+            let attained: f64 = rotated.points.iter().zip(&b.points).map(|(p, q)| (p - q).norm_squared()).sum();
+            prop_assert!((attained - a.distance(&b)).abs() < 1e-7, "{attained} {}", a.distance(&b));
             prop_assert!((b.distance(&a) - a.distance(&b)).abs() < 1e-7);
         }
 
         #[test]
-        fn singular_values_say_the_same(a in points(5), b in points(5), flat in 0_usize..4) {
-            let press = |points: &[Vector3<f64>]| {
+        fn trace_agrees_with_singular_values(a in points(5), b in points(5), flat in 0_usize..4) {
+            let flatten = |points: &[Vector3<f64>]| {
                 let mut points = points.to_vec();
-                // Planes and lines too: there, singular values vanish.
+                // Planes and lines too, for which singular values vanish.
                 points.iter_mut().for_each(|p| (0..flat).for_each(|axis| p[axis] = 0.0));
                 shape(&points)
             };
-            let (a, b) = (press(&a), shape(&b));
-            let cross = a.cross(&b);
+            let (a, b) = (flatten(&a), shape(&b));
+            let cross = a.cross_covariance(&b);
             let mut values: Vec<f64> = cross.singular_values().iter().copied().collect();
             values.sort_by(|a, b| b.total_cmp(a));
             let best = values[0] + values[1] + cross.determinant().signum() * values[2];
-            prop_assert!((best_product(&cross, f64::INFINITY) - best).abs() < 1e-5);
+            prop_assert!((max_trace(&cross, f64::INFINITY) - best).abs() < 1e-5);
         }
 
         #[test]
-        fn mirror_images_are_apart(points in points(6)) {
+        fn mirror_images_differ(points in points(6)) {
             let mirrored: Vec<_> = points.iter().map(|p| Vector3::new(-p.x, p.y, p.z)).collect();
             let (a, b) = (shape(&points), shape(&mirrored));
-            let least = a.cross(&a).symmetric_eigenvalues().min();
-            prop_assert!((a.distance(&b) - 4.0 * least).abs() < 1e-6, "{} {least}", a.distance(&b));
+            let min = a.cross_covariance(&a).symmetric_eigenvalues().min();
+            prop_assert!((a.distance(&b) - 4.0 * min).abs() < 1e-6, "{} {min}", a.distance(&b));
         }
     }
 
@@ -180,7 +183,7 @@ mod tests {
                 let b = shape(&[Vector3::zeros(), Vector3::new(y, 1.0, 0.0), Vector3::new(1.0, x, -y)]);
                 assert!(a.distance(&b).is_finite(), "{x} {y}");
                 assert!(
-                    Shape::mean([(a.turned_onto(&b), 1.0), (b, 1.0)].into_iter()).square.is_finite(),
+                    Shape::mean([(a.rotated_onto(&b), 1.0), (b, 1.0)].into_iter()).squared_norm.is_finite(),
                     "{x} {y}"
                 );
             }

@@ -1,85 +1,88 @@
-//! Motifs, and which of them are alike (patent, section 4.2).
+//! Motifs and their classes (patent, section 4.2).
 
 use crate::segments::methods::lsd::align::Shape;
-use crate::segments::methods::lsd::cluster;
-use crate::segments::task::Cancelled;
+use crate::segments::methods::lsd::linkage;
+use crate::segments::progress::Cancelled;
 
-/// Points at which the curves of motifs are compared, however long the motifs are.
+/// Number of points at which the curves of motifs are compared, independent of their duration.
 const POINTS: usize = 16;
 
-/// Curves that differ by this share of the larger amplitude are too far apart to be alike ...
-const CURVE: f64 = 0.6;
+/// Difference of curves, as a fraction of the larger amplitude, from which motifs are not similar …
+const MAX_CURVE_DIFFERENCE: f64 = 0.6;
 
-/// ... where amplitudes below this count as this, in units of distance: all motifs proper have more.
-const AMPLITUDE: f64 = 10.0;
+/// … where smaller amplitudes count as this amplitude, in units of distance; complete motifs exceed
+/// it.
+const MIN_AMPLITUDE: f64 = 10.0;
 
-/// Poses at this distance are too far apart for the motifs that begin or end with them to be alike.
-const POSE: f64 = 100.0;
+/// Distance of poses from which motifs that begin or end with them are not similar.
+const MAX_POSE_DISTANCE: f64 = 100.0;
 
-/// The curve of a motif.
+/// Curve of a motif.
 #[derive(Clone, Debug)]
-pub(crate) struct Outline {
+pub(crate) struct MotifCurve {
     points: [f64; POINTS],
 }
 
-/// The outlines between turning points.
-pub(crate) fn outlines(values: &[f64], turns: &[usize]) -> Vec<Outline> {
-    let outline = |ends: &[usize]| {
+/// Returns the curves between turning points.
+pub(crate) fn curves(values: &[f64], turns: &[usize]) -> Vec<MotifCurve> {
+    let curve = |ends: &[usize]| {
         let (start, length) = (ends[0], (ends[1] - ends[0]) as f64);
         let point = |index: usize| {
             let ahead = length * index as f64 / (POINTS - 1) as f64;
-            let (before, share) = (start + ahead as usize, ahead.fract());
+            let (before, fraction) = (start + ahead as usize, ahead.fract());
             let after = values[(before + 1).min(ends[1])];
-            values[before] * (1.0 - share) + after * share
+            values[before] * (1.0 - fraction) + after * fraction
         };
-        Outline { points: std::array::from_fn(point) }
+        MotifCurve { points: std::array::from_fn(point) }
     };
-    turns.windows(2).map(outline).collect()
+    turns.windows(2).map(curve).collect()
 }
 
-impl Outline {
-    /// How far the curve rises from the first to the last point.
-    pub fn rise(&self) -> f64 {
+impl MotifCurve {
+    /// Returns the change of the curve from the first to the last point.
+    pub fn change(&self) -> f64 {
         self.points[POINTS - 1] - self.points[0]
     }
 
-    /// Root of the mean squared difference from another, as a share of the larger amplitude.
-    fn difference(&self, other: &Outline) -> f64 {
+    /// Returns the root-mean-square difference of two curves, as a fraction of the larger
+    /// amplitude.
+    fn difference(&self, other: &MotifCurve) -> f64 {
         let squares = self.points.iter().zip(&other.points).map(|(a, b)| (a - b).powi(2));
-        let amplitude = AMPLITUDE.max(self.rise().abs()).max(other.rise().abs());
+        let amplitude = MIN_AMPLITUDE.max(self.change().abs()).max(other.change().abs());
         (squares.sum::<f64>() / POINTS as f64).sqrt() / amplitude
     }
 }
 
-/// The class of each motif, counted from 1 as they first appear.
+/// Returns the class of each motif, from 1 in order of first appearance.
 ///
-/// Motifs are alike whose curves and whose first and last poses are; `shapes` are the poses at
-/// the turning points. Those that rise are never like those that fall. `alive` is asked now and
-/// then whether to go on.
+/// Motifs are similar if their curves and their first and last poses are; `shapes` are the poses at
+/// the turning points. Rising and falling motifs are never similar. `checkpoint` is called
+/// regularly and may cancel.
 pub(crate) fn classes(
-    outlines: &[Outline],
+    curves: &[MotifCurve],
     shapes: &[Shape],
-    alive: &mut impl FnMut() -> Result<(), Cancelled>,
+    checkpoint: &mut impl FnMut() -> Result<(), Cancelled>,
 ) -> Result<Vec<usize>, Cancelled> {
     let distance = |a: usize, b: usize| {
         let pose = |ahead: usize| shapes[a + ahead].distance(&shapes[b + ahead]);
-        (outlines[a].difference(&outlines[b]) / CURVE).max(pose(0).max(pose(1)) / POSE)
+        (curves[a].difference(&curves[b]) / MAX_CURVE_DIFFERENCE)
+            .max(pose(0).max(pose(1)) / MAX_POSE_DISTANCE)
     };
     let (rising, falling): (Vec<usize>, Vec<usize>) =
-        (0..outlines.len()).partition(|&motif| outlines[motif].rise() >= 0.0);
-    let mut heads = vec![0; outlines.len()];
+        (0..curves.len()).partition(|&motif| curves[motif].change() >= 0.0);
+    let mut heads = vec![0; curves.len()];
     for motifs in [rising, falling] {
-        let groups = cluster::groups(motifs.len(), |a, b| distance(motifs[a], motifs[b]), 1.0, alive)?;
+        let groups = linkage::groups(motifs.len(), |a, b| distance(motifs[a], motifs[b]), 1.0, checkpoint)?;
         for (&motif, head) in motifs.iter().zip(groups) {
             heads[motif] = motifs[head];
         }
     }
-    // Heads come before all else of their group: when a motif is its own head, its class is new.
+    // A head precedes all other members of its group: a motif that is its own head has a new class.
     let mut classes = Vec::with_capacity(heads.len());
-    let mut known = 0;
+    let mut class_count = 0;
     for (motif, &head) in heads.iter().enumerate() {
-        known += usize::from(head == motif);
-        classes.push(if head == motif { known } else { classes[head] });
+        class_count += usize::from(head == motif);
+        classes.push(if head == motif { class_count } else { classes[head] });
     }
     Ok(classes)
 }
@@ -99,31 +102,31 @@ mod tests {
         let mut values = vec![heights[0]];
         let mut turns = vec![0];
         for pair in heights.windows(2) {
-            // Motifs of different lengths: 10, 17, 24, 11 ... samples.
+            // Motifs of different lengths: 10, 17, 24, 11 … samples.
             let length = 10 + values.len() % 17;
             values.extend((1..=length).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / length as f64));
             turns.push(values.len() - 1);
         }
         let shapes: Vec<Shape> = bends.iter().map(|&bend| shape(bend)).collect();
-        classes(&outlines(&values, &turns), &shapes, &mut || Ok(())).unwrap()
+        classes(&curves(&values, &turns), &shapes, &mut || Ok(())).unwrap()
     }
 
     #[test]
-    fn motifs_of_one_curve_and_the_same_poses_are_alike() {
+    fn motifs_with_equal_curves_and_poses_are_similar() {
         let heights = [60.0, 100.0, 62.0, 98.0, 0.0, 30.0, 1.0];
         assert_eq!(classes_of(&heights, &[0.0; 7]), [1, 2, 1, 2, 3, 4]);
     }
 
     #[test]
-    fn motifs_of_other_poses_are_not() {
+    fn motifs_with_other_poses_are_not_similar() {
         let bends = [0.0, 2.0, 0.0, 2.5, 0.0, 40.0, 0.0];
         assert_eq!(classes_of(&[0.0, 30.0, 0.0, 30.0, 0.0, 30.0, 0.0], &bends), [1, 2, 1, 2, 3, 4]);
     }
 
     #[test]
-    fn outlines_reach_from_end_to_end() {
-        let outlines = outlines(&[4.0, 3.0, 5.0, 9.0], &[0, 1, 3]);
-        assert_eq!((outlines[0].rise(), outlines[1].rise()), (-1.0, 6.0));
-        assert!((outlines[1].points[3] - (3.0 + 2.0 * 0.4)).abs() < 1e-12);
+    fn curves_reach_from_end_to_end() {
+        let curves = curves(&[4.0, 3.0, 5.0, 9.0], &[0, 1, 3]);
+        assert_eq!((curves[0].change(), curves[1].change()), (-1.0, 6.0));
+        assert!((curves[1].points[3] - (3.0 + 2.0 * 0.4)).abs() < 1e-12);
     }
 }

@@ -1,46 +1,51 @@
-//! Where in a transition one action goes over into the next (patent, section 4.3).
+//! Refinement of a cut within its transition (patent, section 4.3).
 
 use std::ops::Range;
 
 use crate::segments::methods::lsd::align::Shape;
-use crate::segments::methods::lsd::stage::Stage;
+use crate::segments::methods::lsd::pose_shapes::PoseShapes;
 
-/// What an action's poses are known by: so much of its end or beginning, in seconds.
-const NEAR: f64 = 1.0;
+/// Duration of the end or beginning of an action that represents its poses, in seconds.
+const REFERENCE_DURATION: f64 = 1.0;
 
-/// Poses per second that are compared: the cut is as exact.
+/// Rate of the compared poses, in Hz: the resolution of the cut.
 const RATE: f64 = 30.0;
 
-/// The first frame of the second of two actions.
-pub(crate) fn cut(stage: &mut Stage, rate: f64, before: Range<usize>, after: Range<usize>) -> usize {
+/// Returns the first frame of the second of two actions.
+pub(crate) fn refine_cut(
+    poses: &mut PoseShapes,
+    rate: f64,
+    before: Range<usize>,
+    after: Range<usize>,
+) -> usize {
     let between = before.end..after.start;
     if between.is_empty() {
         return between.end;
     }
     let step = ((rate / RATE).round() as usize).max(1);
-    let near = ((rate * NEAR).round() as usize).max(1);
-    let known_before = before.start.max(before.end.saturating_sub(near))..before.end;
-    let known_after = after.start..after.end.min(after.start.saturating_add(near));
-    let [known_before, shapes, known_after] = [known_before, between.clone(), known_after]
-        .map(|frames| frames.step_by(step).map(|frame| stage.shape(frame)).collect::<Vec<_>>());
-    let place = turn_over(&shapes, &known_before, &known_after);
-    between.clone().step_by(step).nth(place).unwrap_or(between.end)
+    let reference_frames = ((rate * REFERENCE_DURATION).round() as usize).max(1);
+    let before_frames = before.start.max(before.end.saturating_sub(reference_frames))..before.end;
+    let after_frames = after.start..after.end.min(after.start.saturating_add(reference_frames));
+    let [before_frames, shapes, after_frames] = [before_frames, between.clone(), after_frames]
+        .map(|frames| frames.step_by(step).map(|frame| poses.shape(frame)).collect::<Vec<_>>());
+    let split = best_split(&shapes, &before_frames, &after_frames);
+    between.clone().step_by(step).nth(split).unwrap_or(between.end)
 }
 
-/// How many of the shapes belong to what is before, if each is to lie as near as can be to
-/// any of the shapes of its side.
-fn turn_over(between: &[Shape], before: &[Shape], after: &[Shape]) -> usize {
+/// Returns the number of shapes that belong to the first action, so that the total distance of the
+/// shapes to the nearest shape of their action is minimal.
+fn best_split(between: &[Shape], before: &[Shape], after: &[Shape]) -> usize {
     let nearest = |shape: &Shape, side: &[Shape]| {
         side.iter().map(|other| shape.distance(other)).fold(f64::INFINITY, f64::min)
     };
-    let (mut cost, mut least) = (0.0, (0.0, 0));
-    for (place, shape) in between.iter().enumerate() {
+    let (mut cost, mut best) = (0.0, (0.0, 0));
+    for (index, shape) in between.iter().enumerate() {
         cost += nearest(shape, before) - nearest(shape, after);
-        if cost < least.0 {
-            least = (cost, place + 1);
+        if cost < best.0 {
+            best = (cost, index + 1);
         }
     }
-    least.1
+    best.1
 }
 
 #[cfg(test)]
@@ -59,13 +64,13 @@ mod tests {
     }
 
     #[test]
-    fn each_shape_goes_to_the_side_that_it_is_like() {
+    fn shapes_belong_to_the_more_similar_action() {
         let (low, high) = (shapes(&[0.0, 0.3, 0.1]), shapes(&[2.0, 1.8]));
-        assert_eq!(turn_over(&shapes(&[0.1, 0.2, 0.6, 1.5, 1.9]), &low, &high), 3);
-        // One that strays is outvoted.
-        assert_eq!(turn_over(&shapes(&[0.1, 1.2, 0.2, 1.9, 1.9]), &low, &high), 3);
-        assert_eq!(turn_over(&shapes(&[1.5, 1.9]), &low, &high), 0);
-        assert_eq!(turn_over(&shapes(&[0.1, 0.2]), &low, &high), 2);
-        assert_eq!(turn_over(&[], &low, &high), 0);
+        assert_eq!(best_split(&shapes(&[0.1, 0.2, 0.6, 1.5, 1.9]), &low, &high), 3);
+        // A single deviation is outvoted.
+        assert_eq!(best_split(&shapes(&[0.1, 1.2, 0.2, 1.9, 1.9]), &low, &high), 3);
+        assert_eq!(best_split(&shapes(&[1.5, 1.9]), &low, &high), 0);
+        assert_eq!(best_split(&shapes(&[0.1, 0.2]), &low, &high), 2);
+        assert_eq!(best_split(&[], &low, &high), 0);
     }
 }

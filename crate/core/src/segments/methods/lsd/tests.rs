@@ -1,4 +1,4 @@
-//! The method as a whole, on a puppet that waves and bows.
+//! Tests of the whole method on a puppet that waves and bows.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ use crate::notice::Code;
 use crate::segments::{Cancelled, Kind, Method, Params, SegmentError, Segmentation, Template, segment};
 use crate::skeleton::{Overrides, Skeleton};
 
-/// Name, place among all of the parent, and offset in centimetres.
+/// Name, index of the parent in this list, and offset in centimetres.
 const BODY: [(&str, usize, [f64; 3]); 17] = [
     ("Hips", 0, [0.0, 95.0, 0.0]),
     ("Spine", 0, [0.0, 12.0, 0.0]),
@@ -28,29 +28,30 @@ const BODY: [(&str, usize, [f64; 3]); 17] = [
     ("RightFoot", 15, [0.0, -43.0, 0.0]),
 ];
 
-/// The puppet, but for joints whose names have one of `missing`, with each joint's angle about an axis at each instant.
+/// Returns a clip of the puppet without the joints whose names contain one of `missing`, with an
+/// angle per joint and time.
 fn puppet(rate: f64, frames: usize, missing: &[&str], angle: impl Fn(&str, f64) -> f64) -> Clip {
-    let is_kept = |joint: &usize| !missing.iter().any(|part| BODY[*joint].0.contains(part));
-    let kept: Vec<usize> = (0..BODY.len()).filter(is_kept).collect();
-    let joint = |&place: &usize| {
-        let (name, parent, offset) = BODY[place];
+    let is_present = |joint: &usize| !missing.iter().any(|part| BODY[*joint].0.contains(part));
+    let present: Vec<usize> = (0..BODY.len()).filter(is_present).collect();
+    let joint = |&index: &usize| {
+        let (name, parent, offset) = BODY[index];
         let axis = if name.contains("Arm") { Axis::Z } else { Axis::X };
         Joint {
             name: name.into(),
-            kind: if place == 0 { JointKind::Root } else { JointKind::Joint },
-            parent: (place > 0).then(|| kept.iter().position(|&k| k == parent).unwrap()),
+            kind: if index == 0 { JointKind::Root } else { JointKind::Joint },
+            parent: (index > 0).then(|| present.iter().position(|&k| k == parent).unwrap()),
             offset: Vector3::from(offset),
             channels: vec![Channel::Rotation(axis)],
         }
     };
     let values = (0..frames).flat_map(|frame| {
         let time = frame as f64 / rate;
-        kept.iter().map(|&joint| angle(BODY[joint].0, time)).collect::<Vec<_>>()
+        present.iter().map(|&joint| angle(BODY[joint].0, time)).collect::<Vec<_>>()
     });
-    Clip::new(kept.iter().map(joint).collect(), 1.0 / rate, values.collect())
+    Clip::new(present.iter().map(joint).collect(), 1.0 / rate, values.collect())
 }
 
-/// Six seconds of waving with both arms, then of bowing, then of waving again: degrees.
+/// Six seconds each of waving with both arms, bowing, and waving; angles in degrees.
 fn wave_bow_wave(joint: &str, time: f64) -> f64 {
     let swing = (1.0 - (time * std::f64::consts::TAU / 1.5).cos()) / 2.0;
     match joint {
@@ -67,8 +68,8 @@ fn cut(clip: &Clip, params: Params) -> Result<Segmentation, SegmentError> {
     segment(clip, &Skeleton::main(clip, &Overrides::default()), params, &mut |_| Ok(()))
 }
 
-/// Cuts with default parameters and checks what holds for any clip.
-fn checked(clip: &Clip) -> Segmentation {
+/// Segments with default parameters and checks properties of every result.
+fn segment_checked(clip: &Clip) -> Segmentation {
     let found = cut(clip, Params::default()).unwrap();
     let mut ends = found.segments.iter().map(|segment| segment.frames.end);
     let starts = found.segments.iter().map(|segment| segment.frames.start);
@@ -79,26 +80,26 @@ fn checked(clip: &Clip) -> Segmentation {
     assert!(found.motifs.iter().all(|motif| !motif.frames.is_empty() && motif.amplitude.is_finite()));
     assert_eq!(found.curve.frames.len(), found.curve.values.len());
     assert!(found.curve.values.iter().all(|value| value.is_finite()));
-    assert!(found.curve.extrema.iter().all(|&place| place < found.curve.values.len()));
+    assert!(found.curve.extrema.iter().all(|&index| index < found.curve.values.len()));
     found
 }
 
-/// Whether the two cuts are found, in seconds; the puppet turns from one to the other at rest,
-/// and the curve at the pose before or after that is most like all others.
-fn are_found(found: &Segmentation, rate: f64) -> bool {
+/// True if there is a cut near both changes of action. The puppet is at rest when it changes, and
+/// the curve turns at a nearby pose.
+fn has_expected_cuts(found: &Segmentation, rate: f64) -> bool {
     let cuts: Vec<f64> = found.cuts().iter().map(|&cut| cut as f64 / rate).collect();
     [6.0, 12.0].iter().all(|&time: &f64| cuts.iter().any(|cut| (cut - time).abs() < 0.4))
 }
 
 #[test]
-fn actions_that_repeat_are_told_apart_at_any_rate() {
-    let mut known: Option<Vec<f64>> = None;
+fn periodic_actions_are_separated_at_any_rate() {
+    let mut expected: Option<Vec<f64>> = None;
     for rate in [24.0, 30.0, 60.0, 120.0, 250.0] {
-        let found = checked(&puppet(rate, (18.0 * rate) as usize, &[], wave_bow_wave));
-        assert!(found.cuts().len() == 2 && are_found(&found, rate), "{rate} Hz: {:?}", found.cuts());
+        let found = segment_checked(&puppet(rate, (18.0 * rate) as usize, &[], wave_bow_wave));
+        assert!(found.cuts().len() == 2 && has_expected_cuts(&found, rate), "{rate} Hz: {:?}", found.cuts());
         let seconds: Vec<f64> = found.cuts().iter().map(|&cut| cut as f64 / rate).collect();
-        let known = known.get_or_insert(seconds.clone());
-        assert!(seconds.iter().zip(known).all(|(a, b)| (a - *b).abs() < 0.05), "{rate} Hz: {seconds:?}");
+        let expected = expected.get_or_insert(seconds.clone());
+        assert!(seconds.iter().zip(expected).all(|(a, b)| (a - *b).abs() < 0.05), "{rate} Hz: {seconds:?}");
 
         assert!(found.segments.iter().all(|segment| segment.kind == Kind::Periodic));
         let labels: Vec<&str> = found.segments.iter().map(|segment| &segment.label[..]).collect();
@@ -108,12 +109,12 @@ fn actions_that_repeat_are_told_apart_at_any_rate() {
 }
 
 #[test]
-fn templates_and_thresholds_can_be_chosen() {
+fn templates_can_be_chosen() {
     let clip = puppet(30.0, 540, &[], wave_bow_wave);
     for template in [Template::TPose, Template::Frame(0), Template::Frame(539)] {
         for published in [false, true] {
             let found = cut(&clip, Params { template, published, ..Params::default() }).unwrap();
-            assert!(are_found(&found, 30.0), "{template:?} {:?}", found.cuts());
+            assert!(has_expected_cuts(&found, 30.0), "{template:?} {:?}", found.cuts());
         }
     }
     let beyond = Params { template: Template::Frame(540), ..Params::default() };
@@ -124,57 +125,58 @@ fn templates_and_thresholds_can_be_chosen() {
 #[test]
 fn clips_of_few_frames_are_one_action() {
     for frames in 1..=20 {
-        let found = checked(&puppet(120.0, frames, &[], wave_bow_wave));
+        let found = segment_checked(&puppet(120.0, frames, &[], wave_bow_wave));
         assert_eq!((found.segments.len(), found.segments[0].kind), (1, Kind::Aperiodic));
     }
 }
 
 #[test]
 fn standing_still_is_one_action() {
-    let found = checked(&puppet(60.0, 600, &[], |_, _| 10.0));
+    let found = segment_checked(&puppet(60.0, 600, &[], |_, _| 10.0));
     assert_eq!((found.segments.len(), found.motifs.len()), (1, 1));
 }
 
 #[test]
-fn duplicate_frames_are_no_trouble() {
-    let found =
-        checked(&puppet(60.0, 1080, &[], |joint, time| wave_bow_wave(joint, (time * 12.0).floor() / 12.0)));
+fn duplicate_frames_are_accepted() {
+    let found = segment_checked(&puppet(60.0, 1080, &[], |joint, time| {
+        wave_bow_wave(joint, (time * 12.0).floor() / 12.0)
+    }));
     assert_eq!(found.cuts().len(), 2);
 }
 
 #[test]
-fn missing_arms_and_legs_are_said() {
+fn missing_limbs_have_a_notice() {
     for missing in [["Arm", "Hand"], ["Leg", "Foot"]] {
-        let found = checked(&puppet(60.0, 1080, &missing, wave_bow_wave));
+        let found = segment_checked(&puppet(60.0, 1080, &missing, wave_bow_wave));
         assert!(found.notices.iter().any(|notice| notice.code == Code::MissingJoints), "{missing:?}");
     }
 }
 
 #[test]
-fn it_can_be_cancelled() {
+fn can_be_cancelled() {
     let clip = puppet(30.0, 540, &[], wave_bow_wave);
     let params = Params { method: Method::Lsd, ..Params::default() }.check().unwrap();
     let skeleton = Skeleton::main(&clip, &Overrides::default());
-    let stopped = segment(&clip, &skeleton, params, &mut |_| Err(Cancelled));
-    assert_eq!(stopped, Err(SegmentError::Cancelled));
+    let cancelled = segment(&clip, &skeleton, params, &mut |_| Err(Cancelled));
+    assert_eq!(cancelled, Err(SegmentError::Cancelled));
     let mut last = 0.0;
     let mut rises = true;
-    let told = segment(&clip, &skeleton, params, &mut |share| {
-        rises &= (last..=1.0).contains(&share);
-        last = share;
+    let result = segment(&clip, &skeleton, params, &mut |fraction| {
+        rises &= (last..=1.0).contains(&fraction);
+        last = fraction;
         Ok(())
     });
-    assert!(told.is_ok() && rises && last > 0.5);
+    assert!(result.is_ok() && rises && last > 0.5);
 }
 
 #[test]
-fn absurd_values_and_rates_have_an_answer() {
+fn extreme_values_and_rates_have_a_result() {
     for size in [1e6, 1e300, f64::MAX] {
         let clip = puppet(30.0, 90, &[], |_, time| size * time.fract());
         for frame_time in [1.0 / 30.0, 0.0, 1e-300, 1e9, f64::MAX] {
             let mut clip = clip.clone();
             clip.set_frame_time(frame_time);
-            checked(&clip);
+            segment_checked(&clip);
         }
     }
 }

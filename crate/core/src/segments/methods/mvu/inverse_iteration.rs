@@ -1,60 +1,62 @@
-//! The largest eigenvalues of a matrix, by inverse iteration with a shift (Zhang and Wang, algorithm 1-1).
+//! Largest eigenvalues of a matrix by inverse iteration with a shift (Zhang and Wang, algorithm
+//! 1-1).
 //!
-//! A shift close to an eigenvalue makes the iteration fast; the growing window's matrix
-//! changes little, so the eigenvalues of the window before are good ones. Without those,
-//! Gershgorin's discs bound the largest (their equation 4).
+//! A shift close to an eigenvalue makes the iteration fast. The matrix of a growing window changes
+//! little, so the eigenvalues of the previous window are good shifts. Without them, Gershgorin
+//! discs bound the largest eigenvalue (their equation 4).
 
-use nalgebra::DMatrix;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
-/// Iterations after which a shift is given up.
-const MOST_ITERATIONS: usize = 60;
-/// Change of an eigenvalue, relative to it, at which it is found.
+/// Number of iterations after which a shift is abandoned.
+const MAX_ITERATIONS: usize = 60;
+/// Relative change of an eigenvalue at convergence.
 const TOLERANCE: f64 = 1e-10;
 
-/// The `wanted` largest eigenvalues of a positive semidefinite matrix, largest first;
-/// `guesses` are shifts to try, in the same order.
-pub(crate) fn largest(mut matrix: DMatrix<f64>, wanted: usize, guesses: &[f64]) -> Vec<f64> {
-    let mut found = Vec::new();
-    for place in 0..wanted.min(matrix.nrows()) {
-        let shifts = guesses.get(place).map(|guess| guess * 1.05).into_iter().chain([gershgorin(&matrix)]);
+/// Returns the `count` largest eigenvalues of a positive semidefinite matrix, largest first;
+/// `guesses` are approximate eigenvalues in the same order.
+pub(crate) fn largest_eigenvalues(mut matrix: DMatrix<f64>, count: usize, guesses: &[f64]) -> Vec<f64> {
+    let mut eigenvalues = Vec::new();
+    for index in 0..count.min(matrix.nrows()) {
+        let shifts = guesses.get(index).map(|guess| guess * 1.05).into_iter().chain([gershgorin(&matrix)]);
         let Some((value, vector)) =
-            shifts.filter(|&shift| shift > 0.0).find_map(|shift| nearest(&matrix, shift))
+            shifts.filter(|&shift| shift > 0.0).find_map(|shift| converge(&matrix, shift))
         else {
-            // No shift led to the largest one: the whole spectrum does.
+            // No shift led to the largest eigenvalue; the full spectrum is computed.
             let mut rest = matrix.symmetric_eigenvalues().as_slice().to_vec();
             rest.sort_unstable_by(|a, b| b.total_cmp(a));
-            found.extend(rest.into_iter().take(wanted - place));
+            eigenvalues.extend(rest.into_iter().take(count - index));
             break;
         };
-        // What is found is taken out, so that the next largest is the largest.
+        // Deflation makes the next largest eigenvalue the largest.
         matrix.syger(-value, &vector, &vector, 1.0);
         matrix.fill_upper_triangle_with_lower_triangle();
-        found.push(value);
+        eigenvalues.push(value);
     }
-    found
+    eigenvalues
 }
 
-/// The largest eigenvalue with its vector, if iterating about `shift` leads to it.
-fn nearest(matrix: &DMatrix<f64>, shift: f64) -> Option<(f64, DVector<f64>)> {
-    let count = matrix.nrows();
+/// Returns the largest eigenvalue with its eigenvector, if the iteration with `shift` converges to
+/// it.
+fn converge(matrix: &DMatrix<f64>, shift: f64) -> Option<(f64, DVector<f64>)> {
+    let size = matrix.nrows();
     let shifted = |shift: f64| {
         let mut shifted = matrix.clone();
-        for place in 0..count {
-            shifted[(place, place)] -= shift;
+        for index in 0..size {
+            shifted[(index, index)] -= shift;
         }
         shifted
     };
     let factors = shifted(shift).lu();
-    // No symmetry of the motion is likely to be orthogonal to it.
-    let mut vector = DVector::from_fn(count, |place, _| 1.0 + (place as f64 * 0.7).sin()).normalize();
+    // A start vector that is unlikely to be orthogonal to the eigenvector.
+    let mut vector = DVector::from_fn(size, |index, _| 1.0 + (index as f64 * 0.7).sin()).normalize();
     let mut value = f64::NAN;
-    for _ in 0..MOST_ITERATIONS {
+    for _ in 0..MAX_ITERATIONS {
         vector = factors.solve(&vector)?.normalize();
         let last = value;
         value = vector.dot(&(matrix * &vector));
         if (value - last).abs() <= TOLERANCE * value.abs() {
-            // Nothing is larger if what is a little larger outweighs the matrix.
+            // The value is the largest if the matrix minus a slightly larger multiple of the
+            // identity is negative definite.
             let is_largest = (-shifted(value + 1e-6 * value.abs())).cholesky().is_some();
             return is_largest.then_some((value, vector));
         }
@@ -62,11 +64,11 @@ fn nearest(matrix: &DMatrix<f64>, shift: f64) -> Option<(f64, DVector<f64>)> {
     None
 }
 
-/// The upper bound of all of Gershgorin's discs.
+/// Returns the upper bound of the Gershgorin discs.
 fn gershgorin(matrix: &DMatrix<f64>) -> f64 {
-    let bound = |place: usize| {
-        let row = matrix.column(place);
-        row[place] + row.iter().map(|value| value.abs()).sum::<f64>() - row[place].abs()
+    let bound = |index: usize| {
+        let row = matrix.column(index);
+        row[index] + row.iter().map(|value| value.abs()).sum::<f64>() - row[index].abs()
     };
     (0..matrix.nrows()).map(bound).fold(0.0, f64::max)
 }
@@ -79,18 +81,18 @@ mod tests {
 
     proptest! {
         #[test]
-        fn they_are_those_of_the_full_solver(
+        fn agrees_with_the_full_solver(
             values in prop::collection::vec(-1.0..1.0_f64, 5 * 12),
             guess in 0.0..30.0_f64,
-            wanted in 1_usize..5,
+            count in 1_usize..5,
         ) {
             let points = DMatrix::from_vec(12, 5, values);
             let matrix = &points * points.transpose();
             let mut expected = matrix.symmetric_eigenvalues().as_slice().to_vec();
             expected.sort_unstable_by(|a, b| b.total_cmp(a));
             for guesses in [vec![], vec![guess, guess / 2.0], vec![expected[0], expected[1]]] {
-                let found = largest(matrix.clone(), wanted, &guesses);
-                prop_assert_eq!(found.len(), wanted);
+                let found = largest_eigenvalues(matrix.clone(), count, &guesses);
+                prop_assert_eq!(found.len(), count);
                 for (found, expected) in found.iter().zip(&expected) {
                     prop_assert!((found - expected).abs() < 1e-5 * expected_scale(&matrix), "{} {}", found, expected);
                 }
@@ -103,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_comes_of_nothing() {
-        assert_eq!(largest(DMatrix::zeros(4, 4), 2, &[]), [0.0, 0.0]);
+    fn the_zero_matrix_has_zero_eigenvalues() {
+        assert_eq!(largest_eigenvalues(DMatrix::zeros(4, 4), 2, &[]), [0.0, 0.0]);
     }
 }

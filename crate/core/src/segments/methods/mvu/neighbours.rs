@@ -1,22 +1,21 @@
-//! Who is next to whom, and how far.
+//! Neighbourhood graph of the poses.
 
-use nalgebra::DMatrix;
-use nalgebra::DMatrixView;
+use nalgebra::{DMatrix, DMatrixView};
 
-/// A pair of poses whose distance is kept.
+/// Pair of poses whose distance is preserved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
     pub from: usize,
     pub to: usize,
-    /// The square of their distance.
+    /// Squared distance.
     pub squared: f64,
 }
 
-/// Squared distances are no smaller than this share of their mean: poses that repeat would
-/// otherwise leave the solver no room.
-const LEAST: f64 = 1e-4;
+/// Minimum squared distance, as a fraction of the mean; without it, repeated poses would leave no
+/// strictly feasible point.
+const MIN_SQUARED_FRACTION: f64 = 1e-4;
 
-/// The squared distances between all poses, one per column.
+/// Returns the squared distances between all poses, one per column.
 pub(crate) fn squared_distances(poses: DMatrixView<f64>) -> DMatrix<f64> {
     let products = poses.tr_mul(&poses);
     let count = poses.ncols();
@@ -25,8 +24,8 @@ pub(crate) fn squared_distances(poses: DMatrixView<f64>) -> DMatrix<f64> {
     })
 }
 
-/// Each pose with the `k` nearest others, as seen from either, and with the next in time,
-/// without which the poses could fly apart; each pair once.
+/// Returns the edges from each pose to its `k` nearest neighbours and to the next pose in time,
+/// which keeps the graph connected; each pair once.
 pub(crate) fn edges(distances: &DMatrix<f64>, k: usize) -> Vec<Edge> {
     let count = distances.nrows();
     let mut is_edge = DMatrix::from_element(count, count, false);
@@ -51,12 +50,12 @@ pub(crate) fn edges(distances: &DMatrix<f64>, k: usize) -> Vec<Edge> {
         .collect();
     let mean = edges.iter().map(|edge| edge.squared).sum::<f64>() / edges.len().max(1) as f64;
     for edge in &mut edges {
-        edge.squared = edge.squared.max(LEAST * mean);
+        edge.squared = edge.squared.max(MIN_SQUARED_FRACTION * mean);
     }
     edges
 }
 
-/// The inner products of points with these squared distances about their centre.
+/// Returns the inner products, about their centre, of points with these squared distances.
 pub(crate) fn centred_products(distances: &DMatrix<f64>) -> DMatrix<f64> {
     let count = distances.nrows();
     let means = distances.row_mean();

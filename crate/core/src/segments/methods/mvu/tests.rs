@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::skeleton::{Overrides, Skeleton};
 
-/// Poses along a helix with a tail of noise: one column each.
+/// Poses along a helix with noise, one per column.
 fn helix(count: usize, seed: f64) -> DMatrix<f64> {
     DMatrix::from_fn(5, count, |row, column| {
         let angle = 0.3 * column as f64;
@@ -12,28 +12,28 @@ fn helix(count: usize, seed: f64) -> DMatrix<f64> {
     })
 }
 
-/// The solution from nothing, of points along their edges.
-fn solved(count: usize, edges: &[neighbours::Edge]) -> unfold::Unfolded {
-    unfold::unfold(count, edges, &Inside::default(), &mut || Ok(())).unwrap()
+/// Returns the solution without a start.
+fn solve(count: usize, edges: &[neighbours::Edge]) -> unfold::Unfolded {
+    unfold::unfold(count, edges, &InteriorPoint::default(), &mut || Ok(())).unwrap()
 }
 
-/// The unfolded poses of a single window.
-fn unfolded_alone(poses: DMatrixView<f64>, k: usize) -> DMatrix<f64> {
-    unfolded(poses, k, &mut Last::default(), &mut || Ok(())).unwrap()
+/// Returns the unfolded poses of a single window.
+fn unfold_single(poses: DMatrixView<f64>, k: usize) -> DMatrix<f64> {
+    unfold_window(poses, k, &mut PreviousWindow::default(), &mut || Ok(())).unwrap()
 }
 
-/// What a single window leaves over.
-fn residual_alone(poses: DMatrixView<f64>, dims: usize, kind: Residual) -> f64 {
-    residual(poses, dims, kind, &mut Last::default(), &mut || Ok(())).unwrap()
+/// Returns the residual of a single window.
+fn residual_single(poses: DMatrixView<f64>, dims: usize, kind: Residual) -> f64 {
+    residual(poses, dims, kind, &mut PreviousWindow::default(), &mut || Ok(())).unwrap()
 }
 
 #[test]
-fn the_solution_is_the_best_there_is() {
+fn the_solution_is_optimal() {
     for seed in 0..20 {
         let poses = helix(30, f64::from(seed));
         let distances = neighbours::squared_distances(poses.as_view());
         let edges = neighbours::edges(&distances, 6);
-        let unfolded = solved(30, &edges);
+        let unfolded = solve(30, &edges);
         assert!(unfolded.gap < 5e-6, "gap {}", unfolded.gap);
         assert!(unfolded.violation < 1e-6, "violation {}", unfolded.violation);
         let k = &unfolded.products;
@@ -44,15 +44,15 @@ fn the_solution_is_the_best_there_is() {
         }
         assert!(k.column_sum().amax() < 1e-6 * k.trace());
         assert!(k.symmetric_eigenvalues().min() > -1e-8 * k.trace());
-        // The poses as they are keep all distances too, so the best is no smaller.
-        let as_they_are = neighbours::centred_products(&distances).trace();
-        assert!(k.trace() > as_they_are * (1.0 - 1e-5));
+        // The original poses preserve all distances too, so the optimum is no smaller.
+        let original = neighbours::centred_products(&distances).trace();
+        assert!(k.trace() > original * (1.0 - 1e-5));
     }
 }
 
 #[test]
 fn a_chain_unfolds_to_a_line() {
-    // Points around a circle, each tied to the next only.
+    // Points on a circle, each connected to the next only.
     let poses = DMatrix::from_fn(2, 9, |row, column| {
         let angle = 0.6 * column as f64;
         if row == 0 { angle.cos() } else { angle.sin() }
@@ -60,20 +60,20 @@ fn a_chain_unfolds_to_a_line() {
     let distances = neighbours::squared_distances(poses.as_view());
     let edges = neighbours::edges(&distances, 0);
     assert_eq!(edges.len(), 8);
-    let k = solved(9, &edges).products;
-    let rest = residual_of(&k, 1);
-    assert!(rest < 1e-4 * k.trace(), "{rest}");
+    let k = solve(9, &edges).products;
+    let remaining = residual_of(&k, 1);
+    assert!(remaining < 1e-4 * k.trace(), "{remaining}");
     let step = distances[(0, 1)].sqrt();
-    let along: f64 = (0..9).map(|place| ((f64::from(place) - 4.0) * step).powi(2)).sum();
-    assert!((k.trace() - along).abs() < 1e-4 * along);
+    let expected: f64 = (0..9).map(|index| ((f64::from(index) - 4.0) * step).powi(2)).sum();
+    assert!((k.trace() - expected).abs() < 1e-4 * expected);
 }
 
 #[test]
-fn general_solvers_find_the_same() {
-    // SCS (to 1e-9) and Clarabel agree on these.
+fn agrees_with_general_solvers() {
+    // SCS (to 1e-9) and Clarabel agree on these values.
     for (k, trace) in [(3, 30.7221), (6, 26.3778)] {
         let distances = neighbours::squared_distances(helix(24, 0.0).as_view());
-        let found = solved(24, &neighbours::edges(&distances, k)).products.trace();
+        let found = solve(24, &neighbours::edges(&distances, k)).products.trace();
         assert!((found - trace).abs() < 1e-4 * trace, "k = {k}: {found}");
     }
 }
@@ -81,68 +81,70 @@ fn general_solvers_find_the_same() {
 #[path = "../../../../tests/support/corpus.rs"]
 mod corpus;
 
-/// Windows of recorded poses: `count` of them from frame `first` on, every twelfth of a second.
+/// Returns windows of recorded poses: `count` poses from frame `first`, every twelfth of a second.
 fn recorded(windows: &[(usize, usize)]) -> Option<Vec<DMatrix<f64>>> {
     let bytes = std::fs::read(corpus::folder()?.join("cmu/86_01.bvh")).unwrap();
     let clip = crate::bvh::parse(&bytes, Default::default()).unwrap().clip;
     let skeleton = Skeleton::main(&clip, &Overrides::default());
-    let body = Body::turning(&clip, &skeleton).unwrap();
+    let body = Body::rotation_joints(&clip, &skeleton).unwrap();
     let window = |&(first, count): &(usize, usize)| {
-        let poses = Poses::of(&clip, &body, &(first..clip.frame_count()), 12.0);
+        let poses = Poses::new(&clip, &body, &(first..clip.frame_count()), 12.0);
         poses.columns.columns(0, count).into_owned()
     };
     Some(windows.iter().map(window).collect())
 }
 
 #[test]
-fn recorded_poses_unfold_as_a_general_solver_has_it() {
+fn recorded_poses_agree_with_a_general_solver() {
     let Some(windows) = recorded(&[(0, 60)]) else { return };
-    // Clarabel's values.
+    // Values of Clarabel.
     for (k, trace) in [(4, 24.4767), (6, 9.6669)] {
-        let found = unfolded_alone(windows[0].as_view(), k).trace();
+        let found = unfold_single(windows[0].as_view(), k).trace();
         assert!((found - trace).abs() < 1e-4 * trace, "k = {k}: {found}");
     }
 }
 
 #[test]
 fn recorded_windows_are_solved_to_the_tolerance() {
-    let places: Vec<(usize, usize)> = (0..20).map(|index| (index * 211, 20 + index * 37 % 61)).collect();
-    let Some(windows) = recorded(&places) else { return };
+    let spans: Vec<(usize, usize)> = (0..20).map(|index| (index * 211, 20 + index * 37 % 61)).collect();
+    let Some(windows) = recorded(&spans) else { return };
     for window in windows {
         let distances = neighbours::squared_distances(window.as_view());
-        let unfolded = solved(window.ncols(), &neighbours::edges(&distances, 6));
+        let unfolded = solve(window.ncols(), &neighbours::edges(&distances, 6));
         assert!(unfolded.gap < 5e-6, "gap {}", unfolded.gap);
         assert!(unfolded.violation < 1e-6, "violation {}", unfolded.violation);
     }
 }
 
-/// Checks that windows are solved as well and in fewer steps from the one before as from nothing.
+/// Checks that windows started from the previous one are solved as accurately as from scratch, in
+/// fewer steps.
 fn check_windows(poses: &DMatrix<f64>, windows: impl Iterator<Item = Range<usize>>) {
-    let mut last = Inside::default();
-    let (mut first, mut from_last, mut from_nothing) = (0, 0, 0);
+    let mut previous = InteriorPoint::default();
+    let (mut first, mut warm_steps, mut cold_steps) = (0, 0, 0);
     for window in windows {
-        let part = poses.columns_range(window.clone());
-        let edges = neighbours::edges(&neighbours::squared_distances(part), 6);
-        let unfold = |start: &Inside, steps: &mut usize| {
-            let mut pause = || {
+        let window_poses = poses.columns_range(window.clone());
+        let edges = neighbours::edges(&neighbours::squared_distances(window_poses), 6);
+        let unfold = |start: &InteriorPoint, steps: &mut usize| {
+            let mut checkpoint = || {
                 *steps += 1;
                 Ok(())
             };
-            unfold::unfold(part.ncols(), &edges, start, &mut pause).unwrap()
+            unfold::unfold(window_poses.ncols(), &edges, start, &mut checkpoint).unwrap()
         };
-        let start = take(&mut last).without_first(window.start - first);
-        let (warm, cold) = (unfold(&start, &mut from_last), unfold(&Inside::default(), &mut from_nothing));
+        let start = take(&mut previous).without_first(window.start - first);
+        let (warm, cold) =
+            (unfold(&start, &mut warm_steps), unfold(&InteriorPoint::default(), &mut cold_steps));
         assert!(warm.gap < 5e-6, "{window:?}: gap {}", warm.gap);
         assert!(warm.violation < 5e-7, "{window:?}: violation {}", warm.violation);
         let (trace, expected) = (warm.products.trace(), cold.products.trace());
         assert!((trace - expected).abs() < 2e-5 * expected, "{window:?}: {trace} {expected}");
-        (first, last) = (window.start, warm.inside);
+        (first, previous) = (window.start, warm.interior);
     }
-    assert!(from_last < from_nothing, "{from_last} of {from_nothing}");
+    assert!(warm_steps < cold_steps, "{warm_steps} of {cold_steps}");
 }
 
 #[test]
-fn windows_that_grow_and_slide_start_from_the_one_before() {
+fn windows_start_from_the_previous_one() {
     let windows = || (20..50).step_by(2).map(|end| 0..end).chain((2..16).step_by(2).map(|by| by..48 + by));
     check_windows(&helix(64, 0.5), windows());
     if let Some(poses) = recorded(&[(0, 64)]) {
@@ -151,32 +153,33 @@ fn windows_that_grow_and_slide_start_from_the_one_before() {
 }
 
 #[test]
-fn what_has_nothing_to_do_with_the_window_is_no_start() {
+fn an_unrelated_start_is_ignored() {
     let edges_of =
         |poses: &DMatrix<f64>| neighbours::edges(&neighbours::squared_distances(poses.as_view()), 6);
     let other =
-        solved(30, &edges_of(&DMatrix::from_fn(5, 30, |i, j| (7.3 * (i * 30 + j) as f64).sin()))).inside;
+        solve(30, &edges_of(&DMatrix::from_fn(5, 30, |i, j| (7.3 * (i * 30 + j) as f64).sin()))).interior;
     let edges = edges_of(&helix(30, 1.0));
     let found = unfold::unfold(30, &edges, &other, &mut || Ok(())).unwrap();
-    let expected = solved(30, &edges).products.trace();
+    let expected = solve(30, &edges).products.trace();
     assert!(found.gap < 5e-6 && found.violation < 5e-7);
     assert!((found.products.trace() - expected).abs() < 2e-5 * expected);
 }
 
 #[test]
-fn a_window_can_be_cancelled_in_between() {
+fn a_window_can_be_cancelled() {
     let mut steps = 0;
-    let mut pause = || {
+    let mut checkpoint = || {
         steps += 1;
         if steps == 3 { Err(Cancelled) } else { Ok(()) }
     };
     let poses = helix(40, 0.0);
-    let found = residual(poses.as_view(), 1, Residual::Absolute, &mut Last::default(), &mut pause);
+    let found =
+        residual(poses.as_view(), 1, Residual::Absolute, &mut PreviousWindow::default(), &mut checkpoint);
     assert_eq!((found, steps), (Err(Cancelled), 3));
 }
 
 fn residual_of(products: &DMatrix<f64>, dims: usize) -> f64 {
-    products.trace() - inverse_iteration::largest(products.clone(), dims, &[]).iter().sum::<f64>()
+    products.trace() - inverse_iteration::largest_eigenvalues(products.clone(), dims, &[]).iter().sum::<f64>()
 }
 
 #[test]
@@ -184,27 +187,27 @@ fn with_all_neighbours_nothing_moves() {
     let poses = helix(7, 0.0);
     let mean = poses.column_mean();
     let centred = DMatrix::from_columns(&poses.column_iter().map(|pose| pose - &mean).collect::<Vec<_>>());
-    let products = unfolded_alone(poses.as_view(), 6);
+    let products = unfold_single(poses.as_view(), 6);
     assert!((products - centred.tr_mul(&centred)).amax() < 1e-12);
 }
 
 #[test]
-fn poses_that_repeat_leave_no_residual() {
-    let still = DMatrix::from_element(8, 25, 0.3);
-    assert_eq!(residual_alone(still.as_view(), 1, Residual::Absolute), 0.0);
-    assert_eq!(residual_alone(still.as_view(), 1, Residual::Ratio), 0.0);
+fn constant_poses_have_no_residual() {
+    let constant = DMatrix::from_element(8, 25, 0.3);
+    assert_eq!(residual_single(constant.as_view(), 1, Residual::Absolute), 0.0);
+    assert_eq!(residual_single(constant.as_view(), 1, Residual::Ratio), 0.0);
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn any_poses_have_a_residual(
+    fn random_poses_have_a_residual(
         values in prop::collection::vec(prop_oneof![Just(0.0), -1.0..1.0_f64], 3 * 24),
         dims in 1_usize..4,
     ) {
         let poses = DMatrix::from_vec(3, 24, values);
-        let rest = residual_alone(poses.as_view(), dims, Residual::Absolute);
-        prop_assert!(rest.is_finite() && rest >= 0.0);
+        let remaining = residual_single(poses.as_view(), dims, Residual::Absolute);
+        prop_assert!(remaining.is_finite() && remaining >= 0.0);
     }
 }

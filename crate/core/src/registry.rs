@@ -1,0 +1,77 @@
+//! Registries: enums whose variants are described by one entry each.
+
+/// An entry of a registry does not exist.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("unknown {kind} {name:?}; use one of {}", .known.join(", "))]
+pub struct UnknownName {
+    /// Kind of item, as in `method`.
+    pub kind: &'static str,
+    /// The name that was looked up.
+    pub name: String,
+    /// The names of all items.
+    pub known: Vec<&'static str>,
+}
+
+/// Declares an enum and the entry of each variant: `Variant => path::ENTRY`.
+///
+/// The entries are constants of one type with the fields `name`, `title` and `description`. The first
+/// variant is the default. To add an item, write its entry and add one line to the enum.
+macro_rules! registry {
+    (
+        $(#[$attribute:meta])*
+        pub enum $Item:ident: $Entry:ty as $kind:literal {
+            $($(#[$variant_attribute:meta])* $Variant:ident => $entry:expr,)+
+        }
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        pub enum $Item {
+            $($(#[$variant_attribute])* $Variant,)+
+        }
+
+        impl $Item {
+            #[doc = concat!("Every ", $kind, ", the default first.")]
+            pub const ALL: &'static [$Item] = &[$($Item::$Variant),+];
+
+            fn entry(self) -> &'static $Entry {
+                match self {
+                    $($Item::$Variant => &$entry,)+
+                }
+            }
+
+            /// Returns the name for the command line and documents.
+            pub fn name(self) -> &'static str {
+                self.entry().name
+            }
+
+            /// Returns the name for people.
+            pub fn title(self) -> &'static str {
+                self.entry().title
+            }
+
+            /// Returns a description in one sentence.
+            pub fn description(self) -> &'static str {
+                self.entry().description
+            }
+        }
+
+        impl std::fmt::Display for $Item {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(self.name())
+            }
+        }
+
+        impl std::str::FromStr for $Item {
+            type Err = $crate::registry::UnknownName;
+
+            fn from_str(name: &str) -> Result<$Item, $crate::registry::UnknownName> {
+                $Item::ALL.iter().copied().find(|item| item.name() == name).ok_or_else(|| {
+                    let known = $Item::ALL.iter().map(|item| item.name()).collect();
+                    $crate::registry::UnknownName { kind: $kind, name: name.into(), known }
+                })
+            }
+        }
+    };
+}
+
+pub(crate) use registry;
