@@ -1,10 +1,10 @@
-//! CSV: fields in quotes where they must be, and rows of them back.
+//! Fields and rows of CSV tables.
 
 use std::borrow::Cow;
 
-use crate::formats::LabelsError;
+use crate::formats::document::ReadError;
 
-/// A text as a field.
+/// Returns a text as a field, quoted if necessary.
 pub(crate) fn field(text: &str) -> Cow<'_, str> {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\"")).into()
@@ -13,33 +13,48 @@ pub(crate) fn field(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// One row with its fields.
+/// Returns the header of a table, with a column `root` if any skeleton has a named root.
+pub(crate) fn table_header<'a>(mut roots: impl Iterator<Item = Option<&'a str>>, columns: &str) -> String {
+    format!("{}{columns}", if roots.any(|root| root.is_some()) { "root," } else { "" })
+}
+
+/// Returns the name of the root as a field with its comma; empty without a name.
+pub(crate) fn root_field(root: Option<&str>) -> String {
+    root.map_or_else(String::new, |name| format!("{},", field(name)))
+}
+
+/// Returns the time of a frame in seconds, rounded to microseconds.
+pub(crate) fn seconds(frame: usize, frame_time: f64) -> f64 {
+    (frame as f64 * frame_time * 1e6).round() / 1e6
+}
+
+/// Row of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Row {
-    /// The line that it begins in, from 1.
+    /// Number of the line on which the row begins, from 1.
     line: usize,
     fields: Vec<String>,
 }
 
-/// The rows of a table, without blank lines.
+/// Returns the rows of a table without blank lines.
 pub(crate) fn rows(text: &str) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut row = Row { line: 1, fields: Vec::new() };
     let (mut line, mut field, mut is_quoted) = (1, String::new(), false);
-    // Spreadsheets put a mark before the first row, and not always a line end after the last.
+    // Spreadsheets write a byte order mark, and not always a line end after the last row.
     let mut text = text.trim_start_matches('\u{feff}').chars().chain(['\n']).peekable();
     while let Some(c) = text.next() {
         line += usize::from(c == '\n');
         match c {
             '"' if is_quoted && text.peek() == Some(&'"') => field.extend(text.next()),
             '"' if is_quoted || field.is_empty() => is_quoted = !is_quoted,
-            // A quote that never ends takes no more than the rest.
             ',' if !is_quoted => row.fields.push(std::mem::take(&mut field)),
+            // A quote without end includes the rest of the text.
             '\n' if !is_quoted || text.peek().is_none() => {
                 row.fields.push(std::mem::take(&mut field));
-                let done = std::mem::replace(&mut row, Row { line, fields: Vec::new() });
-                let is_blank = matches!(&done.fields[..], [field] if field.trim().is_empty());
-                rows.extend((!is_blank).then_some(done));
+                let complete = std::mem::replace(&mut row, Row { line, fields: Vec::new() });
+                let is_blank = matches!(&complete.fields[..], [field] if field.trim().is_empty());
+                rows.extend((!is_blank).then_some(complete));
             }
             '\r' if !is_quoted => {}
             c => field.push(c),
@@ -48,21 +63,21 @@ pub(crate) fn rows(text: &str) -> Vec<Row> {
     rows
 }
 
-/// The column of a name.
-pub(crate) fn column(head: &Row, name: &str) -> Option<usize> {
-    head.fields.iter().position(|field| field.trim() == name)
+/// Returns the index of the column with a name.
+pub(crate) fn column(header: &Row, name: &str) -> Option<usize> {
+    header.fields.iter().position(|field| field.trim() == name)
 }
 
 impl Row {
-    /// One field, without spaces about it.
+    /// Returns one field without surrounding spaces.
     pub fn field(&self, column: usize) -> Option<&str> {
         self.fields.get(column).map(|field| field.trim())
     }
 
-    /// What is wrong with a field.
-    pub fn wrong(&self, expected: &str, found: Option<&str>) -> LabelsError {
+    /// Returns the error for a field with an unexpected value.
+    pub fn unexpected(&self, expected: &str, found: Option<&str>) -> ReadError {
         let found = found.unwrap_or("nothing");
-        LabelsError::Wrong(format!("row {}: expected {expected}, found {found:?}", self.line))
+        ReadError::Invalid(format!("row {}: expected {expected}, found {found:?}", self.line))
     }
 }
 
@@ -71,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fields_survive_the_table() {
+    fn fields_round_trip() {
         let fields = ["walk", "", "a, b", "say \"hop\"", "two\nlines"];
         let text = fields.map(|text| field(text).into_owned()).join(",");
         let rows = rows(&format!("\u{feff}{text}\r\n\r\nlast,1"));
@@ -81,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quote_without_end_takes_the_rest() {
+    fn a_quote_without_end_includes_the_rest() {
         assert_eq!(rows("a,\"b,c\nd")[0].fields, ["a", "b,c\nd"]);
         assert!(rows("").is_empty() && rows("\n\r\n").is_empty());
         assert_eq!(rows(",\n").len(), 1, "fields may be empty");

@@ -1,20 +1,19 @@
-//! Files of plants and segments: the only place that writes and reads them.
+//! File formats of plants and segments: the only place that writes and reads them.
+//!
+//! [`PlantFormat`] and [`SegmentFormat`] list the formats with their name, file extension, media
+//! type, writer and reader. The command line, the bindings and the app offer what they list.
 
-mod babel;
-mod blender;
 mod csv;
-mod npz;
+mod document;
+mod format_info;
 mod plants;
-mod read_plants;
-mod read_segments;
 mod segments;
-mod tables;
 
-pub use babel::babel_json;
-pub use blender::blender_script;
-pub use npz::npz;
-pub use plants::{Document, FORMAT, Foot, FootJoints, Joints, MethodUsed, Source, Span, SpanSource, VERSION};
-pub use read_plants::{LabelsError, read, read_bytes};
-pub use read_segments::{has_segments, read_cuts, read_segments};
-pub use segments::{MotifSpan, SEGMENTS_FORMAT, SegmentSpan, SegmentsDocument, SegmentsMethod, Stretch};
-pub use tables::{Labelled, events_csv, frames_csv, intervals_csv, segments_csv};
+pub use document::{FrameRange, Header, Origin, ReadError, Source, VERSION, to_json};
+pub use plants::{
+    FootJoints, FootPlants, Joints, MethodUsed, Plant, PlantExport, PlantFormat, PlantsDocument, read_plants,
+};
+pub use segments::{
+    DocumentMotif, DocumentSegment, SegmentExport, SegmentFormat, SegmentsDocument, SegmentsMethod,
+    has_segments, read_cuts, read_segments,
+};

@@ -1,4 +1,4 @@
-//! A detection beside another labelling of the same clip.
+//! Comparison of a detection with an annotation of the same clip.
 
 use serde::Serialize;
 
@@ -8,38 +8,38 @@ use crate::numeric::sort;
 use crate::plants::{Annotation, Detection};
 use crate::score::{EventScore, Events, Tally, events, lenient, strict};
 
-/// The fuzzy periods that accuracy is reported for, in seconds.
-pub const FUZZY: [f64; 5] = [0.0, 0.1, 0.2, 0.3, 0.4];
+/// Fuzzy periods for which accuracy is reported, in seconds.
+pub const FUZZY_PERIODS: [f64; 5] = [0.0, 0.1, 0.2, 0.3, 0.4];
 
-/// How well one part agrees.
+/// Agreement of one part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartScore {
-    /// The part that both have labelled.
+    /// The part.
     pub part: Part,
-    /// Accuracy for each period of [`FUZZY`].
-    pub rows: Vec<Row>,
-    /// Plants as events, of both feet.
+    /// Accuracy for each period of [`FUZZY_PERIODS`].
+    pub rows: Vec<AccuracyRow>,
+    /// Agreement of the plants of both feet as events.
     pub events: EventScore,
-    /// Where the labels differ.
+    /// Frame ranges in which the labels differ.
     pub disagreements: Vec<Disagreement>,
 }
 
-/// Accuracy for one fuzzy period; shares from 0 to 1.
+/// Accuracy for one fuzzy period, as fractions from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Row {
-    /// The fuzzy period in seconds.
+pub struct AccuracyRow {
+    /// Fuzzy period, in seconds.
     pub fuzzy: f64,
-    /// [`lenient`], both feet.
+    /// [`lenient`] accuracy of both feet.
     pub lenient: f64,
-    /// [`strict`], both feet.
+    /// [`strict`] accuracy of both feet.
     pub strict: f64,
-    /// [`lenient`], left foot.
+    /// [`lenient`] accuracy of the left foot.
     pub left: f64,
-    /// [`lenient`], right foot.
+    /// [`lenient`] accuracy of the right foot.
     pub right: f64,
 }
 
-/// A run of frames in which the labels differ.
+/// Frame range in which the labels differ.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Disagreement {
     /// The foot.
@@ -48,53 +48,53 @@ pub struct Disagreement {
     pub part: Part,
     /// First frame.
     pub start: usize,
-    /// First frame after.
+    /// First frame after the range.
     pub end: usize,
-    /// Whether the plant was missed or is too much.
+    /// Whether the detection misses contact or has extra contact.
     pub kind: DisagreementKind,
 }
 
-/// In which way labels differ.
+/// Kind of a disagreement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DisagreementKind {
-    /// The other labelling has the foot planted.
+    /// Only the annotation has contact.
     Missed,
-    /// Only the detection has.
+    /// Only the detection has contact.
     Extra,
 }
 
 /// Compares every part that both have labelled.
 ///
 /// # Panics
-/// If they are of different numbers of frames.
-pub fn compare(detection: &Detection, other: &Annotation, frame_time: f64) -> Vec<PartScore> {
+/// If the numbers of frames differ.
+pub fn compare(detection: &Detection, annotation: &Annotation, frame_time: f64) -> Vec<PartScore> {
     let score = |(part, truth): &(Part, [Vec<Option<bool>>; 2])| {
         let labels = detection.part(*part)?;
         let feet = Side::BOTH.map(|side| (&labels.foot(side).planted, &truth[side as usize]));
-        let rows = FUZZY.map(|fuzzy| {
+        let rows = FUZZY_PERIODS.map(|fuzzy| {
             let [left, right] = feet.map(|(labels, truth)| lenient(labels, truth, frame_time, fuzzy));
-            let mut exact = Tally::default();
-            feet.iter().for_each(|(labels, truth)| exact += strict(labels, truth, frame_time, fuzzy));
+            let mut strict_tally = Tally::default();
+            feet.iter().for_each(|(labels, truth)| strict_tally += strict(labels, truth, frame_time, fuzzy));
             let mut both = left;
             both += right;
-            Row {
+            AccuracyRow {
                 fuzzy,
                 lenient: both.accuracy(),
-                strict: exact.accuracy(),
+                strict: strict_tally.accuracy(),
                 left: left.accuracy(),
                 right: right.accuracy(),
             }
         });
-        let mut all = Events::default();
-        feet.iter().for_each(|(labels, truth)| all += events(labels, truth, frame_time));
+        let mut all_events = Events::default();
+        feet.iter().for_each(|(labels, truth)| all_events += events(labels, truth, frame_time));
         let mut disagreements: Vec<Disagreement> = Vec::new();
         for (side, (labels, truth)) in Side::BOTH.into_iter().zip(feet) {
-            for (kind, known) in [(DisagreementKind::Missed, true), (DisagreementKind::Extra, false)] {
+            for (kind, annotated) in [(DisagreementKind::Missed, true), (DisagreementKind::Extra, false)] {
                 let differ: Vec<bool> = labels
                     .iter()
                     .zip(truth)
-                    .map(|(label, truth)| *truth == Some(known) && *label != known)
+                    .map(|(label, truth)| *truth == Some(annotated) && *label != annotated)
                     .collect();
                 disagreements.extend(intervals(&differ).into_iter().map(|run| Disagreement {
                     side,
@@ -106,7 +106,7 @@ pub fn compare(detection: &Detection, other: &Annotation, frame_time: f64) -> Ve
             }
         }
         let disagreements = sort::sort_by_frames(disagreements, |run| (run.start, run.end));
-        Some(PartScore { part: *part, rows: rows.to_vec(), events: all.score(), disagreements })
+        Some(PartScore { part: *part, rows: rows.to_vec(), events: all_events.score(), disagreements })
     };
-    other.parts.iter().filter_map(score).collect()
+    annotation.parts.iter().filter_map(score).collect()
 }

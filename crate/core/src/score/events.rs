@@ -1,52 +1,55 @@
-//! Plants as events: which were found, and how early or late.
+//! Comparison of plants as events: detected plants and the errors of their edges.
 
 use std::ops::{AddAssign, Range};
 
 use serde::Serialize;
 
-/// Plants of one foot, found and true, matched one to one.
+use crate::intervals::intervals;
+use crate::numeric::stats::nearest_percentile;
+
+/// Plants of one foot, matched one to one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
-    /// Plants that were found where there is one.
+    /// Detected plants that match a true plant.
     pub matched: usize,
-    /// Plants that were found.
+    /// Detected plants.
     pub found: usize,
-    /// Plants that there are.
+    /// True plants.
     pub total: usize,
-    /// For each matched plant whose beginning is known: found minus true, in seconds.
+    /// Onset errors of matched plants with a known onset: detected minus true, in seconds.
     pub onset_errors: Vec<f64>,
-    /// For each matched plant whose end is known: found minus true, in seconds.
+    /// Offset errors of matched plants with a known end: detected minus true, in seconds.
     pub offset_errors: Vec<f64>,
 }
 
-/// What [`Events`] come to.
+/// Summary of [`Events`].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct EventScore {
-    /// Share of the plants found that there are.
+    /// Fraction of the detected plants that are true.
     pub precision: f64,
-    /// Share of the plants that were found.
+    /// Fraction of the true plants that were detected.
     pub recall: f64,
-    /// Harmonic mean of both.
+    /// Harmonic mean of precision and recall.
     pub f1: f64,
-    /// Median of the onset errors in seconds; positive is late.
+    /// Median onset error, in seconds; positive if late.
     pub onset: f64,
-    /// Median of the offset errors in seconds.
+    /// Median offset error, in seconds; positive if late.
     pub offset: f64,
-    /// 95th percentile of the onset errors' amounts.
+    /// 95th percentile of the absolute onset error, in seconds.
     pub onset_95: f64,
-    /// 95th percentile of the offset errors' amounts.
+    /// 95th percentile of the absolute offset error, in seconds.
     pub offset_95: f64,
 }
 
-/// Matches plants that overlap by at least half of the longer.
+/// Matches plants that overlap by at least half of the longer one.
 ///
-/// A plant counts where most of its frames have known truth; an edge counts
-/// where the truth beside it is known and within the clip.
+/// A plant counts if the truth of most of its frames is known. An edge counts if the truth next to
+/// it is known and within the clip.
 ///
 /// # Panics
 /// If `labels` and `truth` differ in length.
 pub fn events(labels: &[bool], truth: &[Option<bool>], frame_time: f64) -> Events {
-    assert_eq!(labels.len(), truth.len(), "labels and truth are of one clip");
+    assert_eq!(labels.len(), truth.len(), "labels and truth must have the same length");
     let true_plants = runs(truth.len(), |frame| truth[frame] == Some(true));
     let is_known = |plant: &Range<usize>| 2 * truth[plant.clone()].iter().flatten().count() > plant.len();
     let mut found = runs(labels.len(), |frame| labels[frame]);
@@ -59,7 +62,7 @@ pub fn events(labels: &[bool], truth: &[Option<bool>], frame_time: f64) -> Event
         let overlap =
             |other: &Range<usize>| plant.end.min(other.end).saturating_sub(plant.start.max(other.start));
         let Some(best) = (0..found.len()).max_by_key(|&index| overlap(&found[index])) else { break };
-        // What is not known of a plant cannot count against its length.
+        // Unknown frames do not count towards the length of a plant.
         let other = found[best].clone();
         let known = truth[other.clone()].iter().flatten().count();
         if 2 * overlap(&other) < plant.len().max(known) || overlap(&other) == 0 {
@@ -71,31 +74,31 @@ pub fn events(labels: &[bool], truth: &[Option<bool>], frame_time: f64) -> Event
         found.remove(best);
         events.matched += 1;
         let edge_known = |outside: Option<usize>| outside.and_then(|frame| *truth.get(frame)?) == Some(false);
-        let error = |found: usize, true_frame: usize| (found as f64 - true_frame as f64) * frame_time;
+        let error_s = |found: usize, true_frame: usize| (found as f64 - true_frame as f64) * frame_time;
         if edge_known(plant.start.checked_sub(1)) {
-            events.onset_errors.push(error(other.start, plant.start));
+            events.onset_errors.push(error_s(other.start, plant.start));
         }
         if edge_known(Some(plant.end)) {
-            events.offset_errors.push(error(other.end, plant.end));
+            events.offset_errors.push(error_s(other.end, plant.end));
         }
     }
     events
 }
 
 impl Events {
-    /// Precision, recall, F1 and errors.
+    /// Returns precision, recall, F1 and edge errors.
     pub fn score(&self) -> EventScore {
-        let share = |of: usize| if of == 0 { 1.0 } else { self.matched as f64 / of as f64 };
-        let (precision, recall) = (share(self.found), share(self.total));
-        let amounts = |errors: &[f64]| errors.iter().map(|error| error.abs()).collect::<Vec<_>>();
+        let fraction = |total: usize| if total == 0 { 1.0 } else { self.matched as f64 / total as f64 };
+        let (precision, recall) = (fraction(self.found), fraction(self.total));
+        let absolute = |errors: &[f64]| errors.iter().map(|error| error.abs()).collect::<Vec<_>>();
         EventScore {
             precision,
             recall,
             f1: if precision + recall > 0.0 { 2.0 * precision * recall / (precision + recall) } else { 0.0 },
-            onset: percentile(&self.onset_errors, 0.5),
-            offset: percentile(&self.offset_errors, 0.5),
-            onset_95: percentile(&amounts(&self.onset_errors), 0.95),
-            offset_95: percentile(&amounts(&self.offset_errors), 0.95),
+            onset: nearest_percentile(self.onset_errors.clone(), 0.5),
+            offset: nearest_percentile(self.offset_errors.clone(), 0.5),
+            onset_95: nearest_percentile(absolute(&self.onset_errors), 0.95),
+            offset_95: nearest_percentile(absolute(&self.offset_errors), 0.95),
         }
     }
 }
@@ -111,15 +114,7 @@ impl AddAssign for Events {
 }
 
 fn runs(frames: usize, planted: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
-    crate::intervals::intervals(&(0..frames).map(planted).collect::<Vec<_>>())
-}
-
-/// The value below which `share` of the values lie; 0 where there are none.
-fn percentile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let place = (share * sorted.len().saturating_sub(1) as f64).round() as usize;
-    sorted.get(place).copied().unwrap_or(0.0)
+    intervals(&(0..frames).map(planted).collect::<Vec<_>>())
 }
 
 #[cfg(test)]
@@ -133,11 +128,11 @@ mod tests {
     }
 
     #[test]
-    fn plants_match_by_half_of_the_longer() {
+    fn plants_match_if_they_overlap_by_half() {
         let events = score("..###....#######", "..####......####");
         assert_eq!((events.matched, events.found, events.total), (2, 2, 2));
         assert_eq!(events.onset_errors, [0.0, -0.03]);
-        // The second ends with the clip: nobody knows where.
+        // The second plant ends with the clip, so its end is unknown.
         assert_eq!(events.offset_errors, [-0.01]);
         assert_eq!(score("..#.....", "..####..").matched, 0);
         let result = events.score();
@@ -145,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_frames_count_for_nothing() {
+    fn unknown_frames_do_not_count() {
         let events = score("####....####", "????....##??");
         assert_eq!((events.matched, events.found, events.total), (1, 1, 1));
         assert_eq!((events.onset_errors.len(), events.offset_errors.len()), (1, 0));

@@ -1,29 +1,29 @@
-//! Accuracy of labels against truth whose boundaries are fuzzy (paper, section 3.1).
+//! Accuracy of labels against a reference with fuzzy boundaries (paper, section 3.1).
 
 mod compare;
 mod cuts;
 mod events;
 
-pub use compare::{Disagreement, DisagreementKind, FUZZY, PartScore, Row, compare};
+pub use compare::{AccuracyRow, Disagreement, DisagreementKind, FUZZY_PERIODS, PartScore, compare};
 pub use cuts::{CutTally, Tolerance, TrueCut, cuts};
 pub use events::{EventScore, Events, events};
 
 use std::ops::AddAssign;
 
-/// Truth of one foot per frame; `None` where it is not known.
+/// Reference labels of one foot per frame; `None` if unknown.
 pub type Truth = Vec<Option<bool>>;
 
-/// How many labels were right, of how many.
+/// Numbers of correct labels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Labels that agree with the truth, or are forgiven.
+    /// Labels that agree with the reference or are within a fuzzy period.
     pub right: usize,
-    /// Labels whose truth is known.
+    /// Labels whose reference is known.
     pub total: usize,
 }
 
 impl Tally {
-    /// Share of right labels, from 0 to 1; 1 where nothing is known.
+    /// Returns the fraction of correct labels, from 0 to 1; 1 if none is known.
     pub fn accuracy(self) -> f64 {
         if self.total == 0 { 1.0 } else { self.right as f64 / self.total as f64 }
     }
@@ -36,49 +36,48 @@ impl AddAssign for Tally {
     }
 }
 
-/// Lenient accuracy of one foot's labels.
+/// Returns the lenient accuracy of one foot's labels.
 ///
-/// A boundary of the truth between frames k − 1 and k lies at k − ½; every
-/// label within `fuzzy` / 2 seconds of one is right. Where the truth is not
-/// known, nothing is counted and no boundary lies. The clip's ends are none.
+/// A boundary between frames k − 1 and k is at k − ½. Every label within `fuzzy` / 2 seconds of a
+/// boundary is correct. Frames with unknown reference do not count and have no boundaries, nor have
+/// the ends of the clip.
 ///
 /// # Panics
 /// If `labels` and `truth` differ in length.
 pub fn lenient(labels: &[bool], truth: &[Option<bool>], frame_time: f64, fuzzy: f64) -> Tally {
-    assert_eq!(labels.len(), truth.len(), "labels and truth are of one clip");
-    let mut forgiven = vec![false; truth.len()];
+    assert_eq!(labels.len(), truth.len(), "labels and truth must have the same length");
+    let mut tolerated = vec![false; truth.len()];
     for k in 1..truth.len() {
         if let (Some(before), Some(after)) = (truth[k - 1], truth[k])
             && before != after
         {
-            // |i − (k − ½)| ≤ reach, in frames; the margin is for rounding.
-            let reach = (fuzzy / 2.0 + 1e-9) / frame_time;
-            let width = (reach + 0.5).floor() as usize;
-            forgiven[k.saturating_sub(width)..(k + width).min(truth.len())].fill(true);
+            // |i − (k − ½)| ≤ radius, in frames; the margin is for rounding.
+            let radius = (fuzzy / 2.0 + 1e-9) / frame_time;
+            let width = (radius + 0.5).floor() as usize;
+            tolerated[k.saturating_sub(width)..(k + width).min(truth.len())].fill(true);
         }
     }
     let mut tally = Tally::default();
-    for ((label, truth), forgiven) in labels.iter().zip(truth).zip(forgiven) {
+    for ((label, truth), tolerated) in labels.iter().zip(truth).zip(tolerated) {
         if let Some(truth) = truth {
             tally.total += 1;
-            tally.right += usize::from(forgiven || label == truth);
+            tally.right += usize::from(tolerated || label == truth);
         }
     }
     tally
 }
 
-/// Strict accuracy of one foot's labels.
+/// Returns the strict accuracy of one foot's labels.
 ///
-/// Each boundary of the truth moves by at most `fuzzy` / 2 seconds, never past
-/// the middle of a segment beside it, to where it agrees best with the labels;
-/// then labels and truth are compared frame by frame. Unlike [`lenient`], a plant
-/// that was missed altogether is never forgiven.
+/// Each boundary moves by at most `fuzzy` / 2 seconds, and at most to the middle of a neighbouring
+/// run, to where it agrees best with the labels; then labels and reference are compared frame by
+/// frame. Unlike [`lenient`], a plant that is missed entirely never counts as correct.
 ///
 /// # Panics
 /// If `labels` and `truth` differ in length.
 pub fn strict(labels: &[bool], truth: &[Option<bool>], frame_time: f64, fuzzy: f64) -> Tally {
-    assert_eq!(labels.len(), truth.len(), "labels and truth are of one clip");
-    let most = (fuzzy / 2.0 / frame_time + 1e-9).floor() as isize;
+    assert_eq!(labels.len(), truth.len(), "labels and truth must have the same length");
+    let max = (fuzzy / 2.0 / frame_time + 1e-9).floor() as isize;
     let mut moved = truth.to_vec();
     let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
     for run in truth.chunk_by(|a, b| a == b) {
@@ -89,8 +88,8 @@ pub fn strict(labels: &[bool], truth: &[Option<bool>], frame_time: f64, fuzzy: f
         let (before, after) = (&pair[0], &pair[1]);
         let (Some(left), Some(right)) = (truth[before.start], truth[after.start]) else { continue };
         let boundary = after.start as isize;
-        let back = most.min((before.len() / 2) as isize);
-        let ahead = most.min((after.len() / 2) as isize);
+        let back = max.min((before.len() / 2) as isize);
+        let ahead = max.min((after.len() / 2) as isize);
         let range = (boundary - back) as usize..(boundary + ahead) as usize;
         let agreement = |shift: isize| {
             let split = (boundary + shift) as usize;
@@ -104,10 +103,10 @@ pub fn strict(labels: &[bool], truth: &[Option<bool>], frame_time: f64, fuzzy: f
     lenient(labels, &moved, frame_time, 0.0)
 }
 
-/// Truth from force plates without the frames that only seem to be off the ground.
+/// Returns force-plate reference labels without frames that may be off the plate.
 ///
-/// Off a plate, "no force" means only that there is no plate: a frame without
-/// contact within 0.1 s of an unknown one becomes unknown too.
+/// Outside of a plate, no force does not mean no contact: a frame without contact within 0.1 s of
+/// an unknown one becomes unknown.
 pub fn mask_near_unknown(truth: &[Option<bool>], frame_time: f64) -> Truth {
     let unknown: Vec<usize> = (0..truth.len()).filter(|&frame| truth[frame].is_none()).collect();
     let is_near = |frame: usize| {
@@ -138,29 +137,29 @@ mod tests {
     }
 
     #[test]
-    fn boundaries_are_forgiven_by_time() {
+    fn boundaries_are_tolerated_by_time() {
         let truth = truth("....####....");
         let found = labels("......######");
-        // Boundaries at 3.5 and 7.5; frames 4, 5 and 8 to 11 are wrong.
+        // Boundaries are at 3.5 and 7.5; frames 4, 5 and 8 to 11 are wrong.
         assert_eq!(lenient(&found, &truth, 0.1, 0.0), Tally { right: 6, total: 12 });
         assert_eq!(lenient(&found, &truth, 0.1, 0.1), Tally { right: 8, total: 12 });
         assert_eq!(lenient(&found, &truth, 0.1, 0.3), Tally { right: 10, total: 12 });
     }
 
     #[test]
-    fn strict_moves_boundaries_but_forgives_no_missed_plant() {
+    fn strict_moves_boundaries_but_counts_missed_plants() {
         let late = truth("....####....");
         assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.4), Tally { right: 12, total: 12 });
         assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.2), Tally { right: 10, total: 12 });
         let missed = labels("............");
         assert_eq!(lenient(&missed, &late, 0.1, 0.4).right, 12);
-        // Each boundary goes to the middle of the plant at most: nothing is left of it but its place.
+        // Each boundary moves at most to the middle of the plant, which is not enough to remove it.
         assert_eq!(strict(&missed, &late, 0.1, 0.2), Tally { right: 10, total: 12 });
     }
 
     proptest! {
         #[test]
-        fn a_longer_fuzzy_period_never_costs(
+        fn a_longer_fuzzy_period_never_lowers_accuracy(
             pairs in prop::collection::vec((any::<bool>(), prop::option::weighted(0.9, any::<bool>())), 1..60),
             fuzzy in 0.0..0.4_f64,
         ) {
@@ -177,14 +176,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_unknown_does_not_count() {
+    fn unknown_frames_do_not_count() {
         let truth = truth("?#.?");
         assert_eq!(lenient(&labels("...."), &truth, 0.1, 0.0), Tally { right: 1, total: 2 });
         assert_eq!(Tally::default().accuracy(), 1.0);
     }
 
     #[test]
-    fn masking_spares_contact_and_what_is_far() {
+    fn masking_preserves_contact_and_distant_frames() {
         let masked = mask_near_unknown(&truth("..#.?...."), 0.04);
         assert_eq!(masked, truth("..#????.."));
     }

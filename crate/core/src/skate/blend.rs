@@ -1,35 +1,35 @@
-//! Corrections where nothing is planted: smooth ways from one plant to the next.
+//! Blending of corrections between plants.
 
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
-/// Fills in `values` outside `held`, in between and at both ends.
+/// Fills `values` outside of the `fixed` ranges.
 ///
-/// From one held range to the next on a quintic that keeps value and speed and has no
-/// acceleration at either end; where they are more than two windows apart, by way of zero.
-/// `held` has to be in order, its ranges neither empty nor overlapping.
-pub(crate) fn fill(values: &mut [Vector3<f64>], held: &[Range<usize>], window: usize) {
+/// Between two fixed ranges a quintic continues value and slope with zero acceleration at both
+/// ends; if they are more than two windows apart, it passes through zero. `fixed` must be in order,
+/// without empty or overlapping ranges.
+pub(crate) fn fill(values: &mut [Vector3<f64>], fixed: &[Range<usize>], window: usize) {
     let window = window.max(1);
-    let leaving = |values: &[Vector3<f64>], run: &Range<usize>| {
+    let end_of = |values: &[Vector3<f64>], run: &Range<usize>| {
         let last = run.end - 1;
         let slope = if run.len() > 1 { values[last] - values[last - 1] } else { Vector3::zeros() };
         (values[last], slope)
     };
-    let arriving = |values: &[Vector3<f64>], run: &Range<usize>| {
+    let start_of = |values: &[Vector3<f64>], run: &Range<usize>| {
         let first = run.start;
         let slope = if run.len() > 1 { values[first + 1] - values[first] } else { Vector3::zeros() };
         (values[first], slope)
     };
-    let rest = (Vector3::zeros(), Vector3::zeros());
-    for n in 0..=held.len() {
-        let before = n.checked_sub(1).map(|n| &held[n]);
-        let after = held.get(n);
+    let zero = (Vector3::zeros(), Vector3::zeros());
+    for n in 0..=fixed.len() {
+        let before = n.checked_sub(1).map(|n| &fixed[n]);
+        let after = fixed.get(n);
         let gap = before.map_or(0, |run| run.end)..after.map_or(values.len(), |run| run.start);
         values[gap.clone()].fill(Vector3::zeros());
         match (before, after) {
             (Some(from), Some(to)) if gap.len() < 2 * window => {
-                let (start, end) = (leaving(values, from), arriving(values, to));
+                let (start, end) = (end_of(values, from), start_of(values, to));
                 for (n, frame) in gap.clone().enumerate() {
                     values[frame] = quintic(start, end, gap.len() + 1, n + 1);
                 }
@@ -38,29 +38,30 @@ pub(crate) fn fill(values: &mut [Vector3<f64>], held: &[Range<usize>], window: u
             _ => {}
         }
         if let Some(from) = before {
-            let start = leaving(values, from);
+            let start = end_of(values, from);
             for (n, frame) in gap.clone().enumerate().take(window - 1) {
-                values[frame] = quintic(start, rest, window, n + 1);
+                values[frame] = quintic(start, zero, window, n + 1);
             }
         }
         if let Some(to) = after {
-            let end = arriving(values, to);
+            let end = start_of(values, to);
             for (n, frame) in gap.rev().enumerate().take(window - 1) {
-                values[frame] = quintic(rest, end, window, window - 1 - n);
+                values[frame] = quintic(zero, end, window, window - 1 - n);
             }
         }
     }
 }
 
-/// The smooth rise from 0 at 0 to 1 at 1, without slope or bend at either end.
+/// Returns the quintic from 0 at 0 to 1 at 1 with zero slope and curvature at both ends.
 pub(crate) fn ease(u: f64) -> f64 {
     u * u * u * (10.0 + u * (6.0 * u - 15.0))
 }
 
-/// The quintic between two values with slopes per step, `length` steps apart, after `step` of them.
+/// Returns the quintic between two values with slopes per step, `length` steps apart, after `step`
+/// steps.
 fn quintic(
-    (from, leaving): (Vector3<f64>, Vector3<f64>),
-    (to, arriving): (Vector3<f64>, Vector3<f64>),
+    (from, start_slope): (Vector3<f64>, Vector3<f64>),
+    (to, end_slope): (Vector3<f64>, Vector3<f64>),
     length: usize,
     step: usize,
 ) -> Vector3<f64> {
@@ -70,8 +71,8 @@ fn quintic(
     let rise = ease(u);
     from * (1.0 - rise)
         + to * rise
-        + leaving * (span * (u - 6.0 * u3 + 8.0 * u4 - 3.0 * u5))
-        + arriving * (span * (-4.0 * u3 + 7.0 * u4 - 3.0 * u5))
+        + start_slope * (span * (u - 6.0 * u3 + 8.0 * u4 - 3.0 * u5))
+        + end_slope * (span * (-4.0 * u3 + 7.0 * u4 - 3.0 * u5))
 }
 
 #[cfg(test)]
@@ -79,21 +80,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ways_are_smooth_and_end_at_zero() {
+    fn blends_are_smooth_and_reach_zero() {
         let mut values = vec![Vector3::zeros(); 100];
         (0..10).for_each(|n| values[40 + n].x = 1.0 + 0.01 * n as f64);
         values[60..70].iter_mut().for_each(|value| value.x = 2.0);
         fill(&mut values, &[40..50, 60..70], 20);
         assert_eq!((values[20].x, values[89].x + values[99].x), (0.0, 0.0));
         for window in values[..40].windows(3).chain(values[51..].windows(3)) {
-            let bend = window[0] - 2.0 * window[1] + window[2];
-            assert!(bend.norm() < 0.07, "{bend}");
+            let second_difference = window[0] - 2.0 * window[1] + window[2];
+            assert!(second_difference.norm() < 0.07, "{second_difference}");
         }
         assert!(values[50].x > values[49].x && values[39].x < values[40].x);
     }
 
     #[test]
-    fn a_clip_cut_short_is_cut_on_the_way() {
+    fn short_clips_are_blended() {
         let mut values = vec![Vector3::new(1.0, 0.0, 0.0); 6];
         fill(&mut values, &[2..4], 20);
         assert!(values.iter().all(|value| value.x > 0.9));

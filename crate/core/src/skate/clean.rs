@@ -1,4 +1,4 @@
-//! The clean-up as a whole: from the feet to a new clip and a report.
+//! Clean-up of foot skate: from tracks of the feet to a new clip and a report.
 
 use std::fmt;
 use std::ops::Range;
@@ -9,149 +9,168 @@ use crate::bvh::{Channel, Clip};
 use crate::foot::Side;
 use crate::kinematics::Kinematics;
 use crate::notice::{Code, Notice};
-use crate::skate::constraints::{Correction, Planted, Setting};
+use crate::skate::constraints::{Correction, Planted, Settings};
 use crate::skate::leg::{Joints, Leg};
-use crate::skate::{Feet, euler, knee, leg, root};
+use crate::skate::{FootData, euler, knee, leg, root};
 use crate::skeleton::{Role, Skeleton};
 
-/// How to clean up.
+/// Options of the clean-up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Seconds over which a correction comes before a plant and goes after it; default 0.4.
+    /// Time over which a correction fades in before a plant and out after it, in seconds; default
+    /// 0.4.
     pub blend: f64,
-    /// Whether plants at about the same height are put on one level; default true. Stairs and
-    /// slopes stay as they are.
+    /// If true, plants of similar height are moved to one level; stairs and slopes are preserved.
+    /// Default true.
     pub level: bool,
-    /// Plants that slide farther than this are left alone, in legs; default 0.25.
-    pub farthest: f64,
+    /// Maximum slide of plants that are corrected, in leg lengths; default 0.25.
+    pub max_slide: f64,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { blend: 0.4, level: true, farthest: 0.25 }
+        Options { blend: 0.4, level: true, max_slide: 0.25 }
     }
 }
 
-/// A clip with its feet held, and what became of each plant.
+/// A clip with its planted feet held still, and the result for each plant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cleaned {
-    /// The same hierarchy with new values.
+    /// Same hierarchy with new values.
     pub clip: Clip,
-    /// The left foot's plants in order of time, then the right's.
+    /// Plants of the left foot in order of time, then of the right foot.
     pub plants: Vec<CleanedPlant>,
-    /// What was left out or assumed.
+    /// Assumptions and omissions.
     pub notices: Vec<Notice>,
 }
 
-/// What became of one plant.
+/// Result for one plant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CleanedPlant {
-    /// Which foot.
+    /// The foot.
     pub side: Side,
-    /// The frames in which heel or toe stands.
+    /// Frames in which heel or toe is planted.
     pub frames: Range<usize>,
-    /// Where the foot is held, in file units and axes: its toe, or its heel where the toe never
-    /// stands. `None` where it is not held.
+    /// Position at which the foot is held, in file units and axes: its toe, or its heel if the toe
+    /// is never planted. `None` if it is not held.
     pub position: Option<Vector3<f64>>,
-    /// How far it slid, in metres, as [`crate::skate::Slide::farthest`].
+    /// Slide before the clean-up, in metres; see [`crate::skate::Slide::distance`].
     pub before: f64,
-    /// How far it still does.
+    /// Slide after the clean-up, in metres.
     pub after: f64,
-    /// Why the plant is not held, if it is not.
-    pub why_not: Option<WhyNot>,
+    /// Reason why the plant is not held, if it is not.
+    pub skip_reason: Option<SkipReason>,
 }
 
-/// Why a plant is not held.
+/// Reason why a plant is not held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WhyNot {
-    /// The foot moves too far for one that stands: on a treadmill, say.
-    Moves,
-    /// Hip joint or knee is not known, or cannot be turned.
+pub enum SkipReason {
+    /// The foot moves too far for a planted foot, as on a treadmill.
+    MovesTooFar,
+    /// Hip joint or knee is unknown or cannot rotate.
     NoLeg,
-    /// The leg is too short to reach the place, or the foot turns too far on it.
+    /// The leg is too short to reach the position, or the foot rotates too far about it.
     OutOfReach,
 }
 
-impl fmt::Display for WhyNot {
+impl fmt::Display for SkipReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            WhyNot::Moves => "the foot moves too far for one that stands",
-            WhyNot::NoLeg => "the leg has no hip joint or knee that can be turned",
-            WhyNot::OutOfReach => "the leg does not reach or the foot turns too far",
+            SkipReason::MovesTooFar => "the foot moves too far for a planted foot",
+            SkipReason::NoLeg => "the leg has no hip joint or knee that can rotate",
+            SkipReason::OutOfReach => "the leg does not reach or the foot rotates too far",
         })
     }
 }
 
 impl Cleaned {
-    /// Number of plants that are held.
-    pub fn constrained(&self) -> usize {
-        self.plants.iter().filter(|plant| plant.why_not.is_none()).count()
+    /// Returns the number of plants that are held.
+    pub fn held_count(&self) -> usize {
+        self.plants.iter().filter(|plant| plant.skip_reason.is_none()).count()
     }
 }
 
-/// Half the time over which the way of the hips is smoothed, in seconds, thrice over.
-const SMOOTH: f64 = 0.09;
-/// Time over which the hips are lowered ahead of and after a leg that does not reach, in seconds.
-const SPREAD: f64 = 0.6;
-/// Half the time over which an ankle is steadied, in seconds.
-const STEADY: f64 = 0.1;
-/// A plant that is held slides no farther than this, in metres.
-const STILL: f64 = 0.001;
-/// Movements smaller than this are none, in legs.
-const NOTHING: f64 = 1e-9;
+/// Half-width of the window that smooths the offset of the hips, in seconds; applied three times.
+const HIP_SMOOTHING: f64 = 0.09;
+/// Time over which the hips are lowered before and after a leg is out of reach, in seconds.
+const LOWERING_TIME: f64 = 0.6;
+/// Half-width of the window that smooths an ankle, in seconds.
+const ANKLE_SMOOTHING: f64 = 0.1;
+/// Maximum slide of a plant that counts as held, in metres.
+const HELD_TOLERANCE: f64 = 0.001;
+/// Movements smaller than this count as zero, in leg lengths.
+const NEGLIGIBLE: f64 = 1e-9;
 
-/// Cleans up.
-pub(crate) fn run(clip: &Clip, skeleton: &Skeleton, feet: Feet, options: &Options) -> Cleaned {
+/// Cleans up a clip.
+pub(crate) fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> Cleaned {
     let before = feet.skate(skeleton);
     let frames = |seconds: f64| {
         let frames = (seconds / clip.frame_time()).round();
         if frames.is_finite() { frames.clamp(0.0, clip.frame_count() as f64) as usize } else { 0 }
     };
-    let setting = Setting {
+    let settings = Settings {
         up: skeleton.up,
         length: feet.length,
         window: frames(options.blend).max(2),
-        steady: frames(STEADY),
+        ankle_half_width: frames(ANKLE_SMOOTHING),
         level: options.level,
     };
-    let far = options.farthest * feet.length * skeleton.metres_per_unit;
-    let mut why_not: Vec<Option<WhyNot>> = before
+    let max_slide = options.max_slide * feet.length * skeleton.metres_per_unit;
+    let mut skip_reasons: Vec<Option<SkipReason>> = before
         .plants
         .iter()
         .map(|plant| {
             let joints = &feet.legs[plant.side as usize].joints;
-            let is_stiff = !joints.upper.is_some_and(|upper| can_turn(clip, upper, joints.ankle));
-            if is_stiff { Some(WhyNot::NoLeg) } else { (plant.farthest > far).then_some(WhyNot::Moves) }
+            let is_rigid = !joints.upper.is_some_and(|upper| can_rotate(clip, upper, joints.ankle));
+            if is_rigid {
+                Some(SkipReason::NoLeg)
+            } else {
+                (plant.distance > max_slide).then_some(SkipReason::MovesTooFar)
+            }
         })
         .collect();
 
-    let Feet { legs, phases, plants, heels, length } = feet;
+    let FootData { legs, phases, plants, heels, length } = feet;
     let split = plants[0].len();
     let mut phases = phases.into_iter();
     let mut plants = plants.into_iter();
     let planted: [Planted; 2] = Side::BOTH.map(|side| {
-        let why_not = if side == Side::Left { &why_not[..split] } else { &why_not[split..] };
+        let skip_reason = if side == Side::Left { &skip_reasons[..split] } else { &skip_reasons[split..] };
         Planted {
             phases: phases.next().unwrap_or_default(),
             plants: plants.next().unwrap_or_default(),
-            is_held: why_not.iter().map(Option::is_none).collect(),
+            is_held: skip_reason.iter().map(Option::is_none).collect(),
             heel: heels[side as usize],
         }
     });
-    let corrections = [0, 1].map(|foot| planted[foot].correction(&legs[foot], &setting));
+    let corrections = [0, 1].map(|foot| planted[foot].correction(&legs[foot], &settings));
     let mut notices = Vec::new();
-    let mut way = vec![Vector3::zeros(); clip.frame_count()];
-    let carrier = carrier(clip, skeleton, legs.each_ref().map(|leg| leg.joints));
-    if carrier.is_some() {
-        let standing = planted.each_ref().map(Planted::standing);
-        way = root::way(&legs, &corrections, &standing, &setting, [frames(SMOOTH), frames(SPREAD)]);
+    let mut hip_offset = vec![Vector3::zeros(); clip.frame_count()];
+    let translating_joint = translating_joint(clip, skeleton, legs.each_ref().map(|leg| leg.joints));
+    if translating_joint.is_some() {
+        let held_frames = planted.each_ref().map(Planted::held_frames);
+        hip_offset = root::hip_offset(
+            &legs,
+            &corrections,
+            &held_frames,
+            &settings,
+            [frames(HIP_SMOOTHING), frames(LOWERING_TIME)],
+        );
     } else {
-        let text = "The hips have no position channels: they stay, and legs reach as far as they can.";
+        let text = "The hips have no position channels; they do not move, and legs reach as far as they can.";
         notices.push(Notice::new(Code::FixedRoot, text));
     }
-    let cleaned = Bake { clip, legs: &legs, corrections: &corrections, carrier, way: &way, length }.clip();
+    let cleaned = ChannelWriter {
+        clip,
+        legs: &legs,
+        corrections: &corrections,
+        translating_joint,
+        hip_offset: &hip_offset,
+        length,
+    }
+    .write();
 
-    let after = Feet {
+    let after = FootData {
         legs: leg::legs(&cleaned, legs.each_ref().map(|leg| leg.joints)),
         phases: planted.each_ref().map(|foot| foot.phases.clone()),
         plants: planted.each_ref().map(|foot| foot.plants.clone()),
@@ -164,28 +183,28 @@ pub(crate) fn run(clip: &Clip, skeleton: &Skeleton, feet: Feet, options: &Option
         .plants
         .into_iter()
         .zip(after.plants)
-        .zip(positions.zip(&mut why_not))
-        .map(|((before, after), (position, why_not))| CleanedPlant {
+        .zip(positions.zip(&mut skip_reasons))
+        .map(|((before, after), (position, skip_reason))| CleanedPlant {
             side: before.side,
             frames: before.frames,
             position,
-            before: before.farthest,
-            after: after.farthest,
-            why_not: why_not.or((after.farthest > STILL).then_some(WhyNot::OutOfReach)),
+            before: before.distance,
+            after: after.distance,
+            skip_reason: skip_reason.or((after.distance > HELD_TOLERANCE).then_some(SkipReason::OutOfReach)),
         })
         .collect();
     notices.extend(notice(&plants));
     Cleaned { clip: cleaned, plants, notices }
 }
 
-/// What there is to say of plants that are not held.
+/// Returns a notice about plants that are not held.
 fn notice(plants: &[CleanedPlant]) -> Option<Notice> {
     if plants.is_empty() {
-        let text = "Nothing is planted: the clip stays as it is.";
+        let text = "No foot is planted; the clip is unchanged.";
         return Some(Notice::new(Code::NothingPlanted, text));
     }
-    let reasons = [WhyNot::Moves, WhyNot::NoLeg, WhyNot::OutOfReach].map(|reason| {
-        let count = plants.iter().filter(|plant| plant.why_not == Some(reason)).count();
+    let reasons = [SkipReason::MovesTooFar, SkipReason::NoLeg, SkipReason::OutOfReach].map(|reason| {
+        let count = plants.iter().filter(|plant| plant.skip_reason == Some(reason)).count();
         (count > 0).then(|| format!("{count} because {reason}"))
     });
     let reasons: Vec<String> = reasons.into_iter().flatten().collect();
@@ -193,82 +212,88 @@ fn notice(plants: &[CleanedPlant]) -> Option<Notice> {
     (!reasons.is_empty()).then(|| Notice::new(Code::Unconstrained, text()))
 }
 
-/// Whether the joints of a leg can be turned as its solution asks.
-fn can_turn(clip: &Clip, [thigh, shank]: [usize; 2], ankle: usize) -> bool {
+/// True if the joints of a leg can rotate as the solution requires.
+fn can_rotate(clip: &Clip, [thigh, shank]: [usize; 2], ankle: usize) -> bool {
     let channels = |joint: usize| &clip.joints()[joint].channels;
-    let turns = |joint: usize| channels(joint).iter().any(|channel| matches!(channel, Channel::Rotation(_)));
-    euler::is_free(channels(thigh)) && turns(shank) && turns(ankle)
+    let rotates =
+        |joint: usize| channels(joint).iter().any(|channel| matches!(channel, Channel::Rotation(_)));
+    euler::is_ball_joint(channels(thigh)) && rotates(shank) && rotates(ankle)
 }
 
-/// The joint that takes the hips along: the lowest above both legs with three position channels.
-fn carrier(clip: &Clip, skeleton: &Skeleton, legs: [Joints; 2]) -> Option<usize> {
+/// Returns the joint that translates the hips: the lowest common ancestor of both legs with three
+/// position channels.
+fn translating_joint(clip: &Clip, skeleton: &Skeleton, legs: [Joints; 2]) -> Option<usize> {
     let above = |joint: usize| std::iter::successors(Some(joint), |&j| clip.joints()[j].parent);
     let tops = legs.map(|leg| leg.upper.map_or(leg.ankle, |[thigh, _]| thigh));
-    let moves = |joint: usize| {
+    let can_translate = |joint: usize| {
         let positions = clip.joints()[joint].channels.iter();
         positions.filter(|channel| matches!(channel, Channel::Position(_))).count() == 3
     };
     let hips = skeleton.roles.get(Role::Hips).unwrap_or(skeleton.root);
-    let carries = |joint: usize| tops.iter().all(|&top| top != joint && above(top).any(|j| j == joint));
-    above(hips).find(|&joint| carries(joint) && moves(joint))
+    let is_common_ancestor =
+        |joint: usize| tops.iter().all(|&top| top != joint && above(top).any(|j| j == joint));
+    above(hips).find(|&joint| is_common_ancestor(joint) && can_translate(joint))
 }
 
 impl Planted {
-    /// Whether the foot is held, per frame.
-    fn standing(&self) -> Vec<bool> {
-        let mut standing = vec![false; self.phases.len()];
+    /// Returns true for each frame in which the foot is held.
+    fn held_frames(&self) -> Vec<bool> {
+        let mut held = vec![false; self.phases.len()];
         for (plant, _) in self.plants.iter().zip(&self.is_held).filter(|(_, is_held)| **is_held) {
-            standing[plant.clone()].fill(true);
+            held[plant.clone()].fill(true);
         }
-        standing
+        held
     }
 }
 
-/// All that is to be written into the channels.
-struct Bake<'a> {
+/// Writes corrections into the channels of a clip.
+struct ChannelWriter<'a> {
     clip: &'a Clip,
     legs: &'a [Leg; 2],
     corrections: &'a [Correction; 2],
-    carrier: Option<usize>,
-    way: &'a [Vector3<f64>],
+    translating_joint: Option<usize>,
+    hip_offset: &'a [Vector3<f64>],
     length: f64,
 }
 
-impl Bake<'_> {
-    fn clip(&self) -> Clip {
+impl ChannelWriter<'_> {
+    fn write(&self) -> Clip {
         let clip = self.clip;
         let (mut values, width) = (clip.values().to_vec(), clip.channel_count());
-        let joints: Vec<usize> = self.legs.iter().map(|leg| leg.joints.ankle).chain(self.carrier).collect();
+        let joints: Vec<usize> =
+            self.legs.iter().map(|leg| leg.joints.ankle).chain(self.translating_joint).collect();
         let mut kinematics = Kinematics::for_joints(clip, &joints);
         for (frame, row) in values.chunks_exact_mut(width.max(1)).enumerate() {
             kinematics.pose(frame);
             let rotations = kinematics.rotations();
-            self.shift(frame, rotations, row);
+            self.translate_hips(frame, rotations, row);
             for (leg, correction) in self.legs.iter().zip(self.corrections) {
-                self.bend(leg, correction, frame, rotations, row);
+                self.rotate_leg(leg, correction, frame, rotations, row);
             }
         }
         Clip::new(clip.joints().to_vec(), clip.frame_time(), values).with_position_rule(clip.position_rule())
     }
 
-    /// Moves the hips.
-    fn shift(&self, frame: usize, rotations: &[Matrix3<f64>], row: &mut [f64]) {
-        let Some(carrier) = self.carrier else { return };
-        let way = self.way[frame];
-        if way.norm() <= NOTHING * self.length || !way.norm().is_finite() {
+    /// Translates the hips.
+    fn translate_hips(&self, frame: usize, rotations: &[Matrix3<f64>], row: &mut [f64]) {
+        let Some(translating_joint) = self.translating_joint else { return };
+        let offset = self.hip_offset[frame];
+        if offset.norm() <= NEGLIGIBLE * self.length || !offset.norm().is_finite() {
             return;
         }
-        let joint = &self.clip.joints()[carrier];
-        let way = joint.parent.map_or(way, |parent| rotations[parent].transpose() * way);
-        for (value, channel) in row[self.clip.channel_range(carrier)].iter_mut().zip(&joint.channels) {
+        let joint = &self.clip.joints()[translating_joint];
+        let offset = joint.parent.map_or(offset, |parent| rotations[parent].transpose() * offset);
+        for (value, channel) in
+            row[self.clip.channel_range(translating_joint)].iter_mut().zip(&joint.channels)
+        {
             if let Channel::Position(axis) = channel {
-                *value += way[axis.index()];
+                *value += offset[axis.index()];
             }
         }
     }
 
-    /// Bends one leg.
-    fn bend(
+    /// Rotates the joints of one leg.
+    fn rotate_leg(
         &self,
         leg: &Leg,
         correction: &Correction,
@@ -277,24 +302,25 @@ impl Bake<'_> {
         row: &mut [f64],
     ) {
         let Joints { upper: Some([thigh, shank]), ankle, .. } = leg.joints else { return };
-        if !can_turn(self.clip, [thigh, shank], ankle) {
+        if !can_rotate(self.clip, [thigh, shank], ankle) {
             return;
         }
-        let (moved, turned) = (correction.ankle[frame] - self.way[frame], correction.foot[frame]);
-        if moved.norm() <= NOTHING * self.length && turned.norm() <= NOTHING {
+        let (translation, rotation_vector) =
+            (correction.ankle[frame] - self.hip_offset[frame], correction.foot[frame]);
+        if translation.norm() <= NEGLIGIBLE * self.length && rotation_vector.norm() <= NEGLIGIBLE {
             return;
         }
-        let apart = leg.ankle[frame] - leg.hip[frame] + moved;
-        let [upper, lower] = knee::turns(leg, frame, rotations[thigh] * leg.hinge, apart);
-        let foot = Rotation3::new(turned).into_inner();
-        // Joints between go along with the one above them.
+        let hip_to_ankle = leg.ankle[frame] - leg.hip[frame] + translation;
+        let [upper, lower] = knee::rotations(leg, frame, rotations[thigh] * leg.hinge, hip_to_ankle);
+        let foot = Rotation3::new(rotation_vector).into_inner();
+        // Joints in between follow the joint above them.
         let mut above: Matrix3<f64> = Matrix3::identity();
-        for (joint, turn) in [(thigh, upper), (shank, lower), (ankle, foot)] {
+        for (joint, rotation) in [(thigh, upper), (shank, lower), (ankle, foot)] {
             let parent = self.clip.joints()[joint].parent.map_or(Matrix3::identity(), |p| rotations[p]);
-            let target = (above * parent).transpose() * turn * rotations[joint];
+            let target = (above * parent).transpose() * rotation * rotations[joint];
             let channels = &self.clip.joints()[joint].channels;
-            euler::set(channels, &mut row[self.clip.channel_range(joint)], &target);
-            above = turn;
+            euler::set_rotation(channels, &mut row[self.clip.channel_range(joint)], &target);
+            above = rotation;
         }
     }
 }

@@ -1,240 +1,253 @@
-//! Where planted feet are held.
+//! Positions at which planted feet are held.
 
 use std::ops::Range;
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::skate::leg::{Leg, median, scaled_axis, smallest_turn, upright};
+use crate::numeric::stats::median_low;
+use crate::skate::leg::{Leg, scaled_axis, smallest_rotation, up_vector};
 use crate::skate::phases::{Phase, runs};
 use crate::skate::{blend, ground};
 use crate::skeleton::Up;
 
-/// A flat foot that turns farther than this from its mean pose is not held by its heel, in radians.
-const TURN: f64 = 0.8;
+/// Maximum rotation of a flat foot from its mean orientation that is held, in radians.
+const MAX_ROTATION: f64 = 0.8;
 
 /// One foot with its plants.
 pub(crate) struct Planted {
-    /// What it stands on in each frame.
+    /// Phase of the foot in each frame.
     pub phases: Vec<Phase>,
-    /// The runs of frames in which it stands.
+    /// Frame ranges of the plants.
     pub plants: Vec<Range<usize>>,
-    /// Whether each plant is to be held.
+    /// True for each plant that is to be held.
     pub is_held: Vec<bool>,
-    /// The heel, in the ankle's axes from the ankle.
+    /// Position of the heel relative to the ankle, in the ankle's axes.
     pub heel: Vector3<f64>,
 }
 
-/// What has to change for a foot to stand still.
+/// Correction that holds a foot still.
 pub(crate) struct Correction {
-    /// How far the ankle has to move, per frame, in file units.
+    /// Displacement of the ankle per frame, in file units.
     pub ankle: Vec<Vector3<f64>>,
-    /// How the foot has to turn, per frame, as axis times angle in the file's axes.
+    /// Rotation of the foot per frame, as axis times angle in the file's axes.
     pub foot: Vec<Vector3<f64>>,
-    /// Where each plant is held: the toe, or the heel where the toe never stands.
+    /// Position at which each plant is held: of the toe, or of the heel if the toe is never
+    /// planted.
     pub positions: Vec<Option<Vector3<f64>>>,
 }
 
-/// Seconds, units and switches of clean-up, turned into frames and file units.
+/// Options of the clean-up in frames and file units.
 #[derive(Clone, Copy)]
-pub(crate) struct Setting {
+pub(crate) struct Settings {
     pub up: Up,
-    /// Thigh plus shank.
+    /// Leg length.
     pub length: f64,
-    /// Frames over which a correction comes or goes.
+    /// Frames over which a correction fades in or out.
     pub window: usize,
-    /// Frames to either side over which the ankle is steadied while the foot rolls over its toe.
-    pub steady: usize,
-    /// Whether plants are put on common ground.
+    /// Half-width of the window that smooths the ankle while the foot rolls over its toe, in
+    /// frames.
+    pub ankle_half_width: usize,
+    /// True if plants are moved to common levels.
     pub level: bool,
 }
 
-/// A run of frames in which the toe is held, and where.
+/// Frame range in which the toe is held, with its position.
 struct Hold {
     frames: Range<usize>,
     toe: Vector3<f64>,
 }
 
 impl Planted {
-    /// The corrections that hold the plants and blend between them.
-    pub fn correction(&self, leg: &Leg, setting: &Setting) -> Correction {
-        let mut foot = self.turns(leg, setting);
-        let turned = foot.iter().map(|turn| Rotation3::new(*turn).into_inner()).collect();
-        let mut stance = Stance { leg, turned, heel: self.heel, up: setting.up };
-        let mut holds = self.holds(leg, setting);
+    /// Returns the corrections that hold the plants, blended between them.
+    pub fn correction(&self, leg: &Leg, settings: &Settings) -> Correction {
+        let mut foot = self.flat_rotations(leg, settings);
+        let rotations = foot.iter().map(|rotation| Rotation3::new(*rotation).into_inner()).collect();
+        let mut stance = Stance { leg, rotations, heel: self.heel, up: settings.up };
+        let mut holds = self.holds(leg, settings);
         let mut ankle = vec![Vector3::zeros(); leg.ankle.len()];
         let mut positions = Vec::new();
-        let mut held = Vec::new();
+        let mut fixed = Vec::new();
         for (plant, &is_held) in self.plants.iter().zip(&self.is_held) {
             if !is_held {
                 positions.push(None);
                 continue;
             }
-            held.push(plant.clone());
+            fixed.push(plant.clone());
             let first = holds.partition_point(|hold| hold.frames.start < plant.start);
             let last = holds.partition_point(|hold| hold.frames.start < plant.end);
-            let within = &mut holds[first..last];
-            stance.join(within);
-            for hold in &*within {
+            let holds_in_plant = &mut holds[first..last];
+            stance.align_holds(holds_in_plant);
+            for hold in &*holds_in_plant {
                 for frame in hold.frames.clone() {
                     ankle[frame] = stance.ankle_under(hold.toe, frame) - leg.ankle[frame];
                 }
             }
             let mut from = plant.start;
-            for hold in &*within {
-                stance.roll(from..hold.frames.start, plant, &mut ankle);
+            for hold in &*holds_in_plant {
+                stance.hold_heel(from..hold.frames.start, plant, &mut ankle);
                 from = hold.frames.end;
             }
-            stance.roll(from..plant.end, plant, &mut ankle);
+            stance.hold_heel(from..plant.end, plant, &mut ankle);
             for run in runs(&self.phases, plant, |phase| phase == Phase::Toe) {
-                stance.steady(run, plant, setting.steady, &mut ankle);
+                stance.smooth_ankle(run, plant, settings.ankle_half_width, &mut ankle);
             }
             for frame in plant.clone() {
-                foot[frame] = scaled_axis(stance.turned[frame]);
+                foot[frame] = scaled_axis(stance.rotations[frame]);
             }
             let heel = || leg.ankle[plant.start] + ankle[plant.start] + stance.heel_at(plant.start);
-            positions.push(Some(within.first().map_or_else(heel, |hold| hold.toe)));
+            positions.push(Some(holds_in_plant.first().map_or_else(heel, |hold| hold.toe)));
         }
-        blend::fill(&mut ankle, &held, setting.window);
-        blend::fill(&mut foot, &held, setting.window);
+        blend::fill(&mut ankle, &fixed, settings.window);
+        blend::fill(&mut foot, &fixed, settings.window);
         Correction { ankle, foot, positions }
     }
 
-    /// The turns that keep the flat foot as it stands in the mean.
-    fn turns(&self, leg: &Leg, setting: &Setting) -> Vec<Vector3<f64>> {
-        let mut turns = vec![Vector3::zeros(); leg.ankle.len()];
-        let mut held = Vec::new();
+    /// Returns the rotations that keep a flat foot at its mean orientation.
+    fn flat_rotations(&self, leg: &Leg, settings: &Settings) -> Vec<Vector3<f64>> {
+        let mut rotations = vec![Vector3::zeros(); leg.ankle.len()];
+        let mut fixed = Vec::new();
         for (plant, _) in self.plants.iter().zip(&self.is_held).filter(|(_, is_held)| **is_held) {
             for run in runs(&self.phases, plant, |phase| phase == Phase::Flat) {
                 let sum = run.clone().map(|frame| leg.foot[frame]).sum::<Matrix3<f64>>();
                 let first = Rotation3::from_matrix_unchecked(leg.foot[run.start]);
                 let mean = Rotation3::from_matrix_eps(&sum, 1e-12, 64, first);
-                let turned =
-                    run.clone().map(|frame| scaled_axis(mean.matrix() * leg.foot[frame].transpose()));
-                let turned: Vec<Vector3<f64>> = turned.collect();
-                if turned.iter().all(|turn| turn.norm() <= TURN) {
-                    turns[run.clone()].copy_from_slice(&turned);
-                    held.push(run);
+                let to_mean: Vec<Vector3<f64>> = run
+                    .clone()
+                    .map(|frame| scaled_axis(mean.matrix() * leg.foot[frame].transpose()))
+                    .collect();
+                if to_mean.iter().all(|rotation| rotation.norm() <= MAX_ROTATION) {
+                    rotations[run.clone()].copy_from_slice(&to_mean);
+                    fixed.push(run);
                 }
             }
         }
-        blend::fill(&mut turns, &held, setting.window);
-        turns
+        blend::fill(&mut rotations, &fixed, settings.window);
+        rotations
     }
 
-    /// Where the toe is held: at its middle position, on the ground.
-    fn holds(&self, leg: &Leg, setting: &Setting) -> Vec<Hold> {
-        let (up, upright) = (setting.up, upright(setting.up));
+    /// Returns the positions at which the toe is held: its median, on the ground.
+    fn holds(&self, leg: &Leg, settings: &Settings) -> Vec<Hold> {
+        let (up, up_direction) = (settings.up, up_vector(settings.up));
         let held = self.plants.iter().zip(&self.is_held).filter(|(_, is_held)| **is_held);
         let all = held.flat_map(|(plant, _)| runs(&self.phases, plant, Phase::has_toe));
         let mut holds: Vec<Hold> = all
             .map(|frames| {
-                let middle = |axis: usize| median(frames.clone().map(|frame| leg.toe[frame][axis]));
-                let mut toe = Vector3::from_fn(|axis, _| middle(axis).unwrap_or_default());
-                // What it stands on tells itself best while the foot is flat.
+                let median_coordinate =
+                    |axis: usize| median_low(frames.clone().map(|frame| leg.toe[frame][axis]));
+                let mut toe = Vector3::from_fn(|axis, _| median_coordinate(axis).unwrap_or_default());
+                // The ground height is most accurate while the foot is flat.
                 let flat = frames.clone().filter(|&frame| self.phases[frame] == Phase::Flat);
-                if let Some(height) = median(flat.map(|frame| up.height(&leg.toe[frame]))) {
-                    toe += upright * (height - up.height(&toe));
+                if let Some(height) = median_low(flat.map(|frame| up.height(&leg.toe[frame]))) {
+                    toe += up_direction * (height - up.height(&toe));
                 }
                 Hold { frames, toe }
             })
             .collect();
-        if setting.level {
+        if settings.level {
             let heights: Vec<f64> = holds.iter().map(|hold| up.height(&hold.toe)).collect();
-            for (hold, level) in holds.iter_mut().zip(ground::levels(&heights, setting.length)) {
-                hold.toe += upright * (level - up.height(&hold.toe));
+            for (hold, level) in holds.iter_mut().zip(ground::levels(&heights, settings.length)) {
+                hold.toe += up_direction * (level - up.height(&hold.toe));
             }
         }
         holds
     }
 }
 
-/// A foot as it will be turned, and what follows for ankle, heel and toe.
+/// A foot with its rotations, and the resulting positions of ankle, heel and toe.
 struct Stance<'a> {
     leg: &'a Leg,
-    /// How the foot is turned from where it was, per frame.
-    turned: Vec<Matrix3<f64>>,
+    /// Rotation of the foot from its original orientation, per frame.
+    rotations: Vec<Matrix3<f64>>,
     heel: Vector3<f64>,
     up: Up,
 }
 
 impl Stance<'_> {
-    /// Where the ankle is with the toe at `toe`.
+    /// Returns the position of the ankle if the toe is at `toe`.
     fn ankle_under(&self, toe: Vector3<f64>, frame: usize) -> Vector3<f64> {
-        toe - self.turned[frame] * self.leg.sole(frame)
+        toe - self.rotations[frame] * self.leg.sole(frame)
     }
 
-    /// From the ankle to the heel.
+    /// Returns the vector from the ankle to the heel.
     fn heel_at(&self, frame: usize) -> Vector3<f64> {
-        self.turned[frame] * self.leg.foot[frame] * self.heel
+        self.rotations[frame] * self.leg.foot[frame] * self.heel
     }
 
-    /// Moves each hold level with the ground, so that the heel that the foot stands on in
-    /// between is where the hold before has it.
-    fn join(&self, holds: &mut [Hold]) {
-        let upright = upright(self.up);
+    /// Moves each hold horizontally so that the heel, on which the foot stands in between, stays at
+    /// the position of the previous hold.
+    fn align_holds(&self, holds: &mut [Hold]) {
+        let up_direction = up_vector(self.up);
         for n in 1..holds.len() {
             let (last, first) = (holds[n - 1].frames.end - 1, holds[n].frames.start);
             let heel = self.ankle_under(holds[n - 1].toe, last) + self.heel_at(last);
-            let apart = heel - self.ankle_under(holds[n].toe, first) - self.heel_at(first);
-            holds[n].toe += apart - upright * upright.dot(&apart);
+            let offset = heel - self.ankle_under(holds[n].toe, first) - self.heel_at(first);
+            holds[n].toe += offset - up_direction * up_direction.dot(&offset);
         }
     }
 
-    /// Takes the tremble out of the ankle's correction in `run`, frames of `plant` in which the toe
-    /// alone stands: recorded feet tremble against their ankles more than ankles do. The foot turns
-    /// for it, about the toe where that is.
-    fn steady(&mut self, run: Range<usize>, plant: &Range<usize>, half: usize, ankle: &mut [Vector3<f64>]) {
+    /// Smooths the correction of the ankle in `run`, frames of `plant` in which only the toe is
+    /// planted, because recorded feet jitter more than ankles. The foot rotates about the toe to
+    /// compensate.
+    fn smooth_ankle(
+        &mut self,
+        run: Range<usize>,
+        plant: &Range<usize>,
+        half: usize,
+        ankle: &mut [Vector3<f64>],
+    ) {
         let leg = self.leg;
         if leg.is_point() {
             return;
         }
-        let trembling = ankle[plant.clone()].to_vec();
+        let original = ankle[plant.clone()].to_vec();
         for frame in run.clone() {
-            // What stands before and after stays as it is.
+            // The frames before and after the run remain unchanged.
             let before = if run.start > plant.start { frame + 1 - run.start } else { half };
             let after = if run.end < plant.end { run.end - frame } else { half };
             let half = half.min(before).min(after);
             let window = frame.saturating_sub(half).max(plant.start)..(frame + half + 1).min(plant.end);
-            let steady =
-                line(&trembling[window.start - plant.start..window.end - plant.start], frame - window.start);
-            let sole = self.turned[frame] * leg.sole(frame);
+            let smoothed = fitted_line(
+                &original[window.start - plant.start..window.end - plant.start],
+                frame - window.start,
+            );
+            let sole = self.rotations[frame] * leg.sole(frame);
             let toe = leg.ankle[frame] + ankle[frame] + sole;
-            let wanted = toe - leg.ankle[frame] - steady;
-            let turn = smallest_turn(sole, wanted);
-            self.turned[frame] = turn.matrix() * self.turned[frame];
-            ankle[frame] = toe - turn * sole - leg.ankle[frame];
+            let target = toe - leg.ankle[frame] - smoothed;
+            let rotation = smallest_rotation(sole, target);
+            self.rotations[frame] = rotation.matrix() * self.rotations[frame];
+            ankle[frame] = toe - rotation * sole - leg.ankle[frame];
         }
     }
 
-    /// Corrects the ankle so that in `frames`, which are part of `plant`, the heel stands where it
-    /// does in the frames before and after, or else at its mean position.
+    /// Corrects the ankle so that in `frames`, a part of `plant`, the heel stays at its position in
+    /// the frames before and after, or at its mean position.
     ///
-    /// Only level with the ground: it rises and falls as it did.
-    fn roll(&self, frames: Range<usize>, plant: &Range<usize>, ankle: &mut [Vector3<f64>]) {
-        let upright = upright(self.up);
+    /// Horizontally only: the height of the heel follows the original motion.
+    fn hold_heel(&self, frames: Range<usize>, plant: &Range<usize>, ankle: &mut [Vector3<f64>]) {
+        let up_direction = up_vector(self.up);
         let before = |frame: usize| self.leg.ankle[frame] + self.leg.foot[frame] * self.heel;
         let after = |frame: usize| self.leg.ankle[frame] + ankle[frame] + self.heel_at(frame);
-        let raised = |frame: usize| self.up.height(&after(frame)) - self.up.height(&before(frame));
+        let height_change = |frame: usize| self.up.height(&after(frame)) - self.up.height(&before(frame));
         let start = (frames.start > plant.start).then(|| frames.start - 1);
         let end = (frames.end < plant.end).then_some(frames.end);
         let mean = || frames.clone().map(before).sum::<Vector3<f64>>() / frames.len().max(1) as f64;
-        let stand = start.or(end).map_or_else(mean, after);
-        let (from, to) = (start.or(end).map_or(0.0, raised), end.or(start).map_or(0.0, raised));
+        let position = start.or(end).map_or_else(mean, after);
+        let (from, to) = (start.or(end).map_or(0.0, height_change), end.or(start).map_or(0.0, height_change));
         for frame in frames.clone() {
-            let share = (frame - frames.start + 1) as f64 / (frames.len() + 1) as f64;
-            let height = self.up.height(&before(frame)) + from + (to - from) * blend::ease(share);
-            let target = stand + upright * (height - self.up.height(&stand));
+            let fraction = (frame - frames.start + 1) as f64 / (frames.len() + 1) as f64;
+            let height = self.up.height(&before(frame)) + from + (to - from) * blend::ease(fraction);
+            let target = position + up_direction * (height - self.up.height(&position));
             ankle[frame] = target - self.heel_at(frame) - self.leg.ankle[frame];
         }
     }
 }
 
-/// The value at `place` of the straight line through evenly spaced values (least squares).
-fn line(values: &[Vector3<f64>], place: usize) -> Vector3<f64> {
+/// Returns the value at `index` of the least-squares line through evenly spaced values.
+fn fitted_line(values: &[Vector3<f64>], index: usize) -> Vector3<f64> {
     let count = values.len() as f64;
-    let middle = (count - 1.0) / 2.0;
+    let centre = (count - 1.0) / 2.0;
     let mean = values.iter().sum::<Vector3<f64>>() / count;
-    let moment: Vector3<f64> = values.iter().enumerate().map(|(n, value)| value * (n as f64 - middle)).sum();
-    let spread = count * (count * count - 1.0) / 12.0;
-    if spread > 0.0 { mean + moment * ((place as f64 - middle) / spread) } else { mean }
+    let moment: Vector3<f64> = values.iter().enumerate().map(|(n, value)| value * (n as f64 - centre)).sum();
+    let sum_of_squares = count * (count * count - 1.0) / 12.0;
+    if sum_of_squares > 0.0 { mean + moment * ((index as f64 - centre) / sum_of_squares) } else { mean }
 }

@@ -1,30 +1,29 @@
-//! What is planted when: labels from a detector, a document or a table, seen alike.
+//! Contacts per frame, from any source of labels.
 
 use crate::foot::{Part, Side};
-use crate::formats::Document;
 use crate::plants::{Annotation, Detection};
 
-/// The frames in which each part of each foot is planted; `None` for a part without labels.
+/// Frames in which each part of each foot is planted; `None` for a part without labels.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Contacts {
-    /// The left foot's, then the right's.
+    /// Contacts of the left foot and of the right foot.
     pub feet: [FootContacts; 2],
 }
 
-/// The planted frames of one foot, per frame of the clip.
+/// Contacts of one foot, per frame of the clip.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FootContacts {
-    /// Any part of the sole carries weight.
+    /// Any part of the foot bears on the ground.
     pub contact: Option<Vec<bool>>,
-    /// The heel is down.
+    /// The heel is planted.
     pub heel: Option<Vec<bool>>,
-    /// The toe is down.
+    /// The toe is planted.
     pub toe: Option<Vec<bool>>,
 }
 
 impl Contacts {
-    /// The contacts that `labels` gives for each side and part.
-    pub fn of(labels: impl Fn(Side, Part) -> Option<Vec<bool>>) -> Contacts {
+    /// Creates contacts from a function that returns the labels of each side and part.
+    pub fn new(labels: impl Fn(Side, Part) -> Option<Vec<bool>>) -> Contacts {
         let foot = |side| FootContacts {
             contact: labels(side, Part::Contact),
             heel: labels(side, Part::Heel),
@@ -33,13 +32,13 @@ impl Contacts {
         Contacts { feet: Side::BOTH.map(foot) }
     }
 
-    /// The contacts of one foot.
+    /// Returns the contacts of one foot.
     pub fn foot(&self, side: Side) -> &FootContacts {
         &self.feet[side as usize]
     }
 
-    /// The length of labels that are not of `frames` frames, if there are any.
-    pub(crate) fn other_length(&self, frames: usize) -> Option<usize> {
+    /// Returns the length of labels whose length is not `frames`, if any.
+    pub(crate) fn mismatched_length(&self, frames: usize) -> Option<usize> {
         let labels = self.feet.iter().flat_map(|foot| [&foot.contact, &foot.heel, &foot.toe]);
         labels.flatten().map(Vec::len).find(|&length| length != frames)
     }
@@ -47,21 +46,15 @@ impl Contacts {
 
 impl From<&Detection> for Contacts {
     fn from(detection: &Detection) -> Contacts {
-        Contacts::of(|side, part| Some(detection.part(part)?.foot(side).planted.clone()))
+        Contacts::new(|side, part| Some(detection.part(part)?.foot(side).planted.clone()))
     }
 }
 
-impl From<&Document> for Contacts {
-    fn from(document: &Document) -> Contacts {
-        Contacts::of(|side, part| document.labels(side, part))
-    }
-}
-
-/// Frames whose label is not known are taken for not planted.
+/// Frames with an unknown label count as not planted.
 impl From<&Annotation> for Contacts {
-    fn from(labelling: &Annotation) -> Contacts {
-        Contacts::of(|side, part| {
-            let labels = &labelling.part(part)?[side as usize];
+    fn from(annotation: &Annotation) -> Contacts {
+        Contacts::new(|side, part| {
+            let labels = &annotation.part(part)?[side as usize];
             Some(labels.iter().map(|label| *label == Some(true)).collect())
         })
     }

@@ -1,51 +1,51 @@
-//! How far planted feet slide.
+//! Foot skate: the slide of planted feet.
 
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
 use crate::foot::Side;
-use crate::skate::leg::{Leg, upright};
+use crate::skate::leg::{Leg, up_vector};
 use crate::skate::phases::{Phase, runs};
 use crate::skeleton::Up;
 
-/// The slide of every plant of a clip.
+/// Slide of every plant of a clip.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Skate {
-    /// The left foot's plants in order of time, then the right's.
+    /// Plants of the left foot in order of time, then of the right foot.
     pub plants: Vec<Slide>,
 }
 
-/// How far one plant slides, level with the ground.
+/// Horizontal slide of one plant.
 ///
-/// Measured is the part that stands: the toe joint while the toe is down, the heel while the
-/// heel is down; of both, the farther.
+/// The part that is planted is measured: the toe joint during toe contact, the heel during heel
+/// contact; the larger value counts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slide {
-    /// Which foot.
+    /// The foot.
     pub side: Side,
-    /// The frames in which heel or toe stands.
+    /// Frames in which heel or toe is planted.
     pub frames: Range<usize>,
-    /// Greatest distance of the part from its mean position over the plant, in metres.
-    pub farthest: f64,
-    /// Length of the part's way, in metres; jitter adds to it with every frame.
+    /// Maximum distance of the part from its mean position over the plant, in metres.
+    pub distance: f64,
+    /// Length of the path of the part, in metres; jitter increases it with every frame.
     pub path: f64,
 }
 
 impl Skate {
-    /// Mean of [`Slide::farthest`] over all plants, in metres; 0 without plants.
+    /// Returns the mean of [`Slide::distance`] over all plants, in metres; 0 without plants.
     pub fn mean(&self) -> f64 {
-        let sum: f64 = self.plants.iter().map(|plant| plant.farthest).sum();
+        let sum: f64 = self.plants.iter().map(|plant| plant.distance).sum();
         sum / self.plants.len().max(1) as f64
     }
 
-    /// Greatest [`Slide::farthest`] of any plant, in metres; 0 without plants.
+    /// Returns the maximum of [`Slide::distance`] over all plants, in metres; 0 without plants.
     pub fn worst(&self) -> f64 {
-        self.plants.iter().map(|plant| plant.farthest).fold(0.0, f64::max)
+        self.plants.iter().map(|plant| plant.distance).fold(0.0, f64::max)
     }
 }
 
-/// The farthest and the path of one plant in file units: of toe or of heel, whichever is more.
+/// Returns distance and path of one plant in file units: the maximum of toe and heel.
 pub(crate) fn slide(
     leg: &Leg,
     phases: &[Phase],
@@ -53,20 +53,20 @@ pub(crate) fn slide(
     heel: Vector3<f64>,
     up: Up,
 ) -> (f64, f64) {
-    let upright = upright(up);
-    let level = |position: Vector3<f64>| position - upright * upright.dot(&position);
-    let of = |wanted: fn(Phase) -> bool, part: &dyn Fn(usize) -> Vector3<f64>| {
-        let mut most = (0.0_f64, 0.0);
-        for run in runs(phases, frames, wanted) {
-            let positions = || run.clone().map(|frame| level(part(frame)));
+    let up = up_vector(up);
+    let horizontal = |position: Vector3<f64>| position - up * up.dot(&position);
+    let slide_of = |condition: fn(Phase) -> bool, part: &dyn Fn(usize) -> Vector3<f64>| {
+        let mut max = (0.0_f64, 0.0);
+        for run in runs(phases, frames, condition) {
+            let positions = || run.clone().map(|frame| horizontal(part(frame)));
             let mean = positions().sum::<Vector3<f64>>() / run.len() as f64;
-            let farthest = positions().map(|position| (position - mean).norm()).fold(0.0, f64::max);
+            let distance = positions().map(|position| (position - mean).norm()).fold(0.0, f64::max);
             let path = positions().zip(positions().skip(1)).map(|(a, b)| (b - a).norm()).sum::<f64>();
-            most = (most.0.max(farthest), most.1 + path);
+            max = (max.0.max(distance), max.1 + path);
         }
-        most
+        max
     };
-    let toe = of(Phase::has_toe, &|frame| leg.toe[frame]);
-    let heel = of(Phase::has_heel, &|frame| leg.ankle[frame] + leg.foot[frame] * heel);
+    let toe = slide_of(Phase::has_toe, &|frame| leg.toe[frame]);
+    let heel = slide_of(Phase::has_heel, &|frame| leg.ankle[frame] + leg.foot[frame] * heel);
     (toe.0.max(heel.0), toe.1.max(heel.1))
 }

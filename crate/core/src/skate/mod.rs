@@ -1,13 +1,13 @@
-//! Foot skate: how far planted feet slide, and clips without it.
+//! Foot skate: measuring the slide of planted feet, and removing it.
 //!
-//! After Kovar, Schreiner and Gleicher, *Footskate cleanup for motion capture editing*,
-//! Symposium on Computer Animation 2002. Every plant gets a position at which the foot is held;
-//! the hips go along where legs would not reach; each leg is solved in closed form, and what
-//! was changed blends in and out between the plants. Bones of a BVH file cannot stretch as they
-//! do in the paper: here the hips do all that is needed for legs to reach.
+//! After Kovar, Schreiner and Gleicher, *Footskate cleanup for motion capture editing*, Symposium
+//! on Computer Animation 2002. Every plant gets a position at which the foot is held. The hips move
+//! where legs would not reach. Each leg is solved in closed form, and corrections are blended
+//! between plants. The bones of a BVH file cannot stretch as in the paper, so the hips move far
+//! enough for every leg to reach.
 //!
-//! The way of the data: [`Contacts`] → phases (heel, flat, toe) → plants → constraints →
-//! corrections of the feet → way of the hips → legs → channels.
+//! Data flow: [`Contacts`] → phases (heel, flat, toe) → plants → constraints → corrections of the
+//! feet → offset of the hips → legs → channels.
 
 mod blend;
 mod clean;
@@ -24,7 +24,7 @@ mod root;
 #[cfg(test)]
 mod tests;
 
-pub use clean::{Cleaned, CleanedPlant, Options, WhyNot};
+pub use clean::{Cleaned, CleanedPlant, Options, SkipReason};
 pub use contacts::{Contacts, FootContacts};
 pub use measure::{Skate, Slide};
 
@@ -36,72 +36,72 @@ use crate::skeleton::Skeleton;
 use leg::{Joints, Leg};
 use phases::Phase;
 
-/// Why a clip's foot skate cannot be told.
+/// Error: foot skate cannot be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SkateError {
     /// The clip is a rest pose.
-    #[error("the clip has no motion: no foot can skate")]
+    #[error("the clip has no motion, so no foot can skate")]
     NoMotion,
-    /// The ankles are not known.
-    #[error("no pair of feet was found: name the joints of both ankles")]
+    /// The ankles are unknown.
+    #[error("no pair of feet was found; name the joints of both ankles")]
     NoFeet,
-    /// Labels of another clip.
-    #[error("the labels are of {found} frames, and the clip has {frames}")]
+    /// The labels belong to another clip.
+    #[error("the labels have {found} frames, but the clip has {frames}")]
     Length {
-        /// Frames of the labels.
+        /// Number of frames of the labels.
         found: usize,
-        /// Frames of the clip.
+        /// Number of frames of the clip.
         frames: usize,
     },
 }
 
-/// Measures how far every plant slides, in metres. Takes time proportional to the frames.
+/// Measures the slide of every plant. The time is proportional to the number of frames.
 ///
 /// # Errors
-/// If the clip has no motion, the skeleton no feet, or the labels are of another length.
+/// If the clip has no motion, the skeleton has no feet, or the labels have another length.
 pub fn measure(clip: &Clip, skeleton: &Skeleton, contacts: &Contacts) -> Result<Skate, SkateError> {
-    Ok(Feet::of(clip, skeleton, contacts)?.skate(skeleton))
+    Ok(FootData::new(clip, skeleton, contacts)?.skate(skeleton))
 }
 
-/// Holds every planted foot still where it stands: the same clip but for the channels of legs and
-/// feet, and of the position of the hips.
+/// Holds every planted foot still. Only the rotations of legs and feet and the position of the hips
+/// change.
 ///
-/// Heel and toe are held as labelled: the foot rolls over its heel, stands, and rolls over its
-/// toe. With toes alone labelled (the published detector), the toe is held and the foot turns as
-/// it did. With contact alone, the pitch of the foot tells what it stands on. Takes time
-/// proportional to the frames.
+/// Heel and toe are held as labelled: the foot rolls over its heel, is flat, and rolls over its
+/// toe. If only toes are labelled (the method of the paper), the toe is held and the foot rotates
+/// as before. If only contact is labelled, the pitch of the foot determines the part. The time is
+/// proportional to the number of frames.
 ///
 /// # Errors
-/// As [`measure`].
+/// Those of [`measure`].
 pub fn clean(
     clip: &Clip,
     skeleton: &Skeleton,
     contacts: &Contacts,
     options: &Options,
 ) -> Result<Cleaned, SkateError> {
-    Ok(clean::run(clip, skeleton, Feet::of(clip, skeleton, contacts)?, options))
+    Ok(clean::run(clip, skeleton, FootData::new(clip, skeleton, contacts)?, options))
 }
 
-/// Both feet with what they stand on.
-struct Feet {
+/// Tracks, phases and plants of both feet.
+struct FootData {
     legs: [Leg; 2],
     phases: [Vec<Phase>; 2],
     plants: [Vec<std::ops::Range<usize>>; 2],
     heels: [Vector3<f64>; 2],
-    /// Thigh plus shank, in file units.
+    /// Leg length, in file units.
     length: f64,
 }
 
-impl Feet {
-    fn of(clip: &Clip, skeleton: &Skeleton, contacts: &Contacts) -> Result<Feet, SkateError> {
+impl FootData {
+    fn new(clip: &Clip, skeleton: &Skeleton, contacts: &Contacts) -> Result<FootData, SkateError> {
         let frames = clip.frame_count();
         if frames == 0 {
             return Err(SkateError::NoMotion);
         }
-        if let Some(found) = contacts.other_length(frames) {
+        if let Some(found) = contacts.mismatched_length(frames) {
             return Err(SkateError::Length { found, frames });
         }
-        let joints = Side::BOTH.map(|side| Joints::of(clip, skeleton, side));
+        let joints = Side::BOTH.map(|side| Joints::new(clip, skeleton, side));
         let ([Some(left), Some(right)], Some(length)) = (joints, skeleton.leg) else {
             return Err(SkateError::NoFeet);
         };
@@ -109,11 +109,12 @@ impl Feet {
         let phases =
             Side::BOTH.map(|side| phases::phases(&legs[side as usize], contacts.foot(side), up, length));
         let plants = [0, 1].map(|foot| phases::plants(&legs[foot], &phases[foot], length));
-        let heels = [0, 1].map(|foot| heel::heel(&legs[foot], &phases[foot], &plants[foot], up, length));
-        Ok(Feet { legs, phases, plants, heels, length })
+        let heels =
+            [0, 1].map(|foot| heel::locate_heel(&legs[foot], &phases[foot], &plants[foot], up, length));
+        Ok(FootData { legs, phases, plants, heels, length })
     }
 
-    /// The slides of all plants.
+    /// Returns the slides of all plants.
     fn skate(&self, skeleton: &Skeleton) -> Skate {
         let of_foot = |side: Side| {
             let foot = side as usize;
@@ -125,8 +126,8 @@ impl Feet {
                     self.heels[foot],
                     skeleton.up,
                 );
-                let [farthest, path] = [slide.0, slide.1].map(|units| units * skeleton.metres_per_unit);
-                Slide { side, frames: frames.clone(), farthest, path }
+                let [distance, path] = [slide.0, slide.1].map(|units| units * skeleton.metres_per_unit);
+                Slide { side, frames: frames.clone(), distance, path }
             })
         };
         Skate { plants: Side::BOTH.into_iter().flat_map(of_foot).collect() }

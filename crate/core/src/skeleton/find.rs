@@ -1,4 +1,4 @@
-//! Roles by name, and legs by shape where names fail.
+//! Roles by joint names, and legs by topology if the names are not sufficient.
 
 use nalgebra::Vector3;
 
@@ -6,18 +6,18 @@ use crate::bvh::{Clip, JointKind};
 use crate::foot::Side;
 use crate::kinematics;
 use crate::numeric::sort;
-use crate::skeleton::names::{BodyPart, Reading};
+use crate::skeleton::names::{BodyPart, ParsedName};
 use crate::skeleton::{LegRoles, Role, Roles, names};
 
-/// Finds the roles in the skeleton that hangs from `root`.
-pub(crate) fn roles(clip: &Clip, root: usize) -> Roles {
-    let tree = Tree::of(clip, root);
+/// Assigns the roles in the skeleton below `root`.
+pub(crate) fn assign_roles(clip: &Clip, root: usize) -> Roles {
+    let tree = Tree::new(clip, root);
     let mut roles = Roles::default();
-    let legs = Side::BOTH.map(|side| tree.named_leg(side));
+    let legs = Side::BOTH.map(|side| tree.leg_by_names(side));
     let legs = if legs.iter().all(Option::is_some) {
         legs.map(Option::unwrap_or_default)
     } else {
-        tree.shaped_legs().unwrap_or_default()
+        tree.legs_by_topology().unwrap_or_default()
     };
     for (side, leg) in Side::BOTH.into_iter().zip(legs) {
         let role = LegRoles::of(side);
@@ -27,9 +27,9 @@ pub(crate) fn roles(clip: &Clip, root: usize) -> Roles {
         roles.set(role.toe, leg.toe);
         roles.set(role.tip, leg.ankle.and_then(|ankle| tree.tip(leg.toe.unwrap_or(ankle))));
     }
-    tree.name_trunk(&mut roles);
+    tree.assign_trunk(&mut roles);
     for side in Side::BOTH {
-        tree.name_arm(side, &mut roles);
+        tree.assign_arm(side, &mut roles);
     }
     roles
 }
@@ -42,60 +42,62 @@ struct Leg {
     toe: Option<usize>,
 }
 
-/// One skeleton of a clip with what its names say.
+/// One skeleton of a clip with the meaning of its joint names.
 struct Tree<'a> {
     clip: &'a Clip,
     root: usize,
-    /// Root and all joints below it, parents first.
+    /// Root and all of its descendants, parents first.
     members: Vec<usize>,
-    readings: Vec<Reading>,
+    names: Vec<ParsedName>,
 }
 
 impl<'a> Tree<'a> {
-    fn of(clip: &'a Clip, root: usize) -> Tree<'a> {
-        let below = clip.joints()[root + 1..].iter().take_while(|joint| joint.parent.is_some()).count();
-        let nothing = Reading { side: None, part: None };
-        let readings = clip
+    fn new(clip: &'a Clip, root: usize) -> Tree<'a> {
+        let descendant_count =
+            clip.joints()[root + 1..].iter().take_while(|joint| joint.parent.is_some()).count();
+        let unnamed = ParsedName { side: None, part: None };
+        let names = clip
             .joints()
             .iter()
-            .map(|joint| if joint.kind == JointKind::EndSite { nothing } else { names::read(&joint.name) })
+            .map(|joint| if joint.kind == JointKind::EndSite { unnamed } else { names::parse(&joint.name) })
             .collect();
-        Tree { clip, root, members: (root..=root + below).collect(), readings }
+        Tree { clip, root, members: (root..=root + descendant_count).collect(), names }
     }
 
     fn parent(&self, joint: usize) -> Option<usize> {
         self.clip.joints()[joint].parent
     }
 
-    /// The joints above `joint`, nearest first.
-    fn above(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+    /// Returns the ancestors of `joint`, nearest first.
+    fn ancestors(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(self.parent(joint), |&joint| self.parent(joint))
     }
 
-    /// The members below `joint`, in file order.
-    fn below(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
-        self.members.iter().copied().filter(move |&member| self.above(member).any(|above| above == joint))
+    /// Returns the descendants of `joint`, in file order.
+    fn descendants(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        self.members.iter().copied().filter(move |&member| self.ancestors(member).any(|above| above == joint))
     }
 
-    fn is(&self, joint: usize, side: Option<Side>, part: BodyPart) -> bool {
-        self.readings[joint] == Reading { side, part: Some(part) }
+    fn has_name(&self, joint: usize, side: Option<Side>, part: BodyPart) -> bool {
+        self.names[joint] == ParsedName { side, part: Some(part) }
     }
 
-    /// The leg whose names fit best: a foot with as many as possible of shank and thigh above it.
-    fn named_leg(&self, side: Side) -> Option<Leg> {
-        let is = |joint: usize, part| self.is(joint, Some(side), part);
+    /// Returns the leg with the best names: a foot with as many as possible of shank and thigh
+    /// among its ancestors.
+    fn leg_by_names(&self, side: Side) -> Option<Leg> {
+        let is = |joint: usize, part| self.has_name(joint, Some(side), part);
         let candidates = self.members.iter().copied().filter(|&joint| {
             is(joint, BodyPart::Ankle)
-                // Under an ankle, a foot is the toe base.
-                || is(joint, BodyPart::Foot) && !self.above(joint).any(|above| is(above, BodyPart::Ankle))
+                // Below an ankle, a foot is the toe base.
+                || is(joint, BodyPart::Foot) && !self.ancestors(joint).any(|above| is(above, BodyPart::Ankle))
         });
         let legs = candidates.map(|ankle| {
-            // The topmost of a part that is split in several, as with twist bones.
-            let topmost = |part| self.above(ankle).filter(|&joint| is(joint, part)).last();
+            // If a part is split into several joints, such as twist bones, its topmost joint.
+            let topmost = |part| self.ancestors(ankle).filter(|&joint| is(joint, part)).last();
             let toe = self
-                .below(ankle)
+                .descendants(ankle)
                 .filter(|&joint| is(joint, BodyPart::Toe) || is(joint, BodyPart::Foot))
-                .min_by_key(|&joint| (self.above(joint).count(), &self.clip.joints()[joint].name));
+                .min_by_key(|&joint| (self.ancestors(joint).count(), &self.clip.joints()[joint].name));
             Leg { thigh: topmost(BodyPart::Thigh), shank: topmost(BodyPart::Shank), ankle: Some(ankle), toe }
         });
         let score = |leg: &Leg| {
@@ -110,48 +112,49 @@ impl<'a> Tree<'a> {
             }
         }
         let mut leg = best?;
-        self.fill_by_place(&mut leg);
+        self.fill_from_ancestors(&mut leg);
         Some(leg)
     }
 
-    /// Where names leave out shank or thigh, the joints above the ankle fill in.
-    fn fill_by_place(&self, leg: &mut Leg) {
+    /// Assigns the ancestors of the ankle to shank and thigh if no name does.
+    fn fill_from_ancestors(&self, leg: &mut Leg) {
         let Some(ankle) = leg.ankle else { return };
         let fits = |joint: &usize| self.parent(*joint).is_some();
         leg.shank = leg.shank.or_else(|| self.parent(ankle).filter(fits));
         leg.thigh = leg.thigh.or_else(|| self.parent(leg.shank?).filter(fits));
     }
 
-    /// The end of the foot: the tip furthest from `joint` in the rest pose, below it.
+    /// Returns the end of the foot: the descendant of `joint` that is farthest from it in the rest
+    /// pose.
     fn tip(&self, joint: usize) -> Option<usize> {
         let reach = |tip: usize| {
             let mut offset = self.clip.joints()[tip].offset;
-            for above in self.above(tip).take_while(|&above| above != joint) {
+            for above in self.ancestors(tip).take_while(|&above| above != joint) {
                 offset += self.clip.joints()[above].offset;
             }
             offset.norm()
         };
-        self.below(joint)
+        self.descendants(joint)
             .filter(|&member| self.clip.children(member).next().is_none())
             .max_by(|&a, &b| reach(a).total_cmp(&reach(b)))
     }
 
-    /// Two mirrored chains that reach furthest from the root: the legs of a skeleton without usable names.
+    /// Returns the two mirrored chains that reach farthest from the root: the legs of a skeleton
+    /// without usable names.
     ///
-    /// Hands hang beside the hips and a head is alone, so that only feet are a
-    /// pair far from the hips. Where two pairs reach about as far (a quadruped,
-    /// a crab), there is no telling.
-    fn shaped_legs(&self) -> Option<[Leg; 2]> {
+    /// Hands hang beside the hips and the head is single, so only feet are a pair far from the
+    /// hips. If two pairs reach about equally far (a quadruped or a crab), the result is undecided.
+    fn legs_by_topology(&self) -> Option<[Leg; 2]> {
         let tips: Vec<usize> = self
             .members
             .iter()
             .copied()
             .filter(|&member| self.clip.children(member).next().is_none())
             .collect();
-        let mut wanted = tips.clone();
-        wanted.push(self.root);
+        let mut joints = tips.clone();
+        joints.push(self.root);
         let frames = kinematics::sample_frames(self.clip, 64);
-        let mut tracks = kinematics::tracks_at(self.clip, &wanted, frames);
+        let mut tracks = kinematics::tracks_at(self.clip, &joints, frames);
         let root = tracks.pop()?;
         let mean_from_root = |track: &kinematics::Track| {
             let sum: Vector3<f64> = track.iter().zip(&root).map(|(tip, root)| tip - root).sum();
@@ -168,40 +171,42 @@ impl<'a> Tree<'a> {
         }
         let reaches: Vec<f64> = pairs.iter().map(|pair| pair.0).collect();
         let pairs: Vec<_> =
-            sort::argsort_descending(&reaches).into_iter().map(|place| pairs[place]).collect();
+            sort::argsort_descending(&reaches).into_iter().map(|index| pairs[index]).collect();
         let &(reach, a, b) = pairs.first()?;
-        let own = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
+        let chains = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
         // A rival is a pair of other limbs that reaches nearly as far.
         let is_rival = |&(other, c, d): &(f64, usize, usize)| {
-            other > 0.8 * reach && ![tips[c], tips[d]].iter().any(|&tip| self.shares_limb(tip, &own))
+            other > 0.8 * reach && ![tips[c], tips[d]].iter().any(|&tip| self.shares_limb(tip, &chains))
         };
-        if pairs[1..].iter().any(is_rival) || own.iter().any(|chain| chain.len() < 3) {
+        if pairs[1..].iter().any(is_rival) || chains.iter().any(|chain| chain.len() < 3) {
             return None;
         }
         let up = -(means[a] + means[b]);
-        let legs = own.map(|chain| Leg {
+        let legs = chains.map(|chain| Leg {
             thigh: Some(chain[0]),
             shank: Some(chain[1]),
             ankle: Some(chain[2]),
             toe: chain.get(3).copied().filter(|&joint| self.clip.children(joint).next().is_some()),
         });
-        Some(if self.is_left(&legs, up) { legs } else { [legs[1], legs[0]] })
+        Some(if self.is_first_left(&legs, up) { legs } else { [legs[1], legs[0]] })
     }
 
-    /// The joints from below the fork of `tip` and `other` down to `tip`.
+    /// Returns the joints from the common ancestor of `tip` and `other`, exclusive, to `tip`.
     fn chain(&self, tip: usize, other: usize) -> Vec<usize> {
-        let others: Vec<usize> = self.above(other).collect();
-        let mut chain: Vec<usize> =
-            std::iter::once(tip).chain(self.above(tip)).take_while(|joint| !others.contains(joint)).collect();
+        let others: Vec<usize> = self.ancestors(other).collect();
+        let mut chain: Vec<usize> = std::iter::once(tip)
+            .chain(self.ancestors(tip))
+            .take_while(|joint| !others.contains(joint))
+            .collect();
         chain.reverse();
         chain
     }
 
     fn shares_limb(&self, tip: usize, limbs: &[Vec<usize>; 2]) -> bool {
-        limbs.iter().any(|limb| tip == limb[0] || self.above(tip).any(|above| above == limb[0]))
+        limbs.iter().any(|limb| tip == limb[0] || self.ancestors(tip).any(|above| above == limb[0]))
     }
 
-    /// Whether two tips end chains of like bones.
+    /// True if two tips end chains with equal bone lengths.
     fn are_mirrored(&self, a: usize, b: usize) -> bool {
         let (a, b) = (self.chain(a, b), self.chain(b, a));
         a.len() == b.len()
@@ -211,27 +216,27 @@ impl<'a> Tree<'a> {
             })
     }
 
-    /// Whether the first leg is the left one, going by where the feet point.
+    /// True if the first leg is the left one, judged by the direction of the feet.
     ///
-    /// Pose by pose, since a person who turns has left on every side of the world in turn.
-    fn is_left(&self, [leg, other]: &[Leg; 2], up: Vector3<f64>) -> bool {
-        let (Some(here), Some(there)) = (leg.ankle, other.ankle) else { return true };
-        let tips = [here, there].map(|ankle| self.tip(ankle).unwrap_or(ankle));
-        let joints = [here, there, tips[0], tips[1]];
+    /// Evaluated per pose, as left has no fixed direction in the world when the character turns.
+    fn is_first_left(&self, [leg, other]: &[Leg; 2], up: Vector3<f64>) -> bool {
+        let (Some(first), Some(second)) = (leg.ankle, other.ankle) else { return true };
+        let tips = [first, second].map(|ankle| self.tip(ankle).unwrap_or(ankle));
+        let joints = [first, second, tips[0], tips[1]];
         let tracks = kinematics::tracks_at(self.clip, &joints, kinematics::sample_frames(self.clip, 64));
         let votes = (0..tracks[0].len()).map(|frame| {
-            let [here, there, tip, other_tip] = [0, 1, 2, 3].map(|joint| tracks[joint][frame]);
-            let forward = (tip - here) + (other_tip - there);
-            up.cross(&forward).dot(&(here - there))
+            let [first, second, tip, other_tip] = [0, 1, 2, 3].map(|joint| tracks[joint][frame]);
+            let forward = (tip - first) + (other_tip - second);
+            up.cross(&forward).dot(&(first - second))
         });
         votes.sum::<f64>() > 0.0
     }
 
-    fn name_trunk(&self, roles: &mut Roles) {
-        let first = |part| self.members.iter().copied().find(|&joint| self.is(joint, None, part));
+    fn assign_trunk(&self, roles: &mut Roles) {
+        let first = |part| self.members.iter().copied().find(|&joint| self.has_name(joint, None, part));
         let fork = |left, right| {
             let (left, right) = (roles.get(left)?, roles.get(right)?);
-            self.above(left).find(|&joint| self.above(right).any(|above| above == joint))
+            self.ancestors(left).find(|&joint| self.ancestors(right).any(|above| above == joint))
         };
         let hips =
             fork(Role::LeftThigh, Role::RightThigh).or_else(|| first(BodyPart::Hips)).or(Some(self.root));
@@ -242,28 +247,30 @@ impl<'a> Tree<'a> {
         let chest = roles
             .get(Role::Neck)
             .or(roles.get(Role::Head))
-            .and_then(|neck| self.above(neck).find(|&joint| self.is(joint, None, BodyPart::Spine)));
+            .and_then(|neck| self.ancestors(neck).find(|&joint| self.has_name(joint, None, BodyPart::Spine)));
         roles.set(Role::Chest, chest);
     }
 
-    fn name_arm(&self, side: Side, roles: &mut Roles) {
+    fn assign_arm(&self, side: Side, roles: &mut Roles) {
         let [shoulder, arm, forearm, hand] = match side {
             Side::Left => [Role::LeftShoulder, Role::LeftArm, Role::LeftForearm, Role::LeftHand],
             Side::Right => [Role::RightShoulder, Role::RightArm, Role::RightForearm, Role::RightHand],
         };
-        let first = |part| self.members.iter().copied().find(|&joint| self.is(joint, Some(side), part));
+        let first = |part| self.members.iter().copied().find(|&joint| self.has_name(joint, Some(side), part));
         let elbow = first(BodyPart::Forearm);
         roles.set(forearm, elbow);
         roles.set(hand, first(BodyPart::Hand));
-        // Above the elbow comes the arm, be it called arm or shoulder; the topmost shoulder is the collar.
+        // Above the elbow is the arm, named arm or shoulder; the topmost shoulder is the collar
+        // bone.
         let above: Vec<usize> = elbow
             .into_iter()
-            .flat_map(|elbow| self.above(elbow))
+            .flat_map(|elbow| self.ancestors(elbow))
             .filter(|&joint| {
-                self.is(joint, Some(side), BodyPart::Arm) || self.is(joint, Some(side), BodyPart::Shoulder)
+                self.has_name(joint, Some(side), BodyPart::Arm)
+                    || self.has_name(joint, Some(side), BodyPart::Shoulder)
             })
             .collect();
-        let upper = above.iter().copied().rfind(|&joint| self.is(joint, Some(side), BodyPart::Arm));
+        let upper = above.iter().copied().rfind(|&joint| self.has_name(joint, Some(side), BodyPart::Arm));
         let upper = upper.or_else(|| above.first().copied());
         roles.set(arm, upper);
         roles.set(shoulder, above.last().copied().filter(|&joint| Some(joint) != upper));
@@ -275,12 +282,12 @@ mod tests {
     use crate::bvh;
     use crate::skeleton::{Overrides, Skeleton};
 
-    /// A body of nameless limbs: each has three bones and a tip, and hangs where told.
+    /// A body of nameless limbs, each with three bones and a tip, at the given offsets.
     fn body(limbs: &[&str]) -> String {
         let mut text = String::from("HIERARCHY\nROOT q\n{\nOFFSET 0 0 0\n");
-        for (limb, place) in limbs.iter().enumerate() {
+        for (limb, offset) in limbs.iter().enumerate() {
             text += &format!(
-                "JOINT a{limb}\n{{\nOFFSET {place}\nJOINT b{limb}\n{{\nOFFSET 0 -4 0\nJOINT c{limb}\n{{\n\
+                "JOINT a{limb}\n{{\nOFFSET {offset}\nJOINT b{limb}\n{{\nOFFSET 0 -4 0\nJOINT c{limb}\n{{\n\
                  OFFSET 0 -4 0\nEnd Site\n{{\nOFFSET 0 0 1\n}}\n}}\n}}\n}}\n"
             );
         }
@@ -293,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quadruped_has_no_pair_of_feet_to_choose() {
+    fn quadrupeds_have_no_unique_pair_of_feet() {
         assert!(has_feet(&["1 0 0", "-1 0 0"]));
         assert!(!has_feet(&["1 0 0", "-1 0 0", "1 0 -6", "-1 0 -6"]));
         assert!(!has_feet(&["1 0 0"]));

@@ -1,15 +1,15 @@
-//! Joint names as they occur, reduced to a side and a body part.
+//! Parsing of joint names into a side and a body part.
 
 use crate::foot::Side;
 
-/// A body part as joints are called after it.
+/// Body part that joints are named after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BodyPart {
     Hips,
     Spine,
     Neck,
     Head,
-    /// The collar bone; or, where no collar is named, the upper arm.
+    /// Collar bone, or the upper arm if no collar bone is named.
     Shoulder,
     Arm,
     Forearm,
@@ -17,19 +17,19 @@ pub(crate) enum BodyPart {
     Thigh,
     Shank,
     Ankle,
-    /// A foot: the ankle, or the toe base under a joint that is called ankle.
+    /// Foot: the ankle, or the toe base below a joint named ankle.
     Foot,
     Toe,
 }
 
-/// What a name says.
+/// Meaning of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Reading {
+pub(crate) struct ParsedName {
     pub side: Option<Side>,
     pub part: Option<BodyPart>,
 }
 
-/// Rig prefixes that say nothing about the body.
+/// Rig prefixes without a meaning for the body.
 const PREFIXES: [&str; 14] = [
     "mixamorig",
     "character",
@@ -47,49 +47,50 @@ const PREFIXES: [&str; 14] = [
     "skel",
 ];
 
-/// Reads a joint's name.
-pub(crate) fn read(name: &str) -> Reading {
+/// Parses the name of a joint.
+pub(crate) fn parse(name: &str) -> ParsedName {
     let name = name.rsplit(':').next().unwrap_or(name);
-    let (side_by_sign, name) = strip_sign(name);
+    let (side_character, name) = strip_side_character(name);
     let mut words = words(&name);
     while words.len() > 1 && PREFIXES.contains(&words[0].as_str()) {
         words.remove(0);
     }
-    let side = side_by_sign.or_else(|| {
+    let side = side_character.or_else(|| {
         let at = words.iter().position(|word| side_word(word).is_some())?;
         side_word(&words.remove(at))
     });
     let body = words.concat();
     if side.is_none()
-        && let Some((side, part)) = glued_side(&body)
+        && let Some((side, part)) = joined_side(&body)
     {
-        return Reading { side: Some(side), part: Some(part) };
+        return ParsedName { side: Some(side), part: Some(part) };
     }
-    Reading { side, part: body_part(&body, side.is_some()) }
+    ParsedName { side, part: body_part(&body, side.is_some()) }
 }
 
-/// Takes out the Chinese and Japanese signs for left and right.
-fn strip_sign(name: &str) -> (Option<Side>, String) {
-    for (sign, side) in [('左', Side::Left), ('右', Side::Right)] {
-        if name.contains(sign) {
-            return (Some(side), name.replace(sign, ""));
+/// Removes the Chinese and Japanese characters for left and right.
+fn strip_side_character(name: &str) -> (Option<Side>, String) {
+    for (character, side) in [('左', Side::Left), ('右', Side::Right)] {
+        if name.contains(character) {
+            return (Some(side), name.replace(character, ""));
         }
     }
     (None, name.into())
 }
 
-/// Lower-case words of a name: cut at signs, digits and changes of case; digits go.
+/// Splits a name into lower-case words at separators, digits and changes of case; digits are
+/// removed.
 fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = vec![String::new()];
     let letters: Vec<char> = name.chars().collect();
     for (index, &letter) in letters.iter().enumerate() {
         let before = index.checked_sub(1).map(|index| letters[index]);
         let after = letters.get(index + 1);
-        // `LeftFoot` is cut before F, `LFoot` before F, `LHipJoint` before H and J.
-        let begins = letter.is_uppercase()
+        // `LeftFoot` and `LFoot` are split before F, `LHipJoint` before H and J.
+        let is_word_start = letter.is_uppercase()
             && (before.is_some_and(char::is_lowercase)
                 || before.is_some_and(char::is_uppercase) && after.is_some_and(|after| after.is_lowercase()));
-        if begins || !letter.is_alphabetic() {
+        if is_word_start || !letter.is_alphabetic() {
             words.push(String::new());
         }
         if letter.is_alphabetic()
@@ -110,8 +111,8 @@ fn side_word(word: &str) -> Option<Side> {
     }
 }
 
-/// A side that is written in one with the body part: `rthigh`, `leftfoot`.
-fn glued_side(body: &str) -> Option<(Side, BodyPart)> {
+/// Parses a side that is joined to the body part, as in `rthigh` and `leftfoot`.
+fn joined_side(body: &str) -> Option<(Side, BodyPart)> {
     [("left", Side::Left), ("right", Side::Right), ("l", Side::Left), ("r", Side::Right)]
         .into_iter()
         .find_map(|(prefix, side)| {
@@ -120,10 +121,10 @@ fn glued_side(body: &str) -> Option<(Side, BodyPart)> {
         })
 }
 
-/// The part that a name without side, digits and prefix means.
+/// Returns the body part of a name without side, digits and prefix.
 fn body_part(body: &str, sided: bool) -> Option<BodyPart> {
     Some(match body {
-        // A hip with a side is where the thigh begins; without, it is the pelvis.
+        // With a side, a hip is the upper end of the thigh; without, it is the pelvis.
         "hip" if sided => BodyPart::Thigh,
         "hips" | "hip" | "pelvis" | "root" | "腰" | "下半身" | "骨盆" if !sided => BodyPart::Hips,
         "spine" | "chest" | "abdomen" | "lowerback" | "torso" | "waist" | "back" | "thorax" | "上半身"
@@ -155,7 +156,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn conventions_of_the_field_are_understood() {
+    fn naming_conventions_are_parsed() {
         use BodyPart::*;
         use Side::{Left, Right};
         for (name, side, part) in [
@@ -193,7 +194,7 @@ mod tests {
             ("", None, None),
             ("_", None, None),
         ] {
-            assert_eq!(read(name), Reading { side, part }, "{name}");
+            assert_eq!(parse(name), ParsedName { side, part }, "{name}");
         }
     }
 }

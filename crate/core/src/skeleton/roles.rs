@@ -1,63 +1,63 @@
-//! Roles: which joint is the left ankle, and so on.
+//! Roles of joints in the body.
 
 use serde::{Deserialize, Serialize};
 
 use crate::foot::Side;
 
-/// What a joint is to the body.
+/// Role of a joint in the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
-    /// The joint that both legs hang from.
+    /// Common ancestor of both legs.
     Hips,
-    /// The lowest joint of the back.
+    /// Lowest joint of the back.
     Spine,
-    /// The joint that the shoulders spring from.
+    /// Joint from which the shoulders branch.
     Chest,
-    /// The lowest joint of the neck.
+    /// Lowest joint of the neck.
     Neck,
-    /// The head.
+    /// Head.
     Head,
-    /// The left collar bone.
+    /// Left collar bone.
     LeftShoulder,
-    /// The left upper arm: the shoulder joint.
+    /// Left shoulder joint, the upper end of the arm.
     LeftArm,
-    /// The left forearm: the elbow joint.
+    /// Left elbow.
     LeftForearm,
-    /// The left hand: the wrist joint.
+    /// Left wrist.
     LeftHand,
-    /// The right collar bone.
+    /// Right collar bone.
     RightShoulder,
-    /// The right upper arm: the shoulder joint.
+    /// Right shoulder joint, the upper end of the arm.
     RightArm,
-    /// The right forearm: the elbow joint.
+    /// Right elbow.
     RightForearm,
-    /// The right hand: the wrist joint.
+    /// Right wrist.
     RightHand,
-    /// The left thigh: the hip joint.
+    /// Left hip joint, the upper end of the thigh.
     LeftThigh,
-    /// The left shank: the knee joint.
+    /// Left knee.
     LeftShank,
-    /// The left ankle.
+    /// Left ankle.
     LeftAnkle,
-    /// The left toe base: the ball of the foot.
+    /// Left toe base: the ball of the foot.
     LeftToe,
-    /// The tip of the left foot.
+    /// Tip of the left foot.
     LeftTip,
-    /// The right thigh: the hip joint.
+    /// Right hip joint, the upper end of the thigh.
     RightThigh,
-    /// The right shank: the knee joint.
+    /// Right knee.
     RightShank,
-    /// The right ankle.
+    /// Right ankle.
     RightAnkle,
-    /// The right toe base: the ball of the foot.
+    /// Right toe base: the ball of the foot.
     RightToe,
-    /// The tip of the right foot.
+    /// Tip of the right foot.
     RightTip,
 }
 
 impl Role {
-    /// All roles, from the hips up and then down.
+    /// All roles: trunk, arms, legs.
     pub const ALL: [Role; 23] = [
         Role::Hips,
         Role::Spine,
@@ -84,7 +84,7 @@ impl Role {
         Role::RightTip,
     ];
 
-    /// The role's name, as in `left_ankle`.
+    /// Returns the name, as in `left_ankle`.
     pub fn name(self) -> &'static str {
         match self {
             Role::Hips => "hips",
@@ -113,29 +113,29 @@ impl Role {
         }
     }
 
-    /// The role of that name.
-    pub fn named(name: &str) -> Option<Role> {
+    /// Returns the role with a name.
+    pub fn from_name(name: &str) -> Option<Role> {
         Role::ALL.into_iter().find(|role| role.name() == name)
     }
 }
 
-/// The roles of one leg, from the hip down.
+/// Roles of one leg, from the hip joint downwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LegRoles {
-    /// The hip joint.
+    /// Hip joint.
     pub thigh: Role,
-    /// The knee.
+    /// Knee.
     pub shank: Role,
-    /// The ankle.
+    /// Ankle.
     pub ankle: Role,
-    /// The toe base.
+    /// Toe base.
     pub toe: Role,
-    /// The tip of the foot.
+    /// Tip of the foot.
     pub tip: Role,
 }
 
 impl LegRoles {
-    /// The leg of one side.
+    /// Returns the roles of the leg of one side.
     pub const fn of(side: Side) -> LegRoles {
         match side {
             Side::Left => LegRoles {
@@ -156,27 +156,27 @@ impl LegRoles {
     }
 }
 
-/// Which joint plays which role; a role may be nobody's.
+/// Assignment of joints to roles; a role may have no joint.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Roles([Option<usize>; Role::ALL.len()]);
 
 impl Roles {
-    /// The joint in a role.
+    /// Returns the joint of a role.
     pub fn get(&self, role: Role) -> Option<usize> {
         self.0[role as usize]
     }
 
-    /// Puts a joint into a role, or empties it.
+    /// Assigns a joint to a role, or clears the role.
     pub fn set(&mut self, role: Role, joint: Option<usize>) {
         self.0[role as usize] = joint;
     }
 
-    /// The roles that are filled, with their joints.
+    /// Returns the assigned roles with their joints.
     pub fn iter(&self) -> impl Iterator<Item = (Role, usize)> + '_ {
         Role::ALL.into_iter().filter_map(|role| Some((role, self.get(role)?)))
     }
 
-    /// Whether both ankles are known: what detection needs.
+    /// True if both ankles are known, which detection requires.
     pub fn has_feet(&self) -> bool {
         self.get(Role::LeftAnkle).is_some() && self.get(Role::RightAnkle).is_some()
     }
@@ -187,10 +187,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_role_has_its_place_and_name() {
+    fn roles_have_unique_indices_and_names() {
         for (index, role) in Role::ALL.into_iter().enumerate() {
             assert_eq!(role as usize, index);
-            assert_eq!(Role::named(role.name()), Some(role));
+            assert_eq!(Role::from_name(role.name()), Some(role));
             assert_eq!(serde_json::to_value(role).unwrap(), role.name());
         }
     }

@@ -1,4 +1,4 @@
-//! Which way is up and how long a metre is.
+//! Up axis and unit of length.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,32 +7,32 @@ use nalgebra::Vector3;
 
 use crate::bvh::Axis;
 
-/// The signed axis of the file that points up.
+/// Signed axis of the file that points up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Up {
     /// The axis.
     pub axis: Axis,
-    /// Whether its negative end is up.
+    /// True if its negative end is up.
     pub negative: bool,
 }
 
 impl Up {
-    /// Y up, as most BVH files have it.
+    /// Y up, the axis of most BVH files.
     pub const Y: Up = Up { axis: Axis::Y, negative: false };
 
-    /// The axis nearest to `direction`.
+    /// Returns the axis nearest to `direction`.
     pub fn nearest(direction: Vector3<f64>) -> Up {
         let axis = Axis::ALL[direction.iamax()];
         Up { axis, negative: direction[axis.index()] < 0.0 }
     }
 
-    /// The height of a position: its coordinate along this axis.
+    /// Returns the height of a position: its coordinate along this axis.
     pub fn height(self, position: &Vector3<f64>) -> f64 {
         let height = position[self.axis.index()];
         if self.negative { -height } else { height }
     }
 
-    /// A position turned so that Y is up, right-handed.
+    /// Returns a position in right-handed coordinates with Y up.
     pub fn to_y_up(self, position: Vector3<f64>) -> Vector3<f64> {
         let [x, y, z] = position.into();
         match (self.axis, self.negative) {
@@ -53,43 +53,47 @@ impl fmt::Display for Up {
     }
 }
 
-impl FromStr for Up {
-    type Err = String;
+/// Text that is not an up axis.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the up axis must be x, y or z, with - before it for down, not {0:?}")]
+pub struct UpError(pub String);
 
-    fn from_str(text: &str) -> Result<Up, String> {
+impl FromStr for Up {
+    type Err = UpError;
+
+    fn from_str(text: &str) -> Result<Up, UpError> {
         let (negative, name) = text.strip_prefix('-').map_or((false, text), |name| (true, name));
         let axis = match name.to_ascii_lowercase().as_str() {
             "x" => Axis::X,
             "y" => Axis::Y,
             "z" => Axis::Z,
             _ => {
-                return Err(format!(
-                    "the up axis must be x, y or z, with - before it for down; not {text:?}"
-                ));
+                return Err(UpError(text.into()));
             }
         };
         Ok(Up { axis, negative })
     }
 }
 
-/// Metres from hip joint to sole that a figure is taken to have.
+/// Assumed distance from hip joint to sole, in metres.
 const LEG_METRES: f64 = 0.9;
 
-/// Units that BVH files are written in: metres per unit and name.
+/// Units of BVH files: metres per unit and name.
 const UNITS: [(f64, &str); 6] =
     [(1.0, "m"), (0.01, "cm"), (0.001, "mm"), (0.0254, "in"), (0.3048, "ft"), (0.0564, "ASF unit")];
 
-/// Metres per file unit, for a figure whose legs are `leg` file units from hip joint to sole.
+/// Returns the metres per file unit of a character whose hip joint is `leg` file units above the
+/// sole.
 ///
-/// The nearest known unit is taken where it comes within 10 % of legs of 0.9 m.
+/// A known unit is used if it is within 10 % of a leg of 0.9 m.
 pub(crate) fn metres_per_unit(leg: f64) -> f64 {
     let metres = LEG_METRES / leg;
-    let off = |unit: f64| (unit / metres - 1.0).abs();
-    let nearest = UNITS.iter().map(|&(unit, _)| unit).min_by(|&a, &b| off(a).total_cmp(&off(b)));
-    nearest.filter(|&unit| off(unit) <= 0.1).unwrap_or(metres)
+    let error = |unit: f64| (unit / metres - 1.0).abs();
+    let nearest = UNITS.iter().map(|&(unit, _)| unit).min_by(|&a, &b| error(a).total_cmp(&error(b)));
+    nearest.filter(|&unit| error(unit) <= 0.1).unwrap_or(metres)
 }
 
-/// The name of a unit of `metres_per_unit`, if it is a known one.
+/// Returns the name of a unit of `metres_per_unit`, if it is a known one.
 pub fn unit_name(metres_per_unit: f64) -> Option<&'static str> {
     UNITS.iter().find(|(unit, _)| (unit / metres_per_unit - 1.0).abs() < 1e-9).map(|&(_, name)| name)
 }
@@ -99,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn turning_keeps_hands_and_heights() {
+    fn conversion_preserves_handedness_and_height() {
         for axis in Axis::ALL {
             for negative in [false, true] {
                 let up = Up { axis, negative };
@@ -120,7 +124,7 @@ mod tests {
         assert_eq!(metres_per_unit(16.5), 0.0564);
         assert_eq!(metres_per_unit(3.0), 0.3048);
         assert_eq!(unit_name(0.0254), Some("in"));
-        let own = metres_per_unit(60.0);
-        assert!((own - 0.015).abs() < 1e-12 && unit_name(own).is_none());
+        let other = metres_per_unit(60.0);
+        assert!((other - 0.015).abs() < 1e-12 && unit_name(other).is_none());
     }
 }

@@ -3,14 +3,14 @@ import bpy
 
 
 def channels(action):
-    """The lists of curves of an action, which Blender keeps in layers since version 4.4."""
+    """Return the lists of curves of an action, which are in layers since Blender 4.4."""
     if hasattr(action, "fcurves"):
         return [action.fcurves]
     return [bag.fcurves for layer in action.layers for strip in layer.strips for bag in strip.channelbags]
 
 
 def curves_of(armature, path):
-    """The curves of a property with the lists that they are in."""
+    """Return the curves of a property, each with the list that contains it."""
     data = armature.animation_data
     action = data.action if data else None
     lists = channels(action) if action else []
@@ -27,14 +27,14 @@ def main():
     def at(frame):
         return FRAME_START + round(frame * scale)
 
-    there = {(marker.name, marker.frame) for marker in scene.timeline_markers}
+    existing = {(marker.name, marker.frame) for marker in scene.timeline_markers}
     for frame, name in EVENTS:
-        if (name, at(frame)) not in there:
+        if (name, at(frame)) not in existing:
             scene.timeline_markers.new(name, frame=at(frame))
 
     for name, plants in PLANTS:
         path = '["%s"]' % bpy.utils.escape_identifier(name)
-        # A second run replaces the keys of the first.
+        # Running the script again replaces the keys.
         for curves, curve in curves_of(armature, path):
             curves.remove(curve)
         keys = {0: 0}

@@ -1,24 +1,24 @@
-//! Arrays back to labels.
+//! Reader of NumPy archives.
 
 use crate::foot::{Part, Side};
-use crate::formats::LabelsError;
-use crate::formats::npz::{npy, zip};
+use crate::formats::document::ReadError;
+use crate::formats::plants::npz::{npy, zip};
 use crate::plants::Annotation;
 
-/// Bytes that an array may have for each frame: eight columns of the widest numbers.
+/// Maximum size of an array per frame, in bytes: eight columns of the widest numbers.
 const FRAME_BYTES: usize = 64;
 
-/// Bytes that any array may have, be the clip as short as it will: for header and names.
-const SPARE_BYTES: usize = 1 << 16;
+/// Additional size of any array, in bytes, for header and names.
+const HEADER_BYTES: usize = 1 << 16;
 
-/// Whether these are the bytes of an archive.
-pub(crate) fn is_archive(bytes: &[u8]) -> bool {
+/// True if the bytes are an archive.
+pub(super) fn is_archive(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK")
 }
 
-/// Reads the labels of an archive: the arrays `contacts` and `contact`, whose columns `columns`
-/// and `contact_columns` name. Their values are 0, 1, or −1 or NaN where that is not known.
-pub(crate) fn read(archive: &[u8], frames: usize) -> Result<Annotation, LabelsError> {
+/// Reads the arrays `contacts` and `contact`, whose columns are named by `columns` and
+/// `contact_columns`. Values are 0, 1, or −1 or NaN for unknown.
+pub(super) fn read(archive: &[u8], frames: usize) -> Result<Annotation, ReadError> {
     let mut columns = columns(archive, "contacts", "columns", frames)?;
     columns.extend(self::columns(archive, "contact", "contact_columns", frames)?);
     let mut column = |side: Side, part: Part| {
@@ -32,42 +32,44 @@ pub(crate) fn read(archive: &[u8], frames: usize) -> Result<Annotation, LabelsEr
     Ok(Annotation { parts: parts.collect() })
 }
 
-/// The columns of a table with their names; none where there is no such table.
+/// Returns the columns of a table with their names; none if the table does not exist.
 #[expect(clippy::type_complexity, reason = "a name with its column")]
 fn columns(
     archive: &[u8],
     table: &str,
     names: &str,
     frames: usize,
-) -> Result<Vec<(String, Vec<Option<bool>>)>, LabelsError> {
-    let most = frames.saturating_mul(FRAME_BYTES).saturating_add(SPARE_BYTES);
-    let file = |name: &str| zip::file(archive, &format!("{name}.npy"), most);
+) -> Result<Vec<(String, Vec<Option<bool>>)>, ReadError> {
+    let max_bytes = frames.saturating_mul(FRAME_BYTES).saturating_add(HEADER_BYTES);
+    let file = |name: &str| zip::file(archive, &format!("{name}.npy"), max_bytes);
     let Some(bytes) = file(table)? else { return Ok(Vec::new()) };
     let array = npy::read(table, &bytes)?;
     let name_bytes = file(names)?.ok_or_else(|| {
-        LabelsError::Wrong(format!("{names} is missing, which names the columns of {table}"))
+        ReadError::Invalid(format!("{names} is missing, which has the column names of {table}"))
     })?;
     let names = npy::read(names, &name_bytes)?
         .texts()
-        .ok_or_else(|| LabelsError::Wrong(format!("{names} is not made of texts")))?;
+        .ok_or_else(|| ReadError::Invalid(format!("{names} is not an array of texts")))?;
     let [rows, count] = match array.shape[..] {
         [rows, count] => [rows, count],
-        [_, _, _] => return Err(LabelsError::Wrong("archives of several skeletons are not compared".into())),
-        _ => return Err(LabelsError::Wrong(format!("{table} has not rows and columns"))),
+        [_, _, _] => {
+            return Err(ReadError::Invalid("archives of several skeletons cannot be compared".into()));
+        }
+        _ => return Err(ReadError::Invalid(format!("{table} must have rows and columns"))),
     };
     if count != names.len() {
-        return Err(LabelsError::Wrong(format!("{table} has {count} columns, and {} names", names.len())));
+        return Err(ReadError::Invalid(format!("{table} has {count} columns but {} names", names.len())));
     }
     let numbers = array
         .numbers()
-        .ok_or_else(|| LabelsError::Wrong(format!("{table} has values that are no numbers")))?;
+        .ok_or_else(|| ReadError::Invalid(format!("{table} has values that are not numbers")))?;
     let label = |(row, column): (usize, usize)| {
         let number = numbers[if array.fortran { column * rows + row } else { row * count + column }];
         match number {
             1.0 => Ok(Some(true)),
             0.0 => Ok(Some(false)),
             _ if number == -1.0 || number.is_nan() => Ok(None),
-            _ => Err(LabelsError::Wrong(format!("{table}, row {row}: expected 0, 1 or -1, found {number}"))),
+            _ => Err(ReadError::Invalid(format!("{table}, row {row}: expected 0, 1 or -1, found {number}"))),
         }
     };
     let labels = |column: usize| (0..rows).map(|row| label((row, column))).collect::<Result<Vec<_>, _>>();

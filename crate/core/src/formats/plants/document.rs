@@ -1,0 +1,225 @@
+//! The plants document: JSON that is saved, shared and read back.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use crate::bvh::Clip;
+use crate::foot::{Part, Side};
+use crate::formats::document::{FrameRange, Header, Origin, Source};
+use crate::intervals::intervals;
+use crate::notice::Notice;
+use crate::plants::Detection;
+use crate::skate::Contacts;
+use crate::skeleton::Skeleton;
+
+/// Plants of one clip and their origin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlantsDocument {
+    /// Format, clip and frame rate.
+    #[serde(flatten)]
+    pub header: Header,
+    /// Joints of heels and toes; absent if the plants are not detected.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joints: Option<Joints>,
+    /// Height of the ground along the up axis, in file units.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub floor: Option<f64>,
+    /// Method with its parameters.
+    pub method: MethodUsed,
+    /// Plants of the left foot.
+    pub left: FootPlants,
+    /// Plants of the right foot.
+    pub right: FootPlants,
+    /// Notices of the reader and of the detector.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notices: Vec<Notice>,
+}
+
+/// Joints of both feet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Joints {
+    /// Joints of the left foot.
+    pub left: FootJoints,
+    /// Joints of the right foot.
+    pub right: FootJoints,
+}
+
+/// Names of the joints of one foot.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FootJoints {
+    /// Ankle, which represents the heel.
+    pub heel: String,
+    /// Toe base, or the joint that replaces it.
+    pub toe: String,
+}
+
+/// Method of the plants, with its parameters.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MethodUsed {
+    /// Name of the method; `truth` for measured or generated plants.
+    pub name: String,
+    /// Upper bound of the running variance of the sorted norms.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub r: Option<f64>,
+    /// Window half-width, in frames.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub w: Option<usize>,
+    /// Bandwidth of the kernel, if it was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma: Option<f64>,
+}
+
+/// Plants of one foot, for each part with labels.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FootPlants {
+    /// Contact of any part of the foot.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<Vec<Plant>>,
+    /// Contact of the toe.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub toe: Option<Vec<Plant>>,
+    /// Contact of the heel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heel: Option<Vec<Plant>>,
+}
+
+/// One plant: a run of planted frames.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Plant {
+    /// Frames and times.
+    #[serde(flatten)]
+    pub frames: FrameRange,
+    /// Origin of the plant.
+    pub source: Origin,
+}
+
+impl PlantsDocument {
+    /// Value of [`Header::format`].
+    pub const FORMAT: &'static str = "plantigrade-labels";
+
+    /// Creates the document of a detection in a clip; `notices` are those of the reader.
+    pub fn new(
+        source: Source,
+        clip: &Clip,
+        skeleton: &Skeleton,
+        detection: &Detection,
+        notices: &[Notice],
+    ) -> PlantsDocument {
+        let name = |joint: usize| clip.joints()[joint].name.clone();
+        let joints =
+            |side| Some(FootJoints { heel: name(skeleton.heel(side)?), toe: name(skeleton.toe(side)?) });
+        let foot = |side: Side| {
+            let mut foot = FootPlants::default();
+            for labels in &detection.parts {
+                let part = labels.part;
+                foot.set(part, &labels.foot(side).planted, clip.rate(), |run| {
+                    if detection.is_edited(side, part, run) { Origin::Edited } else { Origin::Auto }
+                });
+            }
+            foot
+        };
+        let params = detection.params;
+        PlantsDocument {
+            header: Header::new(PlantsDocument::FORMAT, source, clip, skeleton),
+            joints: joints(Side::Left).zip(joints(Side::Right)).map(|(left, right)| Joints { left, right }),
+            floor: Some(detection.ground_height),
+            method: MethodUsed {
+                name: params.method().name().into(),
+                r: Some(params.tolerance()),
+                w: Some(params.window()),
+                sigma: params.sigma(),
+            },
+            left: foot(Side::Left),
+            right: foot(Side::Right),
+            notices: [notices, &skeleton.notices, &detection.notices].concat(),
+        }
+    }
+
+    /// Returns the plants of one foot.
+    pub fn foot(&self, side: Side) -> &FootPlants {
+        match side {
+            Side::Left => &self.left,
+            Side::Right => &self.right,
+        }
+    }
+
+    /// Returns the labels per frame of one part of one foot; `None` if the part has no labels.
+    ///
+    /// Plants beyond the end of the clip are cut there.
+    pub fn labels(&self, side: Side, part: Part) -> Option<Vec<bool>> {
+        let plants = self.foot(side).part(part)?;
+        let mut labels = vec![false; self.header.frames];
+        for Plant { frames, .. } in plants {
+            let end = frames.end.min(self.header.frames);
+            labels[frames.start.min(end)..end].fill(true);
+        }
+        Some(labels)
+    }
+}
+
+impl FootPlants {
+    /// Returns the plants of one part.
+    pub fn part(&self, part: Part) -> Option<&[Plant]> {
+        match part {
+            Part::Contact => self.contact.as_deref(),
+            Part::Toe => self.toe.as_deref(),
+            Part::Heel => self.heel.as_deref(),
+        }
+    }
+
+    /// Sets the plants of one part from labels per frame at `rate` Hz; `origin` returns the origin of
+    /// each run of planted frames.
+    pub fn set(&mut self, part: Part, labels: &[bool], rate: f64, origin: impl Fn(&Range<usize>) -> Origin) {
+        let plants = intervals(labels)
+            .into_iter()
+            .map(|range| Plant { source: origin(&range), frames: FrameRange::new(range, rate) })
+            .collect();
+        match part {
+            Part::Contact => self.contact = Some(plants),
+            Part::Toe => self.toe = Some(plants),
+            Part::Heel => self.heel = Some(plants),
+        }
+    }
+}
+
+impl From<&PlantsDocument> for Contacts {
+    fn from(document: &PlantsDocument) -> Contacts {
+        Contacts::new(|side, part| document.labels(side, part))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formats::document::VERSION;
+    use crate::notice::Code;
+
+    #[test]
+    fn documents_round_trip() {
+        let labels = [true, false, true, true];
+        let mut left = FootPlants::default();
+        left.set(Part::Toe, &labels, 30.0, |_| Origin::Auto);
+        let document = PlantsDocument {
+            header: Header {
+                format: PlantsDocument::FORMAT.into(),
+                version: VERSION,
+                source: Source { name: "walk.bvh".into(), sha256: None },
+                root: None,
+                frames: 4,
+                rate: 30.0,
+            },
+            joints: None,
+            floor: None,
+            method: MethodUsed { name: "paper".into(), r: Some(0.001), w: Some(1), sigma: None },
+            left,
+            right: FootPlants::default(),
+            notices: vec![Notice::new(Code::NoToe, "No toes.")],
+        };
+        let text = serde_json::to_string(&document).unwrap();
+        let back: PlantsDocument = serde_json::from_str(&text).unwrap();
+        assert_eq!(back, document);
+        assert_eq!(back.labels(Side::Left, Part::Toe).unwrap(), labels);
+        assert_eq!(back.labels(Side::Right, Part::Toe), None);
+    }
+}

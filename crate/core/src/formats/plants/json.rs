@@ -1,0 +1,57 @@
+//! The plants document and annotations of contact as JSON.
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::foot::{Part, Side};
+use crate::formats::document::{ReadError, from_json, to_json};
+use crate::formats::format_info::{FormatInfo, text_of};
+use crate::formats::plants::document::PlantsDocument;
+use crate::formats::plants::export::{PlantExport, Reader, Writer};
+use crate::plants::Annotation;
+
+pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
+    name: "json",
+    title: "JSON",
+    description: "Plants per foot and part, with the parameters that were used.",
+    extension: "plants.json",
+    media_type: "application/json",
+    write,
+    read: Some(Reader { recognises, read }),
+};
+
+/// Annotated contact per frame: 1, 0, or −1 for unknown.
+#[derive(Deserialize)]
+struct ContactFile {
+    left: Vec<i8>,
+    right: Vec<i8>,
+}
+
+fn write(export: &PlantExport) -> Vec<u8> {
+    let documents = export.documents();
+    if export.as_array { to_json(&documents) } else { to_json(&documents[0]) }.into_bytes()
+}
+
+fn recognises(bytes: &[u8]) -> bool {
+    text_of(bytes).is_some_and(|text| text.trim_start().starts_with('{'))
+}
+
+fn read(bytes: &[u8], _frames: usize) -> Result<Annotation, ReadError> {
+    let value: Value = serde_json::from_str(text_of(bytes).unwrap_or_default())?;
+    if value["format"] == PlantsDocument::FORMAT {
+        return Ok(document_annotation(&from_json(value)?));
+    }
+    let ContactFile { left, right } = serde_json::from_value(value).map_err(|_| ReadError::NoPlants)?;
+    let known = |labels: Vec<i8>| labels.into_iter().map(|label| (label >= 0).then_some(label > 0)).collect();
+    Ok(Annotation { parts: vec![(Part::Contact, [known(left), known(right)])] })
+}
+
+/// Returns the labels of a document for the parts that both feet have.
+fn document_annotation(document: &PlantsDocument) -> Annotation {
+    let part = |part: Part| {
+        let [left, right] = Side::BOTH.map(|side| document.labels(side, part));
+        let known = |labels: Vec<bool>| labels.into_iter().map(Some).collect();
+        Some((part, [known(left?), known(right?)]))
+    };
+    Annotation { parts: Part::ALL.into_iter().filter_map(part).collect() }
+}

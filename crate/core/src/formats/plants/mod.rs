@@ -1,0 +1,141 @@
+//! Formats of plants.
+
+mod blender;
+mod document;
+mod export;
+mod json;
+mod npz;
+mod tables;
+
+pub use document::{FootJoints, FootPlants, Joints, MethodUsed, Plant, PlantsDocument};
+pub use export::PlantExport;
+
+use crate::formats::document::ReadError;
+use crate::formats::format_info::FormatInfo;
+use crate::plants::Annotation;
+use crate::registry::registry;
+use export::{Reader, Writer};
+
+registry! {
+    /// File format of plants.
+    pub enum PlantFormat: FormatInfo<Writer, Reader> as "format" {
+        /// Document with the plants per foot and part.
+        #[default]
+        Json => json::FORMAT_INFO,
+        /// Table with one row per frame.
+        Csv => tables::FRAMES,
+        /// Table with one row per plant.
+        Intervals => tables::INTERVALS,
+        /// Table with one row per foot strike and foot off.
+        Events => tables::EVENTS,
+        /// NumPy archive.
+        Npz => npz::FORMAT_INFO,
+        /// Blender script.
+        Blender => blender::FORMAT_INFO,
+    }
+}
+
+impl PlantFormat {
+    /// Returns the file extension, without the leading dot.
+    pub fn extension(self) -> &'static str {
+        self.entry().extension
+    }
+
+    /// Returns the media (MIME) type.
+    pub fn media_type(self) -> &'static str {
+        self.entry().media_type
+    }
+
+    /// Returns plants as the bytes of a file.
+    ///
+    /// # Panics
+    /// If there is no skeleton, or a NumPy archive would exceed 4 GiB.
+    pub fn write(self, export: &PlantExport) -> Vec<u8> {
+        (self.entry().write)(export)
+    }
+
+    /// Reads the bytes if they look like this format.
+    fn read(self, bytes: &[u8], frames: usize) -> Option<Result<Annotation, ReadError>> {
+        let reader = self.entry().read.as_ref()?;
+        (reader.recognises)(bytes).then(|| (reader.read)(bytes, frames))
+    }
+}
+
+/// Reads plants of a clip with `frames` frames, in any format of [`PlantFormat`] that has a reader, or
+/// an annotation of contact as `{"left": [0, 1, -1, ...], "right": [...]}` with −1 for unknown.
+///
+/// # Errors
+/// If the bytes have none of these formats or another number of frames.
+pub fn read_plants(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
+    let read = PlantFormat::ALL.iter().find_map(|format| format.read(bytes, frames));
+    let annotation = read.unwrap_or(Err(ReadError::NoPlants))?;
+    for labels in annotation.parts.iter().flat_map(|(_, feet)| feet) {
+        if labels.len() != frames {
+            return Err(ReadError::Length { found: labels.len(), frames });
+        }
+    }
+    if annotation.parts.is_empty() { Err(ReadError::NoPlants) } else { Ok(annotation) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::foot::{Part, Side};
+    use crate::formats::PlantsDocument;
+    use crate::plants::Edit;
+
+    fn read(text: &str, frames: usize) -> Result<Annotation, ReadError> {
+        read_plants(text.as_bytes(), frames)
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_ignored() {
+        let text = r#"{"left": [0, 1], "right": [1, 0]}"#;
+        let marked = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+        assert_eq!(read_plants(&marked, 2), read(text, 2));
+        assert_eq!(read_plants(b"\xff\xfe{", 2), Err(ReadError::NoPlants));
+    }
+
+    #[test]
+    fn known_labels_become_edits() {
+        let annotation = read(r#"{"left": [0, 1, 1, -1], "right": [-1, -1, -1, 1]}"#, 4).unwrap();
+        let edit = |side, start, end, planted| Edit { side, part: Part::Contact, start, end, planted };
+        let expected =
+            [edit(Side::Left, 0, 1, false), edit(Side::Left, 1, 3, true), edit(Side::Right, 3, 4, true)];
+        assert_eq!(annotation.edits(), expected);
+    }
+
+    #[test]
+    fn annotated_contacts_are_read() {
+        let read = read(r#"{"fps": 100, "left": [0, 1, -1], "right": [1, 1, 0]}"#, 3).unwrap();
+        assert_eq!(read.part(Part::Contact).unwrap()[0], [Some(false), Some(true), None]);
+        assert_eq!(read.part(Part::Toe), None);
+    }
+
+    #[test]
+    fn tables_have_named_columns() {
+        let text = "frame,time,left_toe,right_toe\n0,0,1,0\n1,0.1,,1\n";
+        assert_eq!(read(text, 2).unwrap().part(Part::Toe).unwrap()[0], [Some(true), None]);
+        assert!(matches!(read("left_toe,right_toe\nx,0\n", 1), Err(ReadError::Invalid(_))));
+    }
+
+    #[test]
+    fn errors_state_the_reason() {
+        assert_eq!(read("hello", 3), Err(ReadError::NoPlants));
+        assert_eq!(read("", 3), Err(ReadError::NoPlants));
+        assert_eq!(read("{\"a\": 1}", 3), Err(ReadError::NoPlants));
+        let text = format!("{{\"format\": \"{}\", \"version\": 99}}", PlantsDocument::FORMAT);
+        assert_eq!(read(&text, 3), Err(ReadError::Version(99)));
+        let annotation = r#"{"left": [0], "right": [1]}"#;
+        assert_eq!(read(annotation, 3), Err(ReadError::Length { found: 1, frames: 3 }));
+    }
+
+    #[test]
+    fn formats_have_unique_names_and_extensions() {
+        for (index, format) in PlantFormat::ALL.iter().enumerate() {
+            assert_eq!(format.name().parse(), Ok(*format));
+            let others = &PlantFormat::ALL[index + 1..];
+            assert!(others.iter().all(|other| other.extension() != format.extension()), "{format}");
+        }
+    }
+}

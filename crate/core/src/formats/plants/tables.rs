@@ -1,0 +1,166 @@
+//! Plants as CSV tables with named columns.
+//!
+//! With several skeletons, every table begins with a column `root`.
+
+use std::fmt::Write;
+
+use crate::foot::{Part, Side};
+use crate::formats::csv::{self, root_field, seconds, table_header};
+use crate::formats::document::ReadError;
+use crate::formats::format_info::{FormatInfo, text_of};
+use crate::formats::plants::export::{DetectionRef, PlantExport, Reader, Writer};
+use crate::intervals::intervals;
+use crate::numeric::sort;
+use crate::plants::{Annotation, Detection};
+
+pub(super) const FRAMES: FormatInfo<Writer, Reader> = FormatInfo {
+    name: "csv",
+    title: "CSV per frame",
+    description: "One row per frame, with a column of 0 and 1 per foot and part.",
+    extension: "frames.csv",
+    media_type: "text/csv",
+    write: |export| frames_csv(export).into_bytes(),
+    read: Some(Reader { recognises: is_frames_csv, read: read_frames_csv }),
+};
+
+pub(super) const INTERVALS: FormatInfo<Writer, Reader> = FormatInfo {
+    name: "intervals",
+    title: "CSV per plant",
+    description: "One row per plant, with its frames and times.",
+    extension: "intervals.csv",
+    media_type: "text/csv",
+    write: |export| intervals_csv(export).into_bytes(),
+    read: None,
+};
+
+pub(super) const EVENTS: FormatInfo<Writer, Reader> = FormatInfo {
+    name: "events",
+    title: "Gait events",
+    description: "One row per foot strike and foot off.",
+    extension: "events.csv",
+    media_type: "text/csv",
+    write: |export| events_csv(export).into_bytes(),
+    read: None,
+};
+
+/// Returns one row per frame: `frame,time,left_contact,left_heel,left_toe,right_contact,...`.
+///
+/// Labels are 0 or 1; parts without labels have no columns. Times are in seconds.
+fn frames_csv(export: &PlantExport) -> String {
+    let labelled = export.labelled();
+    let mut text = table_header(labelled.iter().map(|labelled| labelled.root), "frame,time");
+    let Some(first) = labelled.first() else { return text };
+    for (side, part) in columns(first.detection) {
+        let _ = write!(text, ",{}_{}", side.name(), part.name());
+    }
+    text.push('\n');
+    for DetectionRef { root, detection } in labelled {
+        let columns: Vec<&[bool]> = columns(detection)
+            .filter_map(|(side, part)| Some(detection.part(part)?.foot(side).planted.as_slice()))
+            .collect();
+        for frame in 0..columns.first().map_or(0, |labels| labels.len()) {
+            let time = seconds(frame, export.clip.frame_time());
+            let _ = write!(text, "{}{frame},{time}", root_field(root));
+            for labels in &columns {
+                let _ = write!(text, ",{}", u8::from(labels[frame]));
+            }
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// Returns one row per plant: `foot,part,start_frame,end_frame,start_s,end_s`, half-open.
+fn intervals_csv(export: &PlantExport) -> String {
+    let labelled = export.labelled();
+    let roots = labelled.iter().map(|labelled| labelled.root);
+    let mut text = table_header(roots, "foot,part,start_frame,end_frame,start_s,end_s\n");
+    for DetectionRef { root, detection } in labelled {
+        for (side, part) in columns(detection) {
+            let labels = detection.part(part).map(|labels| labels.foot(side).planted.as_slice());
+            for range in intervals(labels.unwrap_or_default()) {
+                let [start_s, end_s] =
+                    [range.start, range.end].map(|frame| seconds(frame, export.clip.frame_time()));
+                let _ = writeln!(
+                    text,
+                    "{}{},{},{},{},{start_s},{end_s}",
+                    root_field(root),
+                    side.name(),
+                    part.name(),
+                    range.start,
+                    range.end,
+                );
+            }
+        }
+    }
+    text
+}
+
+/// Returns one row per gait event: `time,frame,context,event` with `Left` or `Right` and `Foot Strike`
+/// or `Foot Off`, in order of time.
+///
+/// Contact that begins or ends with the clip is not an event.
+fn events_csv(export: &PlantExport) -> String {
+    let labelled = export.labelled();
+    let roots = labelled.iter().map(|labelled| labelled.root);
+    let mut text = table_header(roots, "time,frame,context,event\n");
+    for DetectionRef { root, detection } in labelled {
+        for (frame, context, event) in events(detection) {
+            let time = seconds(frame, export.clip.frame_time());
+            let _ = writeln!(text, "{}{time},{frame},{context},{event}", root_field(root));
+        }
+    }
+    text
+}
+
+/// Returns the gait events of a skeleton in order of time: frame, context and event.
+pub(super) fn events(detection: &Detection) -> Vec<(usize, &'static str, &'static str)> {
+    let mut events = Vec::new();
+    for (side, context) in [(Side::Left, "Left"), (Side::Right, "Right")] {
+        let labels = &detection.principal().foot(side).planted;
+        for range in intervals(labels) {
+            events.extend((range.start > 0).then_some((range.start, context, "Foot Strike")));
+            events.extend((range.end < labels.len()).then_some((range.end, context, "Foot Off")));
+        }
+    }
+    sort::sort_by_frames(events, |event| (event.0, 0))
+}
+
+/// Returns sides and parts in the order of the columns: left before right, contact, heel, toe.
+pub(super) fn columns(detection: &Detection) -> impl Iterator<Item = (Side, Part)> + '_ {
+    let parts =
+        [Part::Contact, Part::Heel, Part::Toe].into_iter().filter(|&part| detection.part(part).is_some());
+    Side::BOTH.into_iter().flat_map(move |side| parts.clone().map(move |part| (side, part)))
+}
+
+fn is_frames_csv(bytes: &[u8]) -> bool {
+    let header = text_of(bytes).and_then(|text| text.lines().next());
+    header.is_some_and(|header| header.contains("left_"))
+}
+
+fn read_frames_csv(bytes: &[u8], _frames: usize) -> Result<Annotation, ReadError> {
+    let mut rows = csv::rows(text_of(bytes).unwrap_or_default()).into_iter();
+    let header = rows.next().unwrap_or_default();
+    if csv::column(&header, "root").is_some() {
+        return Err(ReadError::Invalid("tables of several skeletons cannot be compared".into()));
+    }
+    let column = |side: Side, part: Part| csv::column(&header, &format!("{}_{}", side.name(), part.name()));
+    let columns: Vec<(Part, [usize; 2])> = Part::ALL
+        .into_iter()
+        .filter_map(|part| Some((part, [column(Side::Left, part)?, column(Side::Right, part)?])))
+        .collect();
+    let mut parts: Vec<_> = columns.iter().map(|(part, _)| (*part, [Vec::new(), Vec::new()])).collect();
+    for row in rows {
+        for ((_, indices), (_, feet)) in columns.iter().zip(&mut parts) {
+            for (index, labels) in indices.iter().zip(feet) {
+                labels.push(match row.field(*index) {
+                    Some("1") => Some(true),
+                    Some("0") => Some(false),
+                    Some("-1" | "") => None,
+                    found => return Err(row.unexpected("0, 1 or -1", found)),
+                });
+            }
+        }
+    }
+    Ok(Annotation { parts })
+}

@@ -1,0 +1,156 @@
+//! Segments of a file, completed to cover the clip.
+
+use std::ops::Range;
+
+use serde::Deserialize;
+
+use crate::formats::document::ReadError;
+use crate::formats::segments::babel::Sequence;
+use crate::formats::segments::document::SegmentsDocument;
+use crate::numeric::sort;
+use crate::score::TrueCut;
+use crate::segments::{Kind, Segment};
+
+/// Time that segments of a file may miss at the ends or between two segments, in seconds; some files
+/// have times in tenths of a second.
+const MAX_GAP: f64 = 0.1;
+
+/// Segments of one clip in a file.
+pub(crate) enum SegmentFile {
+    Document(SegmentsDocument),
+    Table(Vec<FilePart>),
+    Babel(Sequence),
+    Annotation(Vec<AnnotatedAction>),
+}
+
+/// A segment, and the range of the cut after it if the file has one.
+pub(crate) struct FilePart {
+    pub segment: Segment,
+    pub cut: Option<TrueCut>,
+}
+
+impl FilePart {
+    pub fn new(frames: Range<usize>, kind: Kind, label: impl Into<String>) -> FilePart {
+        FilePart { segment: Segment { frames, kind, label: label.into() }, cut: None }
+    }
+}
+
+/// Action of annotated segments. Frames count from 1, and `end` is the last frame.
+#[derive(Deserialize)]
+pub(crate) struct AnnotatedAction {
+    start: usize,
+    end: usize,
+    #[serde(default)]
+    label: String,
+    cut_earliest: Option<usize>,
+    cut_latest: Option<usize>,
+}
+
+impl SegmentFile {
+    /// Returns the segments, which cover the clip without gaps.
+    pub fn parts(self, frames: usize, rate: f64) -> Result<Vec<FilePart>, ReadError> {
+        match self {
+            SegmentFile::Document(document) if document.header.frames != frames => {
+                Err(ReadError::Length { found: document.header.frames, frames })
+            }
+            SegmentFile::Document(document) => {
+                let parts = document.segments.into_iter().map(|segment| {
+                    FilePart::new(segment.frames.start..segment.frames.end, segment.kind, segment.label)
+                });
+                check_partition(parts.collect(), frames)
+            }
+            SegmentFile::Table(parts) => check_partition(parts, frames),
+            SegmentFile::Babel(sequence) => babel_parts(sequence, frames, rate),
+            SegmentFile::Annotation(actions) => annotated_parts(actions, frames, rate),
+        }
+    }
+}
+
+fn babel_parts(sequence: Sequence, frames: usize, rate: f64) -> Result<Vec<FilePart>, ReadError> {
+    // Casts saturate: negative times become frame 0.
+    let frame = |seconds: f64| (seconds * rate).round() as usize;
+    if let Some(seconds) = sequence.seconds()
+        && (seconds - frames as f64 / rate).abs() > MAX_GAP
+    {
+        return Err(ReadError::Length { found: frame(seconds), frames });
+    }
+    let actions = sequence.actions();
+    let parts = actions.map(|(start, end, label)| {
+        FilePart::new(frame(start).min(frames)..frame(end).min(frames), Kind::Action, label)
+    });
+    Ok(complete(parts.collect(), frames, rate))
+}
+
+fn annotated_parts(
+    actions: Vec<AnnotatedAction>,
+    frames: usize,
+    rate: f64,
+) -> Result<Vec<FilePart>, ReadError> {
+    let last = actions.iter().map(|action| action.end).max().unwrap_or(0);
+    if last > frames || (frames - last) as f64 / rate > MAX_GAP {
+        return Err(ReadError::Length { found: last, frames });
+    }
+    let t_pose = usize::from(frames - last == 1);
+    if let Some(action) = actions.iter().find(|action| action.start == 0 || action.start > action.end) {
+        let message = format!("an action cannot last from frame {} to frame {}", action.start, action.end);
+        return Err(ReadError::Invalid(message));
+    }
+    let parts = actions.into_iter().map(|action| {
+        // The number from 1 of the last frame is the number from 0 of the frame after it.
+        let cut = |frame: usize| (frame.min(frames) + t_pose) as f64;
+        let mut part =
+            FilePart::new(action.start - 1 + t_pose..action.end + t_pose, Kind::Action, action.label);
+        // Ranges that do not contain their cut are annotation errors.
+        part.cut = action
+            .cut_earliest
+            .zip(action.cut_latest)
+            .filter(|(earliest, latest)| (earliest..=latest).contains(&&action.end))
+            .map(|(earliest, latest)| TrueCut { earliest: cut(earliest), latest: cut(latest) });
+        part
+    });
+    Ok(complete(parts.collect(), frames, rate))
+}
+
+/// Checks that the parts cover the clip without gaps.
+fn check_partition(parts: Vec<FilePart>, frames: usize) -> Result<Vec<FilePart>, ReadError> {
+    let mut end = 0;
+    for FilePart { segment: Segment { frames, .. }, .. } in &parts {
+        if frames.start != end || frames.is_empty() {
+            let message =
+                format!("expected a segment from frame {end}, found {}..{}", frames.start, frames.end);
+            return Err(ReadError::Invalid(message));
+        }
+        end = frames.end;
+    }
+    if end == frames { Ok(parts) } else { Err(ReadError::Length { found: end, frames }) }
+}
+
+/// Completes parts to cover the clip. Of two that overlap, the first one keeps its end.
+fn complete(parts: Vec<FilePart>, frames: usize, rate: f64) -> Vec<FilePart> {
+    let max_gap = (MAX_GAP * rate).round() as usize;
+    let mut covering: Vec<FilePart> = Vec::new();
+    for mut part in sort::sort_by_frames(parts, |part| (part.segment.frames.start, 0)) {
+        let range = &mut part.segment.frames;
+        range.start = range.start.max(covering.last().map_or(0, |last| last.segment.frames.end));
+        if range.start >= range.end {
+            continue;
+        }
+        if covering.is_empty() && range.start <= max_gap {
+            range.start = 0;
+        }
+        extend_to(&mut covering, range.start, max_gap);
+        covering.push(part);
+    }
+    extend_to(&mut covering, frames, max_gap);
+    covering
+}
+
+/// Extends parts to a frame: a small gap is closed, a larger one becomes a segment without a label.
+fn extend_to(parts: &mut Vec<FilePart>, frame: usize, max_gap: usize) {
+    let end = parts.last().map_or(0, |part| part.segment.frames.end);
+    match parts.last_mut() {
+        Some(part) if frame - end <= max_gap => part.segment.frames.end = frame,
+        _ if frame > end => parts.push(FilePart::new(end..frame, Kind::Action, "")),
+        _ => {}
+    }
+}

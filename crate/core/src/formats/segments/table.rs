@@ -1,0 +1,74 @@
+//! Segments as a CSV table.
+
+use std::fmt::Write;
+
+use crate::formats::csv::{self, root_field, seconds, table_header};
+use crate::formats::document::ReadError;
+use crate::formats::format_info::FormatInfo;
+use crate::formats::segments::document::SegmentsDocument;
+use crate::formats::segments::export::{Reader, Writer};
+use crate::formats::segments::file::{FilePart, SegmentFile};
+use crate::segments::Kind;
+
+pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
+    name: "csv",
+    title: "CSV",
+    description: "One row per segment.",
+    extension: "segments.csv",
+    media_type: "text/csv",
+    write: |export| segments_csv(&export.documents).into_bytes(),
+    read: Some(Reader { recognises: |text| !text.starts_with(['{', '[']), read }),
+};
+
+/// Returns one row per segment: `start_frame,end_frame,start_s,end_s,kind,label`, half-open. The rows
+/// cover the clip from frame 0 without gaps.
+///
+/// With several skeletons, the table begins with a column `root`.
+fn segments_csv(documents: &[SegmentsDocument]) -> String {
+    let roots = documents.iter().map(|document| document.header.root.as_deref());
+    let mut text = table_header(roots, "start_frame,end_frame,start_s,end_s,kind,label\n");
+    for SegmentsDocument { header, segments, .. } in documents {
+        for segment in segments {
+            let (start, end) = (segment.frames.start, segment.frames.end);
+            let _ = writeln!(
+                text,
+                "{}{start},{end},{},{},{},{}",
+                root_field(header.root.as_deref()),
+                seconds(start, 1.0 / header.rate),
+                seconds(end, 1.0 / header.rate),
+                segment.kind.name(),
+                csv::field(&segment.label),
+            );
+        }
+    }
+    text
+}
+
+fn read(text: &str, _clip: &str) -> Result<SegmentFile, ReadError> {
+    let mut rows = csv::rows(text).into_iter();
+    let header = rows.next().unwrap_or_default();
+    let column = |name| csv::column(&header, name);
+    let (Some(start), Some(end), Some(label)) = (column("start_frame"), column("end_frame"), column("label"))
+    else {
+        return Err(ReadError::NoSegments);
+    };
+    if column("root").is_some() {
+        return Err(ReadError::Invalid("tables of several skeletons cannot be compared".into()));
+    }
+    let kinds = column("kind");
+    let part = |row: csv::Row| {
+        let frame = |column| {
+            let found = row.field(column);
+            found.and_then(|text| text.parse().ok()).ok_or_else(|| row.unexpected("a frame", found))
+        };
+        let kind = match kinds.map(|column| row.field(column)) {
+            None => Kind::Action,
+            Some(found) => Kind::ALL
+                .into_iter()
+                .find(|kind| Some(kind.name()) == found)
+                .ok_or_else(|| row.unexpected("a kind", found))?,
+        };
+        Ok(FilePart::new(frame(start)?..frame(end)?, kind, row.field(label).unwrap_or_default()))
+    };
+    Ok(SegmentFile::Table(rows.map(part).collect::<Result<_, ReadError>>()?))
+}
