@@ -1,27 +1,27 @@
-//! The truth about each frame, read off the plan.
+//! Ground truth of each frame, derived from the plan.
 
 use plantigrade::labels::{Document, FORMAT, Foot, FootJoints, Joints, MethodUsed, Part, Side};
 use plantigrade::labels::{Source, SpanSource, VERSION};
 
 use crate::character::{Bone, Character};
-use crate::feet::FootPath;
+use crate::foot_path::FootPath;
 
-/// Pitch below which a foot counts as flat, in degrees.
-const FLAT: f64 = 0.5;
+/// Maximum pitch of a flat foot, in degrees.
+const MAX_FLAT_PITCH: f64 = 0.5;
 
-/// What stands at `time`: contact, toe, heel.
+/// Returns whether contact, toe contact and heel contact hold at `time`.
 ///
-/// *Contact* runs from foot strike to toe-off. The *toe* is down and still once the
-/// foot has rolled off its heel, the *heel* until it rises. A foot that is dragged or
-/// slides touches the ground but is none of the three: it neither stands nor is still.
-pub fn parts(path: &FootPath, time: f64) -> [bool; 3] {
-    let Some(stance) = path.standing(time) else { return [false; 3] };
-    let pitch = path.standing_pitch(stance, time);
-    [true, pitch > -FLAT, pitch < FLAT]
+/// *Contact* lasts from foot strike to toe-off. *Toe contact* begins when the foot has rolled off
+/// the heel; *heel contact* ends when the heel rises. A foot that is dragged or slides touches the
+/// ground but is not planted: all three are false.
+pub fn contact_at(path: &FootPath, time: f64) -> [bool; 3] {
+    let Some(stance) = path.stance_at(time) else { return [false; 3] };
+    let pitch = path.stance_pitch(stance, time);
+    [true, pitch > -MAX_FLAT_PITCH, pitch < MAX_FLAT_PITCH]
 }
 
-/// The document of a clip called `name`, from the parts of each foot in each frame;
-/// `floor` is the height of its ground, where it has one.
+/// Returns the labels document of the clip `name`. `labels` holds contact, toe and heel contact per
+/// foot and frame; `floor` is the height of the ground in metres, if it is constant.
 pub fn document(
     name: &str,
     character: &Character,
