@@ -165,7 +165,7 @@ fn frame_time(rate: usize) -> f64 {
     (1e7 / rate as f64).round() / 1e7
 }
 
-/// Applies the leg poses of the plan to the feet of one side and keeps feet above the floor.
+/// Applies the leg poses of the plan to the feet of one side and raises feet above the floor.
 fn apply_leg_poses(
     feet: &mut [FootPose],
     pelvis: &[PelvisPose],

@@ -55,8 +55,8 @@ fn legs_are_never_overextended() {
             for side in Side::BOTH {
                 let (hip, ankle) = (positions.track(Bone::Thigh(side)), positions.track(Bone::Foot(side)));
                 for frame in lead_in_frames(&spec)..generated.clip.frame_count() {
-                    let stretch = (hip[frame] - ankle[frame]).norm() / leg;
-                    assert!(stretch < MAX_LEG_EXTENSION + 1e-3, "{} {frame}: {stretch:.4}", spec.name);
+                    let extension = (hip[frame] - ankle[frame]).norm() / leg;
+                    assert!(extension < MAX_LEG_EXTENSION + 1e-3, "{} {frame}: {extension:.4}", spec.name);
                 }
             }
         }

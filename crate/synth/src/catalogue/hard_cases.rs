@@ -196,7 +196,7 @@ fn afloat(actor: &mut Actor, seconds: f64) {
         step.swing = end - start - 0.1;
         step.lift = Lift { pitch: 0.0, lead: 0.0 };
         step.landing = Landing::FLAT;
-        // No foot is on the ground; the load keeps the balance model over the initial foot
+        // No foot is on the ground; the load holds the balance model over the initial foot
         // positions.
         step.swing_path = SwingPath {
             grounded: true,

@@ -62,8 +62,8 @@ fn limited_length(requested: f64, freedom: f64) -> f64 {
     if requested <= SOFT_EXTENSION {
         return hard.max(0.25);
     }
-    let room = MAX_LEG_EXTENSION - SOFT_EXTENSION;
-    let soft = SOFT_EXTENSION + room * (1.0 - libm::exp((SOFT_EXTENSION - requested) / room));
+    let range = MAX_LEG_EXTENSION - SOFT_EXTENSION;
+    let soft = SOFT_EXTENSION + range * (1.0 - libm::exp((SOFT_EXTENSION - requested) / range));
     hard + (soft - hard) * freedom
 }
 

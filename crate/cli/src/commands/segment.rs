@@ -1,4 +1,4 @@
-//! `plantigrade segment`
+//! `plantigrade segment`: segments clips into actions.
 
 use plantigrade::bvh::Parsed;
 use plantigrade::labels::{self, SegmentsDocument};
@@ -6,43 +6,43 @@ use plantigrade::segments::{self, SegmentError, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
 use crate::args::{SegmentArgs, SegmentFormat};
-use crate::failure::Failure;
-use crate::inputs::{Input, Loaded};
-use crate::results::Results;
+use crate::batch::Batch;
+use crate::error::{InputError, UsageError};
+use crate::input::{Input, LoadedClip};
 
-/// Cuts all inputs and counts those that failed; an error is one of the command line.
-pub fn run(args: &SegmentArgs) -> Result<usize, String> {
-    let params = args.segments.params(args.method)?;
-    let results = Results {
+/// Segments all inputs. Returns the number of inputs that failed.
+pub fn run(args: &SegmentArgs) -> Result<usize, UsageError> {
+    let params = args.params.check(args.method)?;
+    let batch = Batch {
         read: &args.read,
         write: &args.write,
-        ending: args.format.ending(),
-        settings: format!("{params:?}"),
+        extension: args.format.extension(),
+        options: format!("{params:?}"),
     };
-    results.make(|input, loaded| segment(input, loaded, params, args))
+    batch.run(|input, loaded| segment(input, loaded, params, args))
 }
 
-/// The result for one clip, in the format asked for.
+/// Returns the result for one clip in the requested format.
 fn segment(
     input: &Input,
-    loaded: &Loaded,
+    loaded: &LoadedClip,
     params: ValidParams,
     args: &SegmentArgs,
-) -> Result<String, Failure> {
+) -> Result<String, InputError> {
     let Parsed { clip, notices } = &loaded.parsed;
     let mut documents: Vec<SegmentsDocument> = Vec::new();
-    let mut refused = SegmentError::NoMotion;
+    let mut last_error = SegmentError::NoMotion;
     for skeleton in Skeleton::all(clip, &loaded.overrides) {
         match segments::segment(clip, &skeleton, params, &mut |_| Ok(())) {
-            Ok(found) => {
+            Ok(segmentation) => {
                 let source = loaded.source(input);
-                documents.push(SegmentsDocument::of(source, clip, &skeleton, &found, notices));
+                documents.push(SegmentsDocument::of(source, clip, &skeleton, &segmentation, notices));
             }
-            Err(error) => refused = error,
+            Err(error) => last_error = error,
         }
     }
     if documents.is_empty() {
-        return Err(Failure::Segment { path: input.path.clone(), error: refused });
+        return Err(InputError::Segment { path: input.path.clone(), error: last_error });
     }
     Ok(match args.format {
         SegmentFormat::Csv => labels::segments_csv(&documents),

@@ -1,4 +1,4 @@
-//! From paths to clips.
+//! Input files: from paths to clips.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -11,53 +11,41 @@ use sha2::{Digest, Sha256};
 use walkdir::WalkDir;
 
 use crate::args::ReadArgs;
-use crate::failure::Failure;
+use crate::error::{InputError, UsageError};
 
 /// One file to read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
-    /// Where it is; - is standard input.
+    /// Path of the file; `-` is standard input.
     pub path: PathBuf,
-    /// Where its result goes within an output folder, without an ending.
+    /// Path of the result relative to the output folder, without extension.
     pub stem: PathBuf,
 }
 
 /// A clip that was read.
-pub struct Loaded {
-    /// The clip with the reader's notices; its rate is the one asked for.
+pub struct LoadedClip {
+    /// The clip, with the frame rate of `--fps` applied, and the reader's notices.
     pub parsed: Parsed,
     /// SHA-256 of the file in hexadecimal.
     pub sha256: String,
-    /// What the command line knows better than the file.
+    /// Joints, up axis and unit given on the command line.
     pub overrides: Overrides,
 }
 
-impl Loaded {
-    /// What documents call the clip.
+impl LoadedClip {
+    /// Returns the source entry of documents about the clip.
     pub fn source(&self, input: &Input) -> Source {
         let name = input.path.file_name().unwrap_or(input.path.as_os_str());
         Source { name: name.to_string_lossy().into_owned(), sha256: Some(self.sha256.clone()) }
     }
 }
 
-/// The files that the paths name, folders with all that is below; or what is wrong with a path.
-pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, String> {
+/// Collects the input files. Folders are searched recursively for BVH files.
+pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
     let mut inputs = Vec::new();
     for path in &args.paths {
         if path.is_dir() {
-            let before = inputs.len();
-            for entry in WalkDir::new(path).sort_by_file_name() {
-                let found = entry.map_err(|error| error.to_string())?.into_path();
-                if found.is_file()
-                    && found.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("bvh"))
-                {
-                    let stem = found.strip_prefix(path).unwrap_or(&found).with_extension("");
-                    inputs.push(Input { path: found, stem });
-                }
-            }
-            if inputs.len() == before {
-                return Err(format!("there are no .bvh files in {}", path.display()));
-            }
+            collect_folder(path, &mut inputs)?;
         } else {
             let stem = if path == Path::new("-") { "stdin".into() } else { path.with_extension("") };
             let stem = stem.file_name().map_or_else(|| stem.clone(), PathBuf::from);
@@ -67,7 +55,22 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, String> {
     Ok(inputs)
 }
 
-/// What the command line knows better than a clip.
+fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageError> {
+    let count_before = inputs.len();
+    for entry in WalkDir::new(folder).sort_by_file_name() {
+        let path = entry?.into_path();
+        if path.is_file() && path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("bvh")) {
+            let stem = path.strip_prefix(folder).unwrap_or(&path).with_extension("");
+            inputs.push(Input { path, stem });
+        }
+    }
+    if inputs.len() == count_before {
+        return Err(UsageError::EmptyFolder(folder.into()));
+    }
+    Ok(())
+}
+
+/// Returns the overrides of the command line, or the first joint name that the clip lacks.
 fn overrides(clip: &Clip, args: &ReadArgs) -> Result<Overrides, String> {
     let joint = |(role, name): &(Role, String)| match &name[..] {
         "" => Ok((*role, None)),
@@ -81,10 +84,10 @@ fn overrides(clip: &Clip, args: &ReadArgs) -> Result<Overrides, String> {
 }
 
 /// Reads one file.
-pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
+pub fn load(input: &Input, args: &ReadArgs) -> Result<LoadedClip, InputError> {
     let path = &input.path;
-    let read_error = |error| Failure::Read { path: path.clone(), error };
-    let parse_error = |error: bvh::Error| Failure::Parse { path: path.clone(), error: error.into() };
+    let read_error = |error| InputError::Read { path: path.clone(), error };
+    let parse_error = |error: bvh::Error| InputError::Parse { path: path.clone(), error: error.into() };
     let (mut file, expected_bytes): (Box<dyn Read>, u64) = if path == Path::new("-") {
         (Box::new(io::stdin()), 0)
     } else {
@@ -92,8 +95,7 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
         let bytes = file.metadata().map_err(read_error)?.len();
         let limit = Limits::default().bytes;
         if bytes > limit {
-            let error =
-                io::Error::other(format!("the file has {bytes} bytes, more than the limit of {limit}"));
+            let error = io::Error::other(format!("the file has {bytes} bytes; the limit is {limit}"));
             return Err(read_error(error));
         }
         (Box::new(file), bytes)
@@ -116,6 +118,6 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<Loaded, Failure> {
     }
     let sha256 = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
     let overrides = overrides(&parsed.clip, args);
-    let overrides = overrides.map_err(|joint| Failure::Joint { path: path.clone(), joint })?;
-    Ok(Loaded { parsed, sha256, overrides })
+    let overrides = overrides.map_err(|joint| InputError::UnknownJoint { path: path.clone(), joint })?;
+    Ok(LoadedClip { parsed, sha256, overrides })
 }

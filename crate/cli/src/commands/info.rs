@@ -1,4 +1,4 @@
-//! `plantigrade info`
+//! `plantigrade info`: describes clips.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -9,40 +9,41 @@ use plantigrade::notice::Notice;
 use plantigrade::skeleton::{self, LegRoles, Role, Skeleton};
 use serde::Serialize;
 
+use super::print_json;
 use crate::args::{InfoArgs, InfoFormat};
-use crate::failure;
-use crate::inputs::{self, Input, Loaded};
+use crate::error::{UsageError, display_name};
+use crate::input::{self, Input, LoadedClip};
 
-/// What is said of one file.
+/// Description of one file.
 #[derive(Serialize)]
 struct Info {
-    /// The input's path.
+    /// Path of the input.
     path: String,
     frames: usize,
-    /// Seconds from one frame to the next.
+    /// Time between frames, in seconds.
     frame_time: f64,
-    /// Joints without end sites.
+    /// Number of joints, end sites excluded.
     joints: usize,
     up: String,
     metres_per_unit: f64,
-    /// Thigh plus shank in file units.
+    /// Length of thigh and shank, in file units.
     leg: Option<f64>,
-    /// Role to joint name.
+    /// Joint name of each role.
     roles: BTreeMap<&'static str, Option<String>>,
     notices: Vec<Notice>,
 }
 
-/// Describes all inputs and counts those that failed; an error is one of the command line.
-pub fn run(args: &InfoArgs) -> Result<usize, String> {
-    let inputs = inputs::collect(&args.read)?;
+/// Describes all inputs. Returns the number of inputs that failed.
+pub fn run(args: &InfoArgs) -> Result<usize, UsageError> {
+    let inputs = input::collect(&args.read)?;
     let mut infos = Vec::new();
-    let mut failed = 0;
+    let mut failures = 0;
     for input in &inputs {
-        match inputs::load(input, &args.read) {
+        match input::load(input, &args.read) {
             Ok(loaded) => infos.push(describe(input, &loaded)),
-            Err(failure) => {
-                eprintln!("{failure}");
-                failed += 1;
+            Err(error) => {
+                eprintln!("{error}");
+                failures += 1;
             }
         }
     }
@@ -51,35 +52,31 @@ pub fn run(args: &InfoArgs) -> Result<usize, String> {
         InfoFormat::Json if inputs.len() == 1 => infos.first().into_iter().for_each(print_json),
         InfoFormat::Json => print_json(&infos),
     }
-    Ok(failed)
+    Ok(failures)
 }
 
-fn print_json(value: &impl Serialize) {
-    println!("{}", serde_json::to_string_pretty(value).expect("text, numbers and lists"));
-}
-
-fn describe(input: &Input, loaded: &Loaded) -> Info {
+fn describe(input: &Input, loaded: &LoadedClip) -> Info {
     let Parsed { clip, notices } = &loaded.parsed;
     let skeleton = Skeleton::main(clip, &loaded.overrides);
-    let name = |role| Some(clip.joints()[skeleton.roles.get(role)?].name.clone());
+    let joint_name = |role| Some(clip.joints()[skeleton.roles.get(role)?].name.clone());
     Info {
-        path: failure::name(&input.path),
+        path: display_name(&input.path),
         frames: clip.frame_count(),
         frame_time: clip.frame_time(),
         joints: clip.joints().iter().filter(|joint| joint.kind != JointKind::EndSite).count(),
         up: skeleton.up.to_string(),
         metres_per_unit: skeleton.metres_per_unit,
         leg: skeleton.leg,
-        roles: Role::ALL.into_iter().map(|role| (role.name(), name(role))).collect(),
+        roles: Role::ALL.into_iter().map(|role| (role.name(), joint_name(role))).collect(),
         notices: [notices.as_slice(), &skeleton.notices].concat(),
     }
 }
 
 fn text(info: &Info) -> String {
     let mut text = format!("{}\n", info.path);
-    let mut line = |what: &str, value: String| {
+    let mut line = |label: &str, value: String| {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "  {what:<8} {value}");
+        let _ = writeln!(text, "  {label:<8} {value}");
     };
     let seconds = info.frames as f64 * info.frame_time;
     line("motion", format!("{} frames at {:.4} Hz, {seconds:.2} s", info.frames, 1.0 / info.frame_time));
@@ -88,9 +85,9 @@ fn text(info: &Info) -> String {
     line("space", format!("{} up, {:.6} m per unit{unit}", info.up, info.metres_per_unit));
     line("joints", info.joints.to_string());
     for side in Side::BOTH {
-        let foot = LegRoles::of(side);
+        let leg = LegRoles::of(side);
         let joints =
-            [foot.ankle, foot.toe, foot.tip].map(|role| info.roles[role.name()].as_deref().unwrap_or("-"));
+            [leg.ankle, leg.toe, leg.tip].map(|role| info.roles[role.name()].as_deref().unwrap_or("-"));
         line(side.name(), format!("ankle {}, toe {}, tip {}", joints[0], joints[1], joints[2]));
     }
     for notice in &info.notices {

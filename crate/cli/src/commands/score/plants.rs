@@ -1,4 +1,4 @@
-//! Foot plants against truth.
+//! Scores of foot plants.
 
 use std::fs;
 
@@ -8,8 +8,8 @@ use plantigrade::score::{self, Events, FUZZY, Tally};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
 use crate::args::{ReadArgs, ScoreArgs};
-use crate::failure::Failure;
-use crate::inputs::{self, Input};
+use crate::error::{InputError, UsageError};
+use crate::input::{self, Input};
 
 /// One clip with its labels and its truth.
 struct Trial {
@@ -19,30 +19,31 @@ struct Trial {
     truth: Labelling,
 }
 
-/// Scores all clips of a folder that have truth, and counts those that failed.
-pub fn run(args: &ScoreArgs) -> Result<usize, String> {
-    let params = args.plants.params(super::method(args)?)?;
-    let (trials, failed) = super::trials(args, "NAME.json", |input, read| trial(input, params, read))?;
-    let wanted = |part: &Part| args.part.as_deref().is_none_or(|name| name == part.name());
-    for part in Part::ALL.into_iter().filter(wanted) {
+/// Scores all clips of a folder that have truth. Returns the number of inputs that failed.
+pub fn run(args: &ScoreArgs) -> Result<usize, UsageError> {
+    let params = args.plants.check(super::method(args)?)?;
+    let (trials, failures) = super::trials(args, "NAME.json", |input, read| trial(input, params, read))?;
+    let is_requested = |part: &Part| args.part.as_deref().is_none_or(|name| name == part.name());
+    for part in Part::ALL.into_iter().filter(is_requested) {
         if trials.iter().any(|trial| pairs(trial, part).is_some()) {
             print(part, &trials);
         }
     }
-    Ok(failed)
+    Ok(failures)
 }
 
-/// The clip's labels and truth; `None` where it has no truth.
-fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<Trial>, Failure> {
+/// Returns labels and truth of a clip; `None` if it has no truth.
+fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<Trial>, InputError> {
     let path = input.path.with_extension("json");
     if !path.is_file() {
         return Ok(None);
     }
-    let clip = inputs::load(input, read)?.parsed.clip;
-    let text = fs::read_to_string(&path).map_err(|error| Failure::Read { path: path.clone(), error })?;
-    let truth = labels::read(&text, clip.frame_count()).map_err(|error| Failure::Truth { path, error })?;
+    let clip = input::load(input, read)?.parsed.clip;
+    let text = fs::read_to_string(&path).map_err(|error| InputError::Read { path: path.clone(), error })?;
+    let truth =
+        labels::read(&text, clip.frame_count()).map_err(|error| InputError::Labels { path, error })?;
     let feet = Feet::of(&clip, &Skeleton::main(&clip, &Overrides::default()))
-        .map_err(|error| Failure::Detect { path: input.path.clone(), error })?;
+        .map_err(|error| InputError::Detect { path: input.path.clone(), error })?;
     Ok(Some(Trial {
         name: input.stem.display().to_string(),
         frame_time: clip.frame_time(),
@@ -51,7 +52,7 @@ fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<T
     }))
 }
 
-/// Off a force plate, "no contact" beside an unknown frame only means that there is no plate.
+/// Masks "no contact" next to unknown frames: there the foot may be off the force plate.
 fn masked(truth: Labelling, frame_time: f64) -> Labelling {
     let mask = |(part, feet): (Part, [Vec<Option<bool>>; 2])| {
         (part, feet.map(|labels| score::mask_near_unknown(&labels, frame_time)))
@@ -62,55 +63,49 @@ fn masked(truth: Labelling, frame_time: f64) -> Labelling {
 /// Labels of one foot with their truth.
 type Pair<'a> = (&'a [bool], &'a [Option<bool>]);
 
-/// Labels and truth of both feet, if both have the part.
+/// Returns labels and truth of both feet, if both have the part.
 fn pairs(trial: &Trial, part: Part) -> Option<[Pair<'_>; 2]> {
     let (labels, truth) = (trial.detection.part(part)?, trial.truth.part(part)?);
     Some(Side::BOTH.map(|side| (labels.foot(side).planted.as_slice(), truth[side as usize].as_slice())))
 }
 
-/// Prints the tables of one part: accuracy by clip and pooled, lenient and strict, and the plants as events.
+/// Prints the scores of one part: accuracy by clip and pooled, lenient and strict, and of plants
+/// as events.
 fn print(part: Part, trials: &[Trial]) {
     let periods: Vec<String> = FUZZY.iter().map(|fuzzy| format!("p = {fuzzy}")).collect();
     println!("{}, accuracy in %\n", part.name());
     println!("{:<32}{}", "lenient", columns(&periods));
     let mut pooled = [[Tally::default(); FUZZY.len()]; 2];
-    let mut shares: Vec<[f64; FUZZY.len()]> = Vec::new();
+    let mut accuracies: Vec<[f64; FUZZY.len()]> = Vec::new();
     let mut events = Events::default();
     for trial in trials {
         let Some(feet) = pairs(trial, part) else { continue };
         let mut own = [[Tally::default(); FUZZY.len()]; 2];
         for (labels, truth) in feet {
-            for (place, fuzzy) in FUZZY.into_iter().enumerate() {
-                own[0][place] += score::lenient(labels, truth, trial.frame_time, fuzzy);
-                own[1][place] += score::strict(labels, truth, trial.frame_time, fuzzy);
+            for (index, fuzzy) in FUZZY.into_iter().enumerate() {
+                own[0][index] += score::lenient(labels, truth, trial.frame_time, fuzzy);
+                own[1][index] += score::strict(labels, truth, trial.frame_time, fuzzy);
             }
             events += score::events(labels, truth, trial.frame_time);
         }
         for (pooled, own) in pooled.iter_mut().flatten().zip(own.iter().flatten()) {
             *pooled += *own;
         }
-        let share = own[0].map(|tally| 100.0 * tally.accuracy());
-        println!("{:<32}{}", trial.name, percents(&share));
-        shares.push(share);
+        let accuracy = own[0].map(|tally| 100.0 * tally.accuracy());
+        println!("{:<32}{}", trial.name, percents(&accuracy));
+        accuracies.push(accuracy);
     }
-    let over = |of: fn(&[f64]) -> f64| -> Vec<f64> {
-        (0..FUZZY.len())
-            .map(|place| of(&shares.iter().map(|share| share[place]).collect::<Vec<_>>()))
-            .collect()
+    let over_clips = |statistic: fn(&[f64]) -> f64| -> Vec<f64> {
+        let at = |index: usize| accuracies.iter().map(|accuracy| accuracy[index]).collect::<Vec<_>>();
+        (0..FUZZY.len()).map(|index| statistic(&at(index))).collect()
     };
+    let lowest = over_clips(|values| values.iter().copied().fold(100.0, f64::min));
+    let highest = over_clips(|values| values.iter().copied().fold(0.0, f64::max));
     println!("{:<32}{}", "all frames", percents(&pooled[0].map(|tally| 100.0 * tally.accuracy())));
     println!("{:<32}{}", "all frames, strict", percents(&pooled[1].map(|tally| 100.0 * tally.accuracy())));
-    println!(
-        "{:<32}{}",
-        "lowest clip",
-        percents(&over(|shares| shares.iter().copied().fold(100.0, f64::min)))
-    );
-    println!(
-        "{:<32}{}",
-        "highest clip",
-        percents(&over(|shares| shares.iter().copied().fold(0.0, f64::max)))
-    );
-    println!("{:<32}{}", "standard deviation of clips", percents(&over(deviation)));
+    println!("{:<32}{}", "lowest clip", percents(&lowest));
+    println!("{:<32}{}", "highest clip", percents(&highest));
+    println!("{:<32}{}", "standard deviation of clips", percents(&over_clips(standard_deviation)));
     let score = events.score();
     println!(
         "\nplants: precision {:.3}, recall {:.3}, F1 {:.3}; onset {:+.0} ms (95 % within {:.0}), \
@@ -125,16 +120,16 @@ fn print(part: Part, trials: &[Trial]) {
     );
 }
 
-fn columns(words: &[String]) -> String {
-    words.iter().map(|word| format!("{word:>9}")).collect()
+fn columns(heads: &[String]) -> String {
+    heads.iter().map(|head| format!("{head:>9}")).collect()
 }
 
 fn percents(values: &[f64]) -> String {
     values.iter().map(|value| format!("{value:>9.2}")).collect()
 }
 
-/// Standard deviation with n − 1.
-fn deviation(values: &[f64]) -> f64 {
+/// Returns the sample standard deviation (n − 1).
+fn standard_deviation(values: &[f64]) -> f64 {
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
     (squares / (values.len().max(2) - 1) as f64).sqrt()

@@ -1,0 +1,103 @@
+//! `plantigrade detect`: labels foot plants.
+
+use std::path::{Path, PathBuf};
+
+use plantigrade::bvh::Parsed;
+use plantigrade::labels::{self, Document, Labelled};
+use plantigrade::plants::{self, DetectError, Detection, Feet, ValidParams};
+use plantigrade::skeleton::Skeleton;
+
+use crate::args::{DetectArgs, Format};
+use crate::batch::Batch;
+use crate::error::{InputError, UsageError};
+use crate::input::{self, Input, LoadedClip};
+
+/// Detects plants in all inputs. Returns the number of inputs that failed.
+pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
+    let params = args.detection.params()?;
+    let still = args.still.as_deref().map(|path| load_still(path, args)).transpose();
+    let still = still.map_err(UsageError::Still)?;
+    let batch = Batch {
+        read: &args.read,
+        write: &args.write,
+        extension: args.format.extension(),
+        options: format!("{params:?} {:?}", args.still),
+    };
+    batch.run(|input, loaded| detect(input, loaded, params, still.as_ref(), args))
+}
+
+/// Loads the feet of the standing clip that is clustered together with the inputs.
+fn load_still(path: &Path, args: &DetectArgs) -> Result<Feet, InputError> {
+    let input = Input { path: path.into(), stem: PathBuf::new() };
+    let loaded = input::load(&input, &args.read)?;
+    let clip = &loaded.parsed.clip;
+    let feet = Feet::of(clip, &Skeleton::main(clip, &loaded.overrides));
+    feet.map_err(|error| InputError::Detect { path: path.into(), error })
+}
+
+/// A skeleton with its feet and its detection.
+pub type DetectedSkeleton = (Skeleton, Feet, Detection);
+
+/// Detects plants in each skeleton of a clip that has feet. Returns at least one detection.
+pub fn detect_all(
+    input: &Input,
+    loaded: &LoadedClip,
+    params: ValidParams,
+    still: Option<&Feet>,
+) -> Result<Vec<DetectedSkeleton>, InputError> {
+    let clip = &loaded.parsed.clip;
+    let mut detected: Vec<DetectedSkeleton> = Vec::new();
+    let mut last_error = DetectError::NoFeet;
+    for skeleton in Skeleton::all(clip, &loaded.overrides) {
+        match Feet::of(clip, &skeleton) {
+            Ok(feet) => {
+                let detection = match still {
+                    Some(still) => plants::detect_along(&feet, still, params),
+                    None => plants::detect(&feet, params),
+                };
+                detected.push((skeleton, feet, detection));
+            }
+            Err(error) => last_error = error,
+        }
+    }
+    if detected.is_empty() {
+        return Err(InputError::Detect { path: input.path.clone(), error: last_error });
+    }
+    Ok(detected)
+}
+
+/// Returns the result for one clip in the requested format.
+fn detect(
+    input: &Input,
+    loaded: &LoadedClip,
+    params: ValidParams,
+    still: Option<&Feet>,
+    args: &DetectArgs,
+) -> Result<Vec<u8>, InputError> {
+    let Parsed { clip, notices } = &loaded.parsed;
+    let detected = detect_all(input, loaded, params, still)?;
+    let has_several_roots = clip.roots().count() > 1;
+    let labelled: Vec<Labelled> = detected
+        .iter()
+        .map(|(skeleton, _, detection)| Labelled {
+            root: has_several_roots.then(|| clip.joints()[skeleton.root].name.as_str()),
+            detection,
+        })
+        .collect();
+    let source = loaded.source(input);
+    let text = match args.format {
+        Format::Npz => return Ok(labels::npz(&labelled, &source.name, clip.frame_time())),
+        Format::Blender => labels::blender_script(&labelled, &source.name, clip.frame_time()),
+        Format::Csv => labels::frames_csv(&labelled, clip.frame_time()),
+        Format::Intervals => labels::intervals_csv(&labelled, clip.frame_time()),
+        Format::Events => labels::events_csv(&labelled, clip.frame_time()),
+        Format::Json => {
+            let document = |(skeleton, _, detection): &DetectedSkeleton| {
+                Document::of(source.clone(), clip, skeleton, detection, notices)
+            };
+            let documents: Vec<Document> = detected.iter().map(document).collect();
+            if has_several_roots { Document::all_to_json(&documents) } else { documents[0].to_json() }
+        }
+    };
+    Ok(text.into_bytes())
+}
