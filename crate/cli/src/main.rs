@@ -1,27 +1,23 @@
-//! `plantigrade`: foot plants and actions in BVH files, from the command line.
+//! Command line of Plantigrade: foot plants and actions in BVH files.
 
 mod args;
-mod clean;
-mod detect;
-mod failure;
-mod gait;
-mod info;
-mod inputs;
+mod batch;
+mod commands;
+mod error;
+mod input;
 mod output;
 mod parallel;
-mod results;
-mod score;
-mod segment;
 
 use std::process::ExitCode;
 
 use clap::Parser;
 
 use crate::args::{Args, Command};
+use crate::commands::{clean, detect, gait, info, score, segment};
 
 fn main() -> ExitCode {
     let args = Args::parse();
-    let done = match &args.command {
+    let result = match &args.command {
         Command::Detect(args) => detect::run(args),
         Command::Segment(args) => segment::run(args),
         Command::Gait(args) => gait::run(args),
@@ -29,11 +25,11 @@ fn main() -> ExitCode {
         Command::Clean(args) => clean::run(args),
         Command::Info(args) => info::run(args),
     };
-    match done {
-        Ok(failed) => ExitCode::from(u8::from(failed > 0)),
-        // As clap does for what it finds wrong itself.
-        Err(usage) => {
-            eprintln!("error: {usage}\n\nFor more information, try '--help'.");
+    match result {
+        Ok(failures) => ExitCode::from(u8::from(failures > 0)),
+        // Same format as clap's own usage errors.
+        Err(error) => {
+            eprintln!("error: {error}\n\nFor more information, try '--help'.");
             ExitCode::from(2)
         }
     }

@@ -1,4 +1,4 @@
-//! Results in a folder: whole or not at all, and not made twice.
+//! Output files: written atomically and reused while up to date.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,72 +9,72 @@ use std::sync::{Mutex, PoisonError};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-/// The file in an output folder that says what its results were made of.
-const RECORD: &str = ".plantigrade.json";
+/// Name of the file in an output folder that records the origin of its results.
+const RECORD_FILE: &str = ".plantigrade.json";
 
 /// A folder of results.
 pub struct OutputFolder {
     folder: PathBuf,
-    made: Mutex<Made>,
+    record: Mutex<Record>,
 }
 
-/// For each result, the digest of what it was made of.
+/// Digest of the origin of each result, by file name.
 #[derive(Default, Serialize, Deserialize)]
-struct Made(BTreeMap<PathBuf, String>);
+struct Record(BTreeMap<PathBuf, String>);
 
 impl OutputFolder {
-    /// Opens a folder, creating it where it does not exist.
+    /// Opens a folder, creating it if necessary.
     pub fn open(folder: &Path) -> io::Result<OutputFolder> {
         fs::create_dir_all(folder)?;
-        // A record that is missing or damaged only means that all is made again.
-        let record = fs::read(folder.join(RECORD)).ok();
-        let made = record.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
-        Ok(OutputFolder { folder: folder.into(), made: Mutex::new(made) })
+        // With a missing or damaged record all results are computed again.
+        let bytes = fs::read(folder.join(RECORD_FILE)).ok();
+        let record = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
+        Ok(OutputFolder { folder: folder.into(), record: Mutex::new(record) })
     }
 
-    /// Where a result stands.
+    /// Returns the path of a result.
     pub fn path(&self, name: &Path) -> PathBuf {
         self.folder.join(name)
     }
 
-    /// Whether a result is there and was made of the same.
-    pub fn is_made(&self, name: &Path, recipe: &Recipe) -> bool {
-        let made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
-        made.0.get(name) == Some(&recipe.digest()) && self.path(name).is_file()
+    /// True if a result exists and has the given origin.
+    pub fn is_up_to_date(&self, name: &Path, origin: &Origin) -> bool {
+        let record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
+        record.0.get(name) == Some(&origin.digest()) && self.path(name).is_file()
     }
 
-    /// Writes a result: to a temporary file first, so that nobody ever sees half of it.
-    pub fn write(&self, name: &Path, result: &[u8], recipe: &Recipe) -> io::Result<()> {
-        replace(&self.path(name), result)?;
-        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
-        made.0.insert(name.into(), recipe.digest());
+    /// Writes a result atomically.
+    pub fn write(&self, name: &Path, result: &[u8], origin: &Origin) -> io::Result<()> {
+        write_atomically(&self.path(name), result)?;
+        let mut record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
+        record.0.insert(name.into(), origin.digest());
         Ok(())
     }
 
-    /// Writes down what the results were made of.
+    /// Writes the record of origins.
     pub fn close(self) -> io::Result<()> {
-        let made = self.made.into_inner().unwrap_or_else(PoisonError::into_inner);
-        replace(&self.folder.join(RECORD), &serde_json::to_vec_pretty(&made)?)
+        let record = self.record.into_inner().unwrap_or_else(PoisonError::into_inner);
+        write_atomically(&self.folder.join(RECORD_FILE), &serde_json::to_vec_pretty(&record)?)
     }
 }
 
-/// What a result is made of.
-pub struct Recipe<'a> {
+/// Origin of a result: everything it depends on.
+pub struct Origin<'a> {
     /// SHA-256 of the input.
     pub sha256: &'a str,
-    /// Everything of the command line that changes the result.
-    pub settings: String,
+    /// All options that change the result.
+    pub options: String,
 }
 
-impl Recipe<'_> {
+impl Origin<'_> {
     fn digest(&self) -> String {
-        let whole = format!("{} {} {}", env!("CARGO_PKG_VERSION"), self.sha256, self.settings);
-        Sha256::digest(whole).iter().map(|byte| format!("{byte:02x}")).collect()
+        let text = format!("{} {} {}", env!("CARGO_PKG_VERSION"), self.sha256, self.options);
+        Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
     }
 }
 
-/// Writes a file whole: to a temporary one first, that then takes its place.
-pub fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+/// Writes a file atomically: to a temporary file that then replaces `path`.
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new("."));
     fs::create_dir_all(folder)?;
     let mut file = tempfile::NamedTempFile::new_in(folder)?;

@@ -1,50 +1,49 @@
-//! Many inputs at a time, with a bar that shows how far they are.
+//! Parallel processing of inputs with a progress bar.
 
 use std::io::IsTerminal;
 use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rayon::ThreadPoolBuilder;
+use rayon::iter::{ParallelBridge, ParallelIterator};
 
-use crate::failure::Failure;
-use crate::inputs::Input;
+use crate::error::InputError;
+use crate::input::Input;
 
-/// Does `work` for each input and its index, `jobs` at a time, reports failures as they come and
-/// counts them; a panic is the failure of its input alone.
-pub fn for_each(
+/// Applies `work` to each input, `jobs` at a time (default: one per processor).
+///
+/// Inputs are started in order. A failure is printed when it occurs; a panic is a failure of its
+/// input only. Returns the results of the inputs that succeeded, in input order, and the number
+/// of failures.
+pub fn map<R: Send>(
     inputs: &[Input],
     jobs: Option<NonZeroUsize>,
-    work: impl Fn(usize, &Input) -> Result<(), Failure> + Sync,
-) -> usize {
-    let jobs = jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
-    let bar = bar(inputs.len());
-    let next = AtomicUsize::new(0);
-    let failed = Mutex::new(0);
-    thread::scope(|scope| {
-        for _ in 0..jobs.min(inputs.len()) {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(input) = inputs.get(index) else { break };
-                    let done = catch_unwind(AssertUnwindSafe(|| work(index, input)));
-                    let fault = |_| Err(Failure::Fault { path: input.path.clone() });
-                    if let Err(failure) = done.unwrap_or_else(fault) {
-                        *failed.lock().unwrap_or_else(PoisonError::into_inner) += 1;
-                        bar.suspend(|| eprintln!("{failure}"));
-                    }
-                    bar.inc(1);
-                }
-            });
-        }
+    work: impl Fn(&Input) -> Result<R, InputError> + Sync,
+) -> (Vec<R>, usize) {
+    // Zero selects one thread per processor.
+    let threads = jobs.map_or(0, NonZeroUsize::get);
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
+    let bar = progress_bar(inputs.len());
+    let run = |input: &Input| {
+        let result = catch_unwind(AssertUnwindSafe(|| work(input)))
+            .unwrap_or_else(|_| Err(InputError::Panic { path: input.path.clone() }));
+        let result = result.map_err(|error| bar.suspend(|| eprintln!("{error}"))).ok();
+        bar.inc(1);
+        result
+    };
+    let mut results: Vec<(usize, R)> = pool.install(|| {
+        // A bridge hands out inputs one by one; splitting the slice would start in the middle.
+        let numbered = inputs.iter().enumerate().par_bridge();
+        numbered.filter_map(|(index, input)| Some((index, run(input)?))).collect()
     });
     bar.finish_and_clear();
-    failed.into_inner().unwrap_or_else(PoisonError::into_inner)
+    results.sort_by_key(|(index, _)| *index);
+    let failures = inputs.len() - results.len();
+    (results.into_iter().map(|(_, result)| result).collect(), failures)
 }
 
-fn bar(count: usize) -> ProgressBar {
+fn progress_bar(count: usize) -> ProgressBar {
     let hidden = count < 2 || !std::io::stderr().is_terminal();
     let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     let bar = ProgressBar::with_draw_target(Some(count as u64), target);
@@ -56,15 +55,29 @@ fn bar(count: usize) -> ProgressBar {
 mod tests {
     use super::*;
 
+    fn inputs<const N: usize>(names: [&str; N]) -> [Input; N] {
+        names.map(|name| Input { path: name.into(), stem: name.into() })
+    }
+
     #[test]
-    fn a_panic_is_the_failure_of_one_input() {
-        let inputs = ["a", "b", "c"].map(|name| Input { path: name.into(), stem: name.into() });
-        let done = Mutex::new(Vec::new());
-        let failed = for_each(&inputs, NonZeroUsize::new(1), |index, input| {
-            assert!(index != 1, "on purpose");
-            done.lock().unwrap().push(input.path.clone());
-            Ok(())
+    fn panic_fails_only_its_input() {
+        let inputs = inputs(["a", "b", "c"]);
+        let (results, failures) = map(&inputs, NonZeroUsize::new(1), |input| {
+            assert!(input.path.as_os_str() != "b", "on purpose");
+            Ok(input.path.clone())
         });
-        assert_eq!((failed, done.into_inner().unwrap()), (1, vec!["a".into(), "c".into()]));
+        assert_eq!((results, failures), (vec!["a".into(), "c".into()], 1));
+    }
+
+    #[test]
+    fn results_are_in_input_order() {
+        let inputs = inputs(["a", "b", "c", "d", "e", "f"]);
+        let (results, failures) = map(&inputs, NonZeroUsize::new(3), |input| {
+            let delay = if input.path.as_os_str() == "a" { 30 } else { 1 };
+            std::thread::sleep(std::time::Duration::from_millis(delay));
+            Ok(input.path.clone())
+        });
+        assert_eq!(failures, 0);
+        assert!(results.iter().eq(inputs.iter().map(|input| &input.path)));
     }
 }

@@ -1,4 +1,4 @@
-//! `plantigrade clean` as a person meets it.
+//! Tests of `plantigrade clean`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
-/// Runs the program in `folder`: exit code, standard output and standard error.
+/// Runs the program in `folder`. Returns exit code, standard output and standard error.
 fn run(folder: &Path, args: &[&str], input: &[u8]) -> (i32, String, String) {
     let mut command = Command::cargo_bin("plantigrade").expect("the binary");
     let Output { status, stdout, stderr } =
@@ -25,17 +25,15 @@ fn clip(path: &Path) -> Clip {
 }
 
 #[test]
-fn feet_are_held_and_the_rest_is_left_alone() {
+fn clean_moves_feet_and_leaves_other_joints_unchanged() {
     let folder = tempfile::tempdir().expect("a folder");
     let sample = project("samples/curved-walk.bvh").canonicalize().expect("a sample");
     let sample = sample.to_str().expect("a path");
-    let (code, out, said) = run(folder.path(), &["clean", sample, "-o", "out.bvh"], b"");
+    let (code, out, stderr) = run(folder.path(), &["clean", sample, "-o", "out.bvh"], b"");
     assert_eq!((code, out.as_str()), (0, ""));
-    assert!(
-        said.contains(" plants, ") && said.contains(" held; slide ") && said.contains(" → 0.0 mm"),
-        "{said}"
-    );
-    assert_eq!(said.lines().count(), 1);
+    assert!(stderr.contains(" plants, ") && stderr.contains(" corrected; slide: mean "), "{stderr}");
+    assert!(stderr.contains(" → 0.0 mm, maximum "), "{stderr}");
+    assert_eq!(stderr.lines().count(), 1);
     let (before, after) = (clip(Path::new(sample)), clip(&folder.path().join("out.bvh")));
     assert_eq!(before.joints(), after.joints());
     assert_eq!(before.frame_count(), after.frame_count());
@@ -48,28 +46,28 @@ fn feet_are_held_and_the_rest_is_left_alone() {
 }
 
 #[test]
-fn labels_come_from_a_file_and_the_clip_from_standard_input() {
+fn clean_reads_labels_from_a_file_and_the_clip_from_standard_input() {
     let folder = tempfile::tempdir().expect("a folder");
     let labels = project("samples/curved-walk.json").canonicalize().expect("truth");
     let labels = labels.to_str().expect("a path");
     let bytes = fs::read(project("samples/curved-walk.bvh")).expect("a sample");
-    let (code, _, said) =
+    let (code, _, stderr) =
         run(folder.path(), &["clean", "-", "-o", "new/out.bvh", "--labels", labels], &bytes);
-    assert_eq!(code, 0, "{said}");
-    assert!(said.starts_with("<stdin>: 5 plants, 5 held"), "{said}");
+    assert_eq!(code, 0, "{stderr}");
+    assert!(stderr.starts_with("<stdin>: 5 plants, 5 corrected"), "{stderr}");
     assert!(folder.path().join("new/out.bvh").is_file());
 }
 
 #[test]
-fn what_cannot_be_cleaned_writes_nothing() {
+fn clean_writes_nothing_if_it_fails() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |path: &str| project(path).canonicalize().expect("a file").to_string_lossy().into_owned();
     let (sample, other) = (file("samples/curved-walk.bvh"), file("samples/ballet.json"));
-    let (code, _, said) = run(folder.path(), &["clean", &sample, "-o", "out.bvh", "--labels", &other], b"");
-    assert_eq!((code, said.lines().count()), (1, 1), "{said}");
-    assert!(said.contains("the labels are of 298 frames, and the clip has 245"), "{said}");
-    let (code, _, said) = run(folder.path(), &["clean", "-", "-o", "out.bvh"], b"HIERARCHY\n");
-    assert_eq!((code, said.starts_with("<stdin>:")), (1, true), "{said}");
+    let (code, _, stderr) = run(folder.path(), &["clean", &sample, "-o", "out.bvh", "--labels", &other], b"");
+    assert_eq!((code, stderr.lines().count()), (1, 1), "{stderr}");
+    assert!(stderr.contains("the labels are of 298 frames, and the clip has 245"), "{stderr}");
+    let (code, _, stderr) = run(folder.path(), &["clean", "-", "-o", "out.bvh"], b"HIERARCHY\n");
+    assert_eq!((code, stderr.starts_with("<stdin>:")), (1, true), "{stderr}");
     for wrong in [
         &["clean", &sample][..],
         &["clean", &sample, &sample, "-o", "out.bvh"],

@@ -1,4 +1,4 @@
-//! The command line as a person meets it.
+//! Tests of the command line.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ fn project(path: &str) -> PathBuf {
 
 fn plantigrade(args: &[&str]) -> Output {
     let mut command = Command::cargo_bin("plantigrade").expect("the binary");
-    command.current_dir(project("tests/files")).args(args).output().expect("it runs")
+    command.current_dir(project("tests/files")).args(args).output().expect("the program runs")
 }
 
 fn stdout(output: &Output) -> String {
@@ -31,24 +31,27 @@ fn code(output: &Output) -> i32 {
 }
 
 #[test]
-fn joints_and_unit_can_be_told() {
+fn joints_and_unit_can_be_set() {
     let walk = project("samples/curved-walk.bvh");
     let walk = walk.to_str().expect("a path");
-    let told = |options: &[&str]| plantigrade(&[&["info", walk, "--format", "json"], options].concat());
-    let found: Value = serde_json::from_str(&stdout(&told(&[]))).expect("JSON");
-    let joint = |role: &str| found["roles"][role].as_str().expect("a joint").to_owned();
+    let info = |options: &[&str]| plantigrade(&[&["info", walk, "--format", "json"], options].concat());
+    let detected: Value = serde_json::from_str(&stdout(&info(&[]))).expect("JSON");
+    let joint = |role: &str| detected["roles"][role].as_str().expect("a joint").to_owned();
 
     let swapped =
         [format!("left_ankle={}", joint("right_ankle")), format!("right_ankle={}", joint("left_ankle"))];
     let output =
-        told(&["--joint", &swapped[0], "--joint", &swapped[1], "--joint", "left_tip=", "--unit", "0.5"]);
-    let info: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
-    assert_eq!(info["roles"]["left_ankle"], found["roles"]["right_ankle"]);
-    assert_eq!(info["roles"]["right_ankle"], found["roles"]["left_ankle"]);
-    assert_eq!(info["roles"]["left_toe"], found["roles"]["left_toe"]);
-    assert_eq!((&info["roles"]["left_tip"], &info["metres_per_unit"]), (&Value::Null, &0.5.into()));
+        info(&["--joint", &swapped[0], "--joint", &swapped[1], "--joint", "left_tip=", "--unit", "0.5"]);
+    let overridden: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    assert_eq!(overridden["roles"]["left_ankle"], detected["roles"]["right_ankle"]);
+    assert_eq!(overridden["roles"]["right_ankle"], detected["roles"]["left_ankle"]);
+    assert_eq!(overridden["roles"]["left_toe"], detected["roles"]["left_toe"]);
+    assert_eq!(
+        (&overridden["roles"]["left_tip"], &overridden["metres_per_unit"]),
+        (&Value::Null, &0.5.into())
+    );
 
-    // Labels made with other joints are others, and made again.
+    // Other joints give other labels, and existing results are recomputed.
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("a path");
     let labels = |options: &[&str]| {
@@ -62,20 +65,20 @@ fn joints_and_unit_can_be_told() {
         labels(&["--joint", &swapped[0], "--joint", &swapped[1], "--joint", &toes[0], "--joint", &toes[1]]);
     assert_ne!(own, others);
 
-    let output = told(&["--joint", "left_ankle=Hoof"]);
+    let output = info(&["--joint", "left_ankle=Hoof"]);
     assert_eq!(code(&output), 1);
     assert!(
-        stderr(&output).contains("curved-walk.bvh: error: there is no joint \"Hoof\""),
+        stderr(&output).contains("curved-walk.bvh: error: unknown joint \"Hoof\""),
         "{}",
         stderr(&output)
     );
-    let output = told(&["--joint", "paw=Hoof"]);
+    let output = info(&["--joint", "paw=Hoof"]);
     assert_eq!(code(&output), 2);
-    assert!(stderr(&output).contains("there is no role \"paw\"; there are hips, "), "{}", stderr(&output));
+    assert!(stderr(&output).contains("unknown role \"paw\": expected one of hips, "), "{}", stderr(&output));
 }
 
 #[test]
-fn every_file_is_read_or_refused_as_expected() {
+fn files_are_read_or_rejected_as_listed_in_expected_txt() {
     let expected = fs::read_to_string(project("tests/files/expected.txt")).expect("the list");
     let expected: Vec<&str> = expected.lines().filter(|line| !line.starts_with('#')).collect();
     for line in &expected {
@@ -84,16 +87,16 @@ fn every_file_is_read_or_refused_as_expected() {
         if line.contains("error:") {
             assert_eq!((code(&output), stdout(&output)), (1, String::new()), "{line}");
             assert!(stderr(&output).starts_with(line), "{line}\n{}", stderr(&output));
-            assert_eq!(stderr(&output).lines().count(), 1, "one line a failure");
+            assert_eq!(stderr(&output).lines().count(), 1, "one line per failure");
         } else {
             let info: Value = serde_json::from_str(&stdout(&output)).expect(line);
             let notices = info["notices"].as_array().expect("a list");
             let codes: Vec<&str> = notices.iter().filter_map(|notice| notice["code"].as_str()).collect();
-            let said = [
+            let description = [
                 vec![format!("{file}: {} frames", info["frames"])],
                 codes.iter().map(|&c| c.into()).collect(),
             ];
-            assert_eq!(&said.concat().join(", "), line);
+            assert_eq!(&description.concat().join(", "), line);
             assert_eq!(info["roles"]["left_toe"], "LeftToeBase", "{line}");
         }
     }
@@ -103,7 +106,7 @@ fn every_file_is_read_or_refused_as_expected() {
 }
 
 #[test]
-fn labels_come_in_every_format() {
+fn detect_writes_all_formats() {
     let sample = project("samples/curved-walk.bvh");
     let detect = |format: &str, method: &str| {
         let output = plantigrade(&[
@@ -145,7 +148,7 @@ fn labels_come_in_every_format() {
 }
 
 #[test]
-fn several_skeletons_have_a_column() {
+fn detect_adds_a_root_column_for_several_skeletons() {
     let output = plantigrade(&["detect", "--format", "csv", "good/two-skeletons.bvh"]);
     let table = stdout(&output);
     assert!(table.starts_with("root,frame,time,left_contact,"));
@@ -153,7 +156,7 @@ fn several_skeletons_have_a_column() {
 }
 
 #[test]
-fn standard_input_is_a_file() {
+fn detect_reads_standard_input() {
     let text = fs::read(project("tests/files/good/plain.bvh")).expect("a file");
     let mut command = Command::cargo_bin("plantigrade").expect("the binary");
     let output = command
@@ -165,7 +168,7 @@ fn standard_input_is_a_file() {
 }
 
 #[test]
-fn folders_are_done_once_and_failures_do_not_stop_them() {
+fn detect_processes_folders_despite_failures_and_reuses_results() {
     let out = tempfile::tempdir().expect("a folder");
     let folder = out.path().to_str().expect("a path");
     let run = |more: &[&str]| {
@@ -173,40 +176,40 @@ fn folders_are_done_once_and_failures_do_not_stop_them() {
     };
     let output = run(&[]);
     assert_eq!((code(&output), stdout(&output)), (1, String::new()));
-    // Eight are bad, and one has no motion to detect in.
+    // Eight files are invalid, and one has no motion.
     assert_eq!(stderr(&output).lines().count(), 9);
-    let made = || {
+    let modification_times = || {
         let files = fs::read_dir(out.path()).expect("a folder").filter_map(Result::ok);
         let tables = files.filter(|file| file.file_name().to_string_lossy().ends_with(".csv"));
         tables
             .map(|file| file.metadata().and_then(|data| data.modified()).expect("a time"))
             .collect::<Vec<_>>()
     };
-    let first = made();
+    let first = modification_times();
     assert_eq!(first.len(), 9);
     run(&[]);
-    assert_eq!(made(), first, "what is made is not made again");
+    assert_eq!(modification_times(), first, "results are reused");
     run(&["--r", "0.002"]);
-    assert_ne!(made(), first, "other parameters give other results");
-    let second = made();
+    assert_ne!(modification_times(), first, "other parameters change the results");
+    let second = modification_times();
     run(&["--r", "0.002", "--force"]);
-    assert_ne!(made(), second);
+    assert_ne!(modification_times(), second);
 }
 
 #[test]
-fn labels_are_scored_against_truth() {
+fn score_compares_plants_with_truth() {
     let output = plantigrade(&["score", "../../samples", "--part", "contact"]);
     assert_eq!((code(&output), stderr(&output)), (0, String::new()));
     let text = stdout(&output);
     let pooled = text.lines().find(|line| line.starts_with("all frames ")).expect(&text);
-    let shares: Vec<f64> = pooled.split_whitespace().filter_map(|word| word.parse().ok()).collect();
-    assert!(shares.len() == 5 && shares.is_sorted() && shares[3] > 98.0, "{pooled}");
+    let accuracies: Vec<f64> = pooled.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+    assert!(accuracies.len() == 5 && accuracies.is_sorted() && accuracies[3] > 98.0, "{pooled}");
     assert!(text.contains("frog-jumps") && text.contains("F1 0.9"), "{text}");
     assert_eq!(code(&plantigrade(&["score", "good"])), 2);
 }
 
 #[test]
-fn actions_come_in_every_format() {
+fn segment_writes_all_formats() {
     let segment = |format: &str, method: &str| {
         let args = ["segment", "../../samples/limp-to-run.bvh", "--format", format, "--method", method];
         let output = plantigrade(&args);
@@ -227,7 +230,7 @@ fn actions_come_in_every_format() {
             fields[1].parse().expect(line)
         });
         assert_eq!(end, frames, "{method}");
-        // What is written reads back alike from every format.
+        // Every format can be read back.
         let read = |text: &str| formats::read_segments(text, "limp-to-run", frames, rate.expect("a rate"));
         let segments = read(&table).expect(method);
         assert_eq!(read(&segment("json", method)).as_ref(), Ok(&segments));
@@ -237,7 +240,7 @@ fn actions_come_in_every_format() {
 }
 
 #[test]
-fn actions_of_several_skeletons_have_a_column() {
+fn segment_adds_a_root_column_for_several_skeletons() {
     let segment = |format| stdout(&plantigrade(&["segment", "good/two-skeletons.bvh", "--format", format]));
     let table = segment("csv");
     assert!(table.starts_with("root,start_frame,"), "{table}");
@@ -247,7 +250,7 @@ fn actions_of_several_skeletons_have_a_column() {
 }
 
 #[test]
-fn clips_without_actions_fail_alone() {
+fn segment_fails_only_for_clips_without_motion() {
     let out = tempfile::tempdir().expect("a folder");
     let folder = out.path().to_str().expect("a path");
     let files = ["good/no-motion.bvh", "good/plain.bvh"];
@@ -256,41 +259,41 @@ fn clips_without_actions_fail_alone() {
     assert_eq!((code(&output), stdout(&output)), (1, String::new()));
     assert!(stderr(&output).starts_with("good/no-motion.bvh: error: the clip has no motion"));
     assert_eq!(stderr(&output).lines().count(), 1);
-    // Labels of the same clip do not stand in the way.
+    // Labels of the same clip do not conflict with segments.
     plantigrade(&["detect", "good/plain.bvh", "--out", folder]);
-    let made = |name: &str| {
+    let modified = |name: &str| {
         let file = fs::metadata(out.path().join(name)).expect(name);
         file.modified().expect("a time")
     };
-    let first = (made("plain.json"), made("plain.segments.json"));
+    let first = (modified("plain.json"), modified("plain.segments.json"));
     run(&[]);
-    assert_eq!((made("plain.json"), made("plain.segments.json")), first, "it is not made again");
+    assert_eq!((modified("plain.json"), modified("plain.segments.json")), first, "results are reused");
     run(&["--published"]);
-    assert_ne!(made("plain.segments.json"), first.1, "other parameters give other results");
+    assert_ne!(modified("plain.segments.json"), first.1, "other parameters change the results");
 }
 
 #[test]
-fn cuts_are_scored_against_truth() {
+fn score_compares_cuts_with_truth() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().to_str().expect("a path");
     let copy = |sample: &str, name: &str| {
         fs::copy(project("samples").join(sample), folder.path().join(name)).expect(sample);
     };
-    // A document of its own, one beside the labels of the feet, a truth file, and none.
-    for name in ["own.bvh", "named.bvh", "shared.bvh", "untold.bvh"] {
+    // Truth in NAME.segments.json, in NAME.json, in segmentation.json next to labels, and none.
+    for name in ["own.bvh", "named.bvh", "shared.bvh", "no-truth.bvh"] {
         copy("limp-to-run.bvh", name);
     }
     copy("limp-to-run.json", "shared.json");
     let clips = ["own.bvh", "named.bvh"].map(|name| folder.path().join(name).display().to_string());
-    let made = plantigrade(&["segment", &clips[0], &clips[1], "--out", path]);
-    assert_eq!(code(&made), 0, "{}", stderr(&made));
+    let output = plantigrade(&["segment", &clips[0], &clips[1], "--out", path]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
     fs::rename(folder.path().join("named.segments.json"), folder.path().join("named.json")).expect("moved");
     let text = fs::read(folder.path().join("own.segments.json")).expect("a document");
     let document: Value = serde_json::from_slice(&text).expect("JSON");
     let (frames, segments) = (document["frames"].as_u64().expect("frames"), &document["segments"]);
     let cuts = segments.as_array().expect("a list").len() - 1;
-    assert!(cuts > 0, "the limp and the run are told apart");
-    // One cut at the first that is found, with a range about it; the rest are too many.
+    assert!(cuts > 0, "limp and run are separated");
+    // The truth has only the first cut, with a range; all other cuts are false positives.
     let cut = segments[0]["end"].as_u64().expect("a frame");
     let truth = serde_json::json!({"_meta": {}, "shared": [
         {"start": 1, "end": cut, "label": "limp", "cut_earliest": cut - 3, "cut_latest": cut + 3},
@@ -312,7 +315,7 @@ fn cuts_are_scored_against_truth() {
     }
     assert_eq!((row("shared ")[1], row("shared ")[3], row("shared ")[9]), ("1", "1.000", "1.000"), "{text}");
     assert_eq!(row("all cuts ")[1], (2 * cuts + 1).to_string());
-    assert!(!text.contains("untold"));
+    assert!(!text.contains("no-truth"));
     assert_eq!(code(&plantigrade(&["score", path, "--cuts", "--method", "pca-tail", "--dims", "3"])), 0);
 
     let other = serde_json::json!({"shared": [{"start": 1, "end": 9}]});
@@ -323,7 +326,7 @@ fn cuts_are_scored_against_truth() {
 }
 
 #[test]
-fn every_method_detects() {
+fn all_methods_detect() {
     for method in ["robust", "paper", "sigma", "njw", "gmm", "hmm", "dual", "min-speed"] {
         let output =
             plantigrade(&["detect", "../../samples/curved-walk.bvh", "--method", method, "--format", "csv"]);
@@ -341,7 +344,7 @@ fn every_method_detects() {
 }
 
 #[test]
-fn a_wrong_command_line_is_told_apart() {
+fn invalid_command_lines_exit_with_2_and_failed_inputs_with_1() {
     for args in [
         &["detect"][..],
         &["detect", "good/plain.bvh", "--method", "best"],

@@ -1,13 +1,40 @@
-//! Results as other programs meet them: NumPy, pandas and Blender, where Python is at hand.
+//! Tests of exports in other programs: NumPy, pandas and Blender scripts. Tests that need Python
+//! or its modules are ignored where these are missing.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
+use libtest_mimic::{Arguments, Trial};
 use plantigrade::foot::Part;
 use plantigrade::formats;
 use serde_json::Value;
+
+fn main() {
+    let arguments = Arguments::from_args();
+    let test = |name: &str, run: fn(), is_runnable: bool| {
+        let run = move || {
+            run();
+            Ok(())
+        };
+        Trial::test(name, run).with_ignored_flag(!is_runnable)
+    };
+    let (python, numpy) = (has_python("ast, json"), has_python("numpy, pandas"));
+    let tests = vec![
+        test("npz_archives_can_be_read_back", npz_archives_can_be_read_back, true),
+        test("numpy_and_pandas_read_exports", numpy_and_pandas_read_exports, numpy),
+        test("blender_script_adds_markers_and_keyframes", blender_script_adds_markers_and_keyframes, python),
+        test("blender_script_escapes_file_names", blender_script_escapes_file_names, python),
+        test("gait_writes_all_formats", gait_writes_all_formats, true),
+        test(
+            "gait_fails_only_for_clips_without_feet_or_motion",
+            gait_fails_only_for_clips_without_feet_or_motion,
+            true,
+        ),
+    ];
+    libtest_mimic::run(&arguments, tests).exit();
+}
 
 fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
@@ -15,7 +42,7 @@ fn project(path: &str) -> PathBuf {
 
 fn plantigrade(args: &[&str]) -> Output {
     let mut command = Command::cargo_bin("plantigrade").expect("the binary");
-    command.current_dir(project("samples")).args(args).output().expect("it runs")
+    command.current_dir(project("samples")).args(args).output().expect("the program runs")
 }
 
 fn stdout(output: &Output) -> String {
@@ -24,21 +51,24 @@ fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).expect("text")
 }
 
-/// Runs a script in `folder`, if there is a Python that has some modules: the one that
-/// `PLANTIGRADE_PYTHON` names, or else `python3`.
-fn python(modules: &str, script: &str, folder: &Path) {
+/// Runs a script in `folder`, with the interpreter of `PLANTIGRADE_PYTHON` or `python3`.
+fn run_python(script: &str, folder: &Path) -> std::io::Result<Output> {
     let program = std::env::var("PLANTIGRADE_PYTHON").unwrap_or_else(|_| "python3".into());
-    let run =
-        |script: &str| std::process::Command::new(&program).args(["-c", script]).current_dir(folder).output();
-    if !run(&format!("import {modules}")).is_ok_and(|output| output.status.success()) {
-        println!("skipped: there is no {program} that has {modules}");
-        return;
-    }
-    let output = run(script).expect("it runs");
+    std::process::Command::new(program).args(["-c", script]).current_dir(folder).output()
+}
+
+/// True if Python and the modules, separated by commas, are installed.
+fn has_python(modules: &str) -> bool {
+    run_python(&format!("import {modules}"), Path::new(".")).is_ok_and(|output| output.status.success())
+}
+
+/// Runs a script that must succeed.
+fn python(script: &str, folder: &Path) {
+    let output = run_python(script, folder).expect("Python runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// A folder with some formats of the curved walk's labels.
+/// Exports the labels of the curved walk to a temporary folder, in the given formats.
 fn exported(formats: &[&str]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     for format in formats {
@@ -48,22 +78,20 @@ fn exported(formats: &[&str]) -> tempfile::TempDir {
     folder
 }
 
-#[test]
-fn archives_are_written_and_read_back() {
+fn npz_archives_can_be_read_back() {
     let folder = exported(&["npz", "csv"]);
     let bytes = fs::read(folder.path().join("curved-walk.npz")).expect("an archive");
     let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
-    let labels = formats::read_bytes(&bytes, 245).expect("labels");
-    assert_eq!(labels, formats::read_bytes(&table, 245).expect("labels"));
+    let labels = formats::read_plants(&bytes, 245).expect("labels");
+    assert_eq!(labels, formats::read_plants(&table, 245).expect("labels"));
     let piped = plantigrade(&["detect", "curved-walk.bvh", "--format", "npz"]);
     assert_eq!(piped.stdout, bytes);
     let toes = plantigrade(&["detect", "curved-walk.bvh", "--format", "npz", "--method", "paper"]);
-    let toes = formats::read_bytes(&toes.stdout, 245).expect("labels");
+    let toes = formats::read_plants(&toes.stdout, 245).expect("labels");
     assert_eq!(toes.parts.iter().map(|(part, _)| *part).collect::<Vec<_>>(), [Part::Toe]);
 }
 
-#[test]
-fn numpy_and_pandas_open_what_is_written() {
+fn numpy_and_pandas_read_exports() {
     let folder = exported(&["npz", "csv"]);
     let path = folder.path().join("two.npz");
     let two = plantigrade(&["detect", "../tests/files/good/two-skeletons.bvh", "--format", "npz"]);
@@ -87,18 +115,17 @@ names = ["right_toe", "left_toe"]
 for save, name in [(numpy.savez, "stored.npz"), (numpy.savez_compressed, "packed.npz")]:
     save(name, contacts=frames[names].to_numpy(), columns=numpy.array(names))
 "#;
-    python("numpy, pandas", script, folder.path());
+    python(script, folder.path());
     let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
-    let table = formats::read_bytes(&table, 245).expect("labels");
+    let table = formats::read_plants(&table, 245).expect("labels");
     for name in ["stored.npz", "packed.npz"] {
-        // Without Python there are none.
-        let Ok(bytes) = fs::read(folder.path().join(name)) else { continue };
-        let labels = formats::read_bytes(&bytes, 245).expect(name);
+        let bytes = fs::read(folder.path().join(name)).expect(name);
+        let labels = formats::read_plants(&bytes, 245).expect(name);
         assert_eq!(labels.part(Part::Toe), table.part(Part::Toe), "{name}");
     }
 }
 
-/// As much of Blender as the script meets, and what it should have done there.
+/// Mock of the Blender API that runs the exported script and checks markers and keyframes.
 const BLENDER: &str = r#"
 import json, sys, types
 
@@ -147,19 +174,17 @@ for name, keys in curves.items():
         assert [key.co[1] for key in keys if key.co[0] <= frame][-1] == int(row[column]), (name, frame)
 "#;
 
-#[test]
-fn blender_gets_markers_and_keys() {
+fn blender_script_adds_markers_and_keyframes() {
     let folder = exported(&["blender", "csv", "events"]);
     let script = fs::read_to_string(folder.path().join("curved-walk.blender.py")).expect("a script");
     assert!(script.contains("FRAME_START = 1\n") && script.contains("SOURCE = \"curved-walk.bvh\"\n"));
-    python("json", BLENDER, folder.path());
+    python(BLENDER, folder.path());
 }
 
-#[test]
-fn no_name_gets_out_of_its_quotes() {
+fn blender_script_escapes_file_names() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = "\"] + [exit(3)] #\\' é.bvh";
-    // Not every file system takes such names.
+    // Some file systems reject such names.
     if fs::copy(project("samples/bowling.bvh"), folder.path().join(name)).is_err() {
         return;
     }
@@ -174,11 +199,10 @@ assert ast.literal_eval(named["SOURCE"]) == "\"] + [exit(3)] #\\' é.bvh"
 for name in ("RATE", "FRAMES", "FRAME_START", "EVENTS", "PLANTS"):
     ast.literal_eval(named[name])
 "#;
-    python("ast", check, folder.path());
+    python(check, folder.path());
 }
 
-#[test]
-fn gait_is_measured_in_every_format() {
+fn gait_writes_all_formats() {
     let json: Value =
         serde_json::from_str(&stdout(&plantigrade(&["gait", "curved-walk.bvh", "--format", "json"])))
             .expect("JSON");
@@ -192,28 +216,27 @@ fn gait_is_measured_in_every_format() {
     assert_eq!(rows.len(), 3);
     assert!(rows.iter().all(|row| row.len() == rows[0].len()));
     let column = |name: &str| rows[0].iter().position(|other| *other == name).expect(name);
-    assert_eq!((rows[1][0], rows[2][0]), ("curved-walk.bvh", "bowling.bvh"), "in the order asked for");
-    let found: f64 = rows[1][column("cadence_steps_per_min")].parse().expect("a number");
-    assert!((found - cadence).abs() < 1e-6);
+    assert_eq!((rows[1][0], rows[2][0]), ("curved-walk.bvh", "bowling.bvh"), "in input order");
+    let value: f64 = rows[1][column("cadence_steps_per_min")].parse().expect("a number");
+    assert!((value - cadence).abs() < 1e-6);
     for name in ["left_stance_s", "right_step_width_m", "double_support_share", "flight_share_count"] {
         rows[1][column(name)].parse::<f64>().expect(name);
     }
 
     let text = stdout(&plantigrade(&["gait", "curved-walk.bvh", "frog-jumps.bvh"]));
     assert!(text.contains("cadence") && text.contains("double support"), "{text}");
-    assert!(text.contains("frog-jumps.bvh\n  no whole strides"), "{text}");
+    assert!(text.contains("frog-jumps.bvh\n  no complete strides"), "{text}");
     let still = stdout(&plantigrade(&["gait", "frog-jumps.bvh", "--format", "json"]));
     let still: Value = serde_json::from_str(&still).expect("JSON");
     assert!(still["gait"]["cadence_steps_per_min"].is_null());
 }
 
-#[test]
-fn gait_fails_for_what_has_none_alone() {
+fn gait_fails_only_for_clips_without_feet_or_motion() {
     let files = ["../tests/files/good/no-motion.bvh", "../tests/files/good/two-skeletons.bvh"];
     let output = plantigrade(&[&["gait", "--format", "json"], &files[..]].concat());
     assert_eq!(output.status.code(), Some(1));
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(said.starts_with(files[0]) && said.lines().count() == 1, "{said}");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(stderr.starts_with(files[0]) && stderr.lines().count() == 1, "{stderr}");
     let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(json[1]["root"], "B:Hips");
     for args in

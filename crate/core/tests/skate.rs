@@ -8,10 +8,10 @@ use plantigrade::foot::Side;
 use plantigrade::kinematics::{self, Track};
 use plantigrade::notice::Code;
 use plantigrade::plants::{self, Feet, ValidParams};
-use plantigrade::skate::{self, Cleaned, CleanedPlant, Contacts, Options, WhyNot};
+use plantigrade::skate::{self, Cleaned, CleanedPlant, Contacts, Options, SkipReason};
 use plantigrade::skeleton::{LegRoles, Overrides, Skeleton};
 use plantigrade_synth::noise::Noise;
-use plantigrade_synth::{Generated, Recipe, full_set, generate, hard_cases};
+use plantigrade_synth::{ClipSpec, Generated, full_set, generate, hard_cases};
 
 /// Seconds around a moment in which the original may be as rough.
 const AROUND: f64 = 0.1;
@@ -61,10 +61,10 @@ fn roughness(before: &Clip, after: &Clip, skeleton: &Skeleton) -> (f64, f64, Str
 }
 
 /// Generated motion with that noise, and the same motion without.
-fn pair(recipe: &Recipe, noise: Noise) -> [Generated; 2] {
-    let mut recipe = Recipe { noise_level: 1.0, ..recipe.clone() };
+fn pair(recipe: &ClipSpec, noise: Noise) -> [Generated; 2] {
+    let mut recipe = ClipSpec { noise_level: 1.0, ..recipe.clone() };
     recipe.character.noise = noise;
-    let clean = Recipe { noise_level: 0.0, ..recipe.clone() };
+    let clean = ClipSpec { noise_level: 0.0, ..recipe.clone() };
     let pair = [generate(&recipe, 0), generate(&clean, 0)];
     assert_eq!(pair[0].truth, pair[1].truth, "noise changes no step");
     pair
@@ -108,7 +108,7 @@ fn most(values: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// Cleans the full set up, with noise as given for each of its recipes.
-fn clean_generated(noise: impl Fn(usize, &Recipe) -> Noise) -> Figures {
+fn clean_generated(noise: impl Fn(usize, &ClipSpec) -> Noise) -> Figures {
     let mut figures = Figures::default();
     for (n, recipe) in full_set(1.0).iter().enumerate() {
         let [noisy, truth] = pair(recipe, noise(n, recipe));
@@ -164,7 +164,7 @@ struct Figures {
 #[test]
 fn generated_feet_stand_where_they_truly_stand() {
     // Standard deviations; plants slide and float up to about twice as far.
-    let level = |n: usize, _: &Recipe| {
+    let level = |n: usize, _: &ClipSpec| {
         let metres = 0.001 * (1 + n % 6) as f64;
         Noise { jitter: 0.0, slide: metres, float: metres }
     };
@@ -204,7 +204,8 @@ fn stairs_stay_stairs_and_belts_run_on() {
         let skeleton = Skeleton::main(&still.clip, &Overrides::default());
         let cleaned = skate::clean(&still.clip, &skeleton, &contacts, &Options::default()).expect("feet");
         let (_, errors) = stands(&cleaned, &still.clip, &skeleton, &contacts);
-        let moves = cleaned.plants.iter().filter(|plant| plant.why_not == Some(WhyNot::Moves)).count();
+        let moves =
+            cleaned.plants.iter().filter(|plant| plant.skip_reason == Some(SkipReason::MovesTooFar)).count();
         println!(
             "{}: {} of {} held, {moves} move, off by {:.2} mm, worst {:.2}",
             recipe.name,
@@ -248,7 +249,7 @@ fn recorded_feet_stand() {
         );
         all.extend(cleaned.plants);
     }
-    let held: Vec<&CleanedPlant> = all.iter().filter(|plant| plant.why_not.is_none()).collect();
+    let held: Vec<&CleanedPlant> = all.iter().filter(|plant| plant.skip_reason.is_none()).collect();
     let before = mean(&held.iter().map(|plant| plant.before).collect::<Vec<f64>>());
     let after = mean(&held.iter().map(|plant| plant.after).collect::<Vec<f64>>());
     println!("{} of {} held, mean slide {:.1} -> {:.4} mm", held.len(), all.len(), 1e3 * before, 1e3 * after);

@@ -5,10 +5,10 @@ use plantigrade::bvh::{self, Clip};
 use plantigrade::plants::{self, Feet, Params};
 use plantigrade::segments;
 use plantigrade::skeleton::{Overrides, Skeleton};
-use plantigrade_synth::{generate, long};
+use plantigrade_synth::{generate, long_mix};
 
 fn clip(frames: usize) -> Clip {
-    generate(&long(frames, 1.0), 0).clip
+    generate(&long_mix(frames, 1.0), 0).clip
 }
 
 /// About ten megabytes of text.
@@ -34,7 +34,7 @@ fn detect(criterion: &mut Criterion) {
         let skeleton = Skeleton::main(&clip, &Overrides::default());
         let params = Params::default().check().expect("the defaults");
         group.bench_function(frames.to_string(), |bencher| {
-            bencher.iter(|| plants::detect(&Feet::new(&clip, &skeleton).expect("feet"), params));
+            bencher.iter(|| plants::detect(&Feet::of(&clip, &skeleton).expect("feet"), params));
         });
     }
 }

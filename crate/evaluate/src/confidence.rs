@@ -1,6 +1,6 @@
 //! Whether labels are as sure as they say.
 
-use plantigrade::foot::{Part, Side};
+use plantigrade::labels::{Part, Side};
 use plantigrade::plants::Method;
 use plantigrade_synth::full_set;
 

@@ -1,6 +1,6 @@
 //! Every method on the generated set, and what the noise does.
 
-use plantigrade::foot::Part;
+use plantigrade::labels::Part;
 use plantigrade::plants::{Family, Method, detect_along};
 use plantigrade::score::Events;
 use plantigrade_synth::{full_set, generate, hard_cases};

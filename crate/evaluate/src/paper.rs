@@ -1,6 +1,6 @@
 //! The paper's tables and figures (its section 3) with its numbers beside ours.
 
-use plantigrade::foot::Part;
+use plantigrade::labels::Part;
 use plantigrade::plants::{Method, Params};
 use plantigrade_synth::full_set;
 

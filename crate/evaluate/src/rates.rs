@@ -1,6 +1,6 @@
 //! Independence of the frame rate.
 
-use plantigrade::foot::Part;
+use plantigrade::labels::Part;
 use plantigrade::plants::Method;
 use plantigrade_synth::{decimated, full_set, generate};
 

@@ -25,7 +25,7 @@ fn jitter(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
         let detection = trial.detect(Params { window, ..of(Method::Paper) });
         let toe = &detection.principal().feet[0];
         let count =
-            |foot: usize| plantigrade::intervals::intervals(&detection.principal().feet[foot].planted).len();
+            |foot: usize| plantigrade::labels::intervals(&detection.principal().feet[foot].planted).len();
         runs.push(count(0) + count(1));
         let points = |planted: bool| {
             (0..frames)

@@ -1,6 +1,6 @@
 //! The paper's table 3: thresholds, tuned on the truth they are scored on.
 
-use plantigrade::foot::Part;
+use plantigrade::labels::Part;
 use plantigrade::plants::Method;
 
 use crate::report::{Report, percent};

@@ -1,6 +1,6 @@
 //! Thresholds tuned on truth, which is what the detector does without.
 
-use plantigrade::foot::Part;
+use plantigrade::labels::Part;
 use plantigrade::plants::Method;
 use plantigrade::score::Tally;
 

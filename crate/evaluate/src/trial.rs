@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use plantigrade::bvh::{self, Clip};
-use plantigrade::foot::{Part, Side};
-use plantigrade::formats;
+use plantigrade::labels::{self, Part, Side};
 use plantigrade::plants::{self, Detection, Feet, Method, Params};
 use plantigrade::score::{self, Events, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -26,7 +25,7 @@ pub struct Trial {
 impl Trial {
     fn new(name: String, clip: &Clip, truth: Vec<(Part, [Truth; 2])>) -> Trial {
         let skeleton = Skeleton::main(clip, &Overrides::default());
-        let feet = Feet::new(clip, &skeleton).expect("a clip with feet in motion");
+        let feet = Feet::of(clip, &skeleton).expect("a clip with feet in motion");
         Trial { name, feet, truth }
     }
 
@@ -44,7 +43,7 @@ impl Trial {
     pub fn recorded(path: &Path) -> anyhow::Result<Trial> {
         let clip = bvh::parse(&std::fs::read(path)?, bvh::Options::default())?.clip;
         let text = std::fs::read_to_string(path.with_extension("json"))?;
-        let truth = formats::read(&text, clip.frame_count())?;
+        let truth = labels::read(&text, clip.frame_count())?;
         let masked = truth.parts.into_iter().map(|(part, feet)| {
             (part, feet.map(|labels| score::mask_near_unknown(&labels, clip.frame_time())))
         });

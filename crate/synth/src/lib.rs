@@ -1,65 +1,64 @@
-//! Generated motion with exact foot-plant truth.
+//! Generated motion with exact ground truth of foot plants.
 //!
-//! The way of the data goes one direction: a [`Recipe`] names a character and a motion;
-//! the motion writes a [`plan`] of steps; [`feet`] turns it into foot paths, [`pelvis`]
-//! balances the body over them, [`noise`] adds what recording does, [`pose`] solves the
-//! joints, [`setting`] puts the whole in its place and [`bake`] writes it in the
-//! character's conventions. The [`truth`] is read off the plan, before the noise.
+//! Data flows in one direction. A [`ClipSpec`] names a character and a motion. The motion
+//! writes a [`plan`] of steps; [`foot_path`] computes the paths of the feet, [`pelvis`]
+//! balances the body over them, [`noise`] adds capture noise and [`pose`] solves the joints.
+//! The [`environment`] transforms whole poses, and [`export`] writes them in the file
+//! conventions of the character. The [`truth`] is derived from the plan, before the noise.
 //!
 //! ```
-//! use plantigrade_synth::{catalogue, generate};
+//! use plantigrade_synth::{generate, samples};
 //!
-//! let recipe = &catalogue(1.0)[0];
-//! let generated = generate(recipe, 0);
-//! assert_eq!(generated.clip.frame_count(), generated.truth.frames);
+//! let spec = &samples(1.0)[0];
+//! let generated = generate(spec, 0);
+//! assert_eq!(generated.clip.frame_count(), generated.truth.header.frames);
 //! ```
 #![forbid(unsafe_code)]
 
-pub mod act;
-pub mod bake;
+mod action_clip;
+pub mod actions;
 mod catalogue;
-mod chain;
 pub mod character;
-pub mod curve;
 mod decimate;
-pub mod feet;
-pub mod grid;
-pub mod maths;
+pub mod environment;
+pub mod export;
+pub mod foot_path;
+mod generate;
+pub mod math;
 pub mod motion;
 pub mod noise;
 pub mod pelvis;
-pub mod picture;
 pub mod plan;
 pub mod pose;
-pub mod random;
-mod recipe;
-pub mod setting;
+pub mod sample_motions;
+pub mod thumbnail;
 pub mod truth;
 
-pub use catalogue::{catalogue, full_set, hard_cases, long};
-pub use chain::{Chain, Cut, Sequence, chained, sequences};
-pub use decimate::decimated;
-pub use recipe::{Generated, Recipe, generate};
+pub use action_clip::{ActionClip, ActionSequence, Cut, action_sequences, generate_sequence};
+pub use catalogue::{full_set, hard_cases, long_mix, samples};
+pub use decimate::decimate;
+pub use generate::{ClipSpec, Generated, generate};
+use plantigrade::formats::to_json;
 
-/// The files of one clip: name and text of BVH, truth and picture.
-pub fn files(recipe: &Recipe, seed: u64) -> [(String, String); 3] {
-    let Generated { clip, truth } = generate(recipe, seed);
-    let name = |ending| format!("{}.{ending}", recipe.name);
+/// Returns the files of one clip as pairs of name and text: BVH, truth and thumbnail.
+pub fn clip_files(spec: &ClipSpec, seed: u64) -> [(String, String); 3] {
+    let Generated { clip, truth } = generate(spec, seed);
+    let name = |extension| format!("{}.{extension}", spec.name);
     [
         (name("bvh"), plantigrade::bvh::write(&clip)),
-        (name("json"), truth.to_json()),
-        (name("svg"), picture::picture(&clip)),
+        (name("json"), to_json(&truth)),
+        (name("svg"), thumbnail::svg(&clip)),
     ]
 }
 
-/// The list of the clips for the app's gallery, as JSON: name, title and a note.
-pub fn index(recipes: &[Recipe]) -> String {
-    let entry = |recipe: &Recipe| {
-        let words = recipe.name.replace('-', " ");
+/// Returns the list of clips for the gallery of the app, as JSON: name, title and a note.
+pub fn gallery_index(specs: &[ClipSpec]) -> String {
+    let entry = |spec: &ClipSpec| {
+        let words = spec.name.replace('-', " ");
         let title = words[..1].to_uppercase() + &words[1..];
-        let note = format!("{} frames, {} Hz", recipe.frames, recipe.rate);
-        serde_json::json!({ "name": recipe.name, "title": title, "note": note })
+        let note = format!("{} frames, {} Hz", spec.frames, spec.rate);
+        serde_json::json!({ "name": spec.name, "title": title, "note": note })
     };
-    let entries: Vec<_> = recipes.iter().map(entry).collect();
+    let entries: Vec<_> = specs.iter().map(entry).collect();
     format!("{:#}\n", serde_json::Value::from(entries))
 }

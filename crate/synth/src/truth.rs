@@ -1,55 +1,58 @@
-//! The truth about each frame, read off the plan.
+//! Ground truth of each frame, derived from the plan.
 
 use plantigrade::foot::{Part, Side};
-use plantigrade::formats::{Document, FORMAT, Foot, FootJoints, Joints, MethodUsed};
-use plantigrade::formats::{Source, SpanSource, VERSION};
+use plantigrade::formats::{
+    FootJoints, FootPlants, Header, Joints, MethodUsed, Origin, PlantsDocument, Source, VERSION,
+};
 
 use crate::character::{Bone, Character};
-use crate::feet::FootPath;
+use crate::foot_path::FootPath;
 
-/// Pitch below which a foot counts as flat, in degrees.
-const FLAT: f64 = 0.5;
+/// Maximum pitch of a flat foot, in degrees.
+const MAX_FLAT_PITCH: f64 = 0.5;
 
-/// What stands at `time`: contact, toe, heel.
+/// Returns whether contact, toe contact and heel contact hold at `time`.
 ///
-/// *Contact* runs from foot strike to toe-off. The *toe* is down and still once the
-/// foot has rolled off its heel, the *heel* until it rises. A foot that is dragged or
-/// slides touches the ground but is none of the three: it neither stands nor is still.
-pub fn parts(path: &FootPath, time: f64) -> [bool; 3] {
-    let Some(stance) = path.standing(time) else { return [false; 3] };
-    let pitch = path.standing_pitch(stance, time);
-    [true, pitch > -FLAT, pitch < FLAT]
+/// *Contact* lasts from foot strike to toe-off. *Toe contact* begins when the foot has rolled off
+/// the heel; *heel contact* ends when the heel rises. A foot that is dragged or slides touches the
+/// ground but is not planted: all three are false.
+pub fn contact_at(path: &FootPath, time: f64) -> [bool; 3] {
+    let Some(stance) = path.stance_at(time) else { return [false; 3] };
+    let pitch = path.stance_pitch(stance, time);
+    [true, pitch > -MAX_FLAT_PITCH, pitch < MAX_FLAT_PITCH]
 }
 
-/// The document of a clip called `name`, from the parts of each foot in each frame;
-/// `floor` is the height of its ground, where it has one.
+/// Returns the plants document of the clip `name`. `labels` holds contact, toe and heel contact per
+/// foot and frame; `floor` is the height of the ground in metres, if it is constant.
 pub fn document(
     name: &str,
     character: &Character,
     rate: f64,
     floor: Option<f64>,
     labels: &[Vec<[bool; 3]>; 2],
-) -> Document {
+) -> PlantsDocument {
     let joints = |side| FootJoints {
         heel: character.naming.name(Bone::Foot(side)),
         toe: character.naming.name(Bone::Toe(side)),
     };
     let foot = |side: Side| {
-        let mut foot = Foot::default();
+        let mut foot = FootPlants::default();
         for (n, part) in [Part::Contact, Part::Toe, Part::Heel].into_iter().enumerate() {
             let labels: Vec<bool> = labels[side as usize].iter().map(|parts| parts[n]).collect();
-            foot.set(part, &labels, rate, |_| SpanSource::Truth);
+            foot.set(part, &labels, rate, |_| Origin::Truth);
         }
         foot
     };
-    Document {
-        format: FORMAT.into(),
-        version: VERSION,
-        source: Source { name: format!("{name}.bvh"), sha256: None },
-        root: None,
+    PlantsDocument {
+        header: Header {
+            format: PlantsDocument::FORMAT.into(),
+            version: VERSION,
+            source: Source { name: format!("{name}.bvh"), sha256: None },
+            root: None,
+            frames: labels[0].len(),
+            rate,
+        },
         notices: Vec::new(),
-        frames: labels[0].len(),
-        rate,
         joints: Some(Joints { left: joints(Side::Left), right: joints(Side::Right) }),
         floor,
         method: MethodUsed { name: "truth".into(), ..MethodUsed::default() },

@@ -1,14 +1,14 @@
-//! The clips: what they promise, and what lies in `samples/`.
+//! The catalogue: frames, rates, names, labels, and the files in `samples/`.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use plantigrade::foot::{Part, Side};
 use plantigrade::intervals::intervals;
-use plantigrade_synth::{Recipe, catalogue, files, full_set, generate, hard_cases, index};
+use plantigrade_synth::{ClipSpec, clip_files, full_set, gallery_index, generate, hard_cases, samples};
 
-/// Frames and rates of the thirteen files, in the catalogue's order.
-const TABLE: [(usize, usize); 13] = [
+/// Frames and frame rates of the thirteen samples, in catalogue order.
+const FRAMES_AND_RATES: [(usize, usize); 13] = [
     (500, 30),
     (245, 120),
     (370, 120),
@@ -24,65 +24,65 @@ const TABLE: [(usize, usize); 13] = [
     (171, 30),
 ];
 
-/// The feet that never stand.
+/// Feet that are never planted.
 const NEVER_PLANTED: [&str; 4] =
     ["one-foot-in-air right", "one-foot-dragged right", "afloat left", "afloat right"];
 
-/// Every clip there is a recipe for.
-fn all(noise_level: f64) -> Vec<Recipe> {
+/// Returns the full set and the hard cases.
+fn all(noise_level: f64) -> Vec<ClipSpec> {
     [full_set(noise_level), hard_cases(noise_level)].concat()
 }
 
 #[test]
-fn frames_and_rates_of_the_samples_are_those_of_the_table() {
-    let recipes = catalogue(1.0);
-    assert_eq!(recipes.len(), TABLE.len());
-    for (recipe, (frames, rate)) in recipes.iter().zip(TABLE) {
-        assert_eq!((recipe.frames, recipe.rate), (frames, rate), "{}", recipe.name);
+fn samples_have_the_frames_and_rates_of_the_paper() {
+    let specs = samples(1.0);
+    assert_eq!(specs.len(), FRAMES_AND_RATES.len());
+    for (spec, (frames, rate)) in specs.iter().zip(FRAMES_AND_RATES) {
+        assert_eq!((spec.frames, spec.rate), (frames, rate), "{}", spec.name);
     }
 }
 
 #[test]
-fn clips_have_the_frames_of_their_recipes() {
-    for recipe in all(1.0) {
-        let generated = generate(&recipe, 0);
-        assert_eq!(generated.clip.frame_count(), recipe.frames, "{}", recipe.name);
-        assert!((generated.clip.rate() - recipe.rate as f64).abs() < 1e-3, "{}", recipe.name);
-        assert_eq!(generated.truth.frames, recipe.frames, "{}", recipe.name);
-        assert_eq!(generated.truth.rate, generated.clip.rate(), "{}", recipe.name);
+fn clips_have_the_frames_and_rate_of_their_specification() {
+    for spec in all(1.0) {
+        let generated = generate(&spec, 0);
+        assert_eq!(generated.clip.frame_count(), spec.frames, "{}", spec.name);
+        assert!((generated.clip.rate() - spec.rate as f64).abs() < 1e-3, "{}", spec.name);
+        assert_eq!(generated.truth.frames, spec.frames, "{}", spec.name);
+        assert_eq!(generated.truth.rate, generated.clip.rate(), "{}", spec.name);
     }
 }
 
 #[test]
-fn the_full_set_is_of_the_papers_size() {
-    let recipes = full_set(1.0);
-    assert_eq!(recipes.len(), 35);
-    assert_eq!(recipes.iter().map(|recipe| recipe.frames).sum::<usize>(), 16_613);
-    let performers: BTreeSet<_> = recipes.iter().map(|recipe| recipe.character.name).collect();
+fn full_set_has_the_size_of_the_papers_set() {
+    let specs = full_set(1.0);
+    assert_eq!(specs.len(), 35);
+    assert_eq!(specs.iter().map(|spec| spec.frames).sum::<usize>(), 16_613);
+    let performers: BTreeSet<_> = specs.iter().map(|spec| spec.character.name).collect();
     assert_eq!(performers.len(), 8);
-    let rates: BTreeSet<_> = recipes.iter().map(|recipe| recipe.rate).collect();
+    let rates: BTreeSet<_> = specs.iter().map(|spec| spec.rate).collect();
     assert_eq!(rates, BTreeSet::from([24, 30, 60, 120]));
-    let samples = catalogue(1.0).into_iter().map(|recipe| recipe.name);
-    assert!(samples.eq(recipes[..13].iter().map(|recipe| recipe.name.clone())));
+    let samples = samples(1.0).into_iter().map(|spec| spec.name);
+    assert!(samples.eq(specs[..13].iter().map(|spec| spec.name.clone())));
 }
 
 #[test]
-fn names_are_different() {
-    let names: BTreeSet<_> = all(1.0).into_iter().map(|recipe| recipe.name).collect();
+fn clip_names_are_unique() {
+    let names: BTreeSet<_> = all(1.0).into_iter().map(|spec| spec.name).collect();
     assert_eq!(names.len(), all(1.0).len());
 }
 
 #[test]
-fn the_seed_decides_every_byte() {
-    for recipe in all(1.0) {
-        let [first, again, other] = [0, 0, 1].map(|seed| files(&recipe, seed));
-        assert_eq!(first, again, "{}", recipe.name);
-        assert_ne!(first[0], other[0], "{}", recipe.name);
+fn files_are_reproducible_and_depend_on_the_seed() {
+    for spec in all(1.0) {
+        let [first, again, other] = [0, 0, 1].map(|seed| clip_files(&spec, seed));
+        assert_eq!(first, again, "{}", spec.name);
+        assert_ne!(first[0], other[0], "{}", spec.name);
     }
 }
 
 #[test]
-fn the_noise_leaves_the_truth_alone() {
+fn noise_does_not_change_the_truth() {
     for (quiet, loud) in all(0.0).iter().zip(&all(2.0)) {
         let (quiet, loud) = (generate(quiet, 0), generate(loud, 0));
         assert_eq!(quiet.truth, loud.truth);
@@ -91,18 +91,18 @@ fn the_noise_leaves_the_truth_alone() {
 }
 
 #[test]
-fn labels_lie_within_the_clip_and_within_contact() {
-    for recipe in all(1.0) {
+fn labels_are_within_the_clip_and_contact_covers_heel_and_toe() {
+    for spec in all(1.0) {
         for seed in 0..3 {
-            let truth = generate(&recipe, seed).truth;
+            let truth = generate(&spec, seed).truth;
             for side in Side::BOTH {
                 let [contact, toe, heel] = Part::ALL.map(|part| truth.labels(side, part).unwrap());
                 let spans = truth.foot(side).contact.as_deref().unwrap();
                 assert!(spans.iter().all(|span| span.start < span.end && span.end <= truth.frames));
-                let foot = format!("{} {}", recipe.name, side.name());
+                let foot = format!("{} {}", spec.name, side.name());
                 assert_eq!(intervals(&toe).is_empty(), NEVER_PLANTED.contains(&foot.as_str()), "{foot}");
                 for frame in 0..truth.frames {
-                    assert_eq!(contact[frame], toe[frame] || heel[frame], "{} {frame}", recipe.name);
+                    assert_eq!(contact[frame], toe[frame] || heel[frame], "{} {frame}", spec.name);
                 }
             }
         }
@@ -110,9 +110,9 @@ fn labels_lie_within_the_clip_and_within_contact() {
 }
 
 #[test]
-fn joints_of_the_truth_are_in_the_clip() {
-    for recipe in all(1.0) {
-        let generated = generate(&recipe, 0);
+fn joints_named_in_the_truth_exist_in_the_clip() {
+    for spec in all(1.0) {
+        let generated = generate(&spec, 0);
         let joints = generated.truth.joints.unwrap();
         for name in [joints.left.heel, joints.left.toe, joints.right.heel, joints.right.toe] {
             assert!(generated.clip.joints().iter().any(|joint| joint.name == name), "{name}");
@@ -121,12 +121,12 @@ fn joints_of_the_truth_are_in_the_clip() {
 }
 
 #[test]
-fn samples_are_what_the_generator_writes() {
-    let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples");
-    let recipes = catalogue(1.0);
-    let list = ("index.json".to_owned(), index(&recipes));
-    for (name, text) in recipes.iter().flat_map(|recipe| files(recipe, 0)).chain([list]) {
-        let found = std::fs::read_to_string(samples.join(&name)).unwrap_or_default();
-        assert!(found == text, "samples/{name} is stale: run `cargo run -p plantigrade-synth`");
+fn samples_folder_is_up_to_date() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples");
+    let specs = samples(1.0);
+    let list = ("index.json".to_owned(), gallery_index(&specs));
+    for (name, text) in specs.iter().flat_map(|spec| clip_files(spec, 0)).chain([list]) {
+        let written = std::fs::read_to_string(folder.join(&name)).unwrap_or_default();
+        assert!(written == text, "samples/{name} is out of date: run `cargo run -p plantigrade-synth`");
     }
 }

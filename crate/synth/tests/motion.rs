@@ -1,44 +1,45 @@
-//! The motions as motions: planted feet stand, legs are not stretched, nothing jumps.
+//! Plausibility of motions: planted feet are still, legs are not overextended, motion is
+//! continuous.
 
 mod kinematics;
 
 use kinematics::{Positions, positions};
 use plantigrade::foot::{Part, Side};
 use plantigrade_synth::character::Bone;
-use plantigrade_synth::pose::STRETCH_LIMIT;
-use plantigrade_synth::setting::Setting;
-use plantigrade_synth::{Recipe, catalogue, full_set, generate, hard_cases};
+use plantigrade_synth::environment::Environment;
+use plantigrade_synth::pose::MAX_LEG_EXTENSION;
+use plantigrade_synth::{ClipSpec, full_set, generate, hard_cases, samples};
 
-/// The full set and the hard cases on level ground.
-fn on_level_ground(noise_level: f64) -> Vec<Recipe> {
-    let mut recipes = [full_set(noise_level), hard_cases(noise_level)].concat();
-    recipes.retain(|recipe| recipe.setting == Setting::Level && recipe.name != "stairs");
-    recipes
+/// Returns the full set and the hard cases on level ground.
+fn level_ground_specs(noise_level: f64) -> Vec<ClipSpec> {
+    let mut specs = [full_set(noise_level), hard_cases(noise_level)].concat();
+    specs.retain(|spec| spec.environment == Environment::Level && spec.name != "stairs");
+    specs
 }
 
-/// Frames at the start that are not motion.
-fn skipped(recipe: &Recipe) -> usize {
-    usize::from(recipe.leading_t_pose)
+/// Number of frames before the motion.
+fn lead_in_frames(spec: &ClipSpec) -> usize {
+    usize::from(spec.leading_t_pose)
 }
 
-fn walked(recipe: &Recipe, seed: u64) -> (Positions, plantigrade_synth::Generated) {
-    let generated = generate(recipe, seed);
-    (positions(&generated.clip, &recipe.character), generated)
+fn generated_with_positions(spec: &ClipSpec, seed: u64) -> (Positions, plantigrade_synth::Generated) {
+    let generated = generate(spec, seed);
+    (positions(&generated.clip, &spec.character), generated)
 }
 
 #[test]
-fn without_noise_planted_toes_are_still_and_on_the_ground() {
-    for recipe in on_level_ground(0.0) {
-        let (positions, generated) = walked(&recipe, 0);
+fn planted_toes_are_still_and_on_the_ground_without_noise() {
+    for spec in level_ground_specs(0.0) {
+        let (positions, generated) = generated_with_positions(&spec, 0);
         for side in Side::BOTH {
-            let toe = positions.of(Bone::Toe(side));
+            let toe = positions.track(Bone::Toe(side));
             let planted = generated.truth.labels(side, Part::Toe).unwrap();
-            for frame in skipped(&recipe) + 1..planted.len() {
+            for frame in lead_in_frames(&spec) + 1..planted.len() {
                 if planted[frame - 1] && planted[frame] {
                     let speed = (toe[frame] - toe[frame - 1]).norm() / generated.clip.frame_time();
-                    assert!(speed < 0.18, "{} {} {frame}: {speed:.3} m/s", recipe.name, side.name());
-                    let above = toe[frame].y - recipe.character.build.ball;
-                    assert!(above.abs() < 0.006, "{} {} {frame}: {above:.4} m", recipe.name, side.name());
+                    assert!(speed < 0.18, "{} {} {frame}: {speed:.3} m/s", spec.name, side.name());
+                    let above = toe[frame].y - spec.character.proportions.ball;
+                    assert!(above.abs() < 0.006, "{} {} {frame}: {above:.4} m", spec.name, side.name());
                 }
             }
         }
@@ -46,16 +47,16 @@ fn without_noise_planted_toes_are_still_and_on_the_ground() {
 }
 
 #[test]
-fn legs_are_never_stretched() {
-    for recipe in on_level_ground(2.0) {
+fn legs_are_never_overextended() {
+    for spec in level_ground_specs(2.0) {
         for seed in 0..3 {
-            let (positions, generated) = walked(&recipe, seed);
-            let leg = recipe.character.build.leg();
+            let (positions, generated) = generated_with_positions(&spec, seed);
+            let leg = spec.character.proportions.leg_length();
             for side in Side::BOTH {
-                let (hip, ankle) = (positions.of(Bone::Thigh(side)), positions.of(Bone::Foot(side)));
-                for frame in skipped(&recipe)..generated.clip.frame_count() {
-                    let stretch = (hip[frame] - ankle[frame]).norm() / leg;
-                    assert!(stretch < STRETCH_LIMIT + 1e-3, "{} {frame}: {stretch:.4}", recipe.name);
+                let (hip, ankle) = (positions.track(Bone::Thigh(side)), positions.track(Bone::Foot(side)));
+                for frame in lead_in_frames(&spec)..generated.clip.frame_count() {
+                    let extension = (hip[frame] - ankle[frame]).norm() / leg;
+                    assert!(extension < MAX_LEG_EXTENSION + 1e-3, "{} {frame}: {extension:.4}", spec.name);
                 }
             }
         }
@@ -63,75 +64,79 @@ fn legs_are_never_stretched() {
 }
 
 #[test]
-fn feet_stay_out_of_the_floor() {
-    for recipe in on_level_ground(1.0) {
-        let (positions, _) = walked(&recipe, 0);
+fn feet_do_not_penetrate_the_floor() {
+    for spec in level_ground_specs(1.0) {
+        let (positions, _) = generated_with_positions(&spec, 0);
         for side in Side::BOTH {
             for bone in [Bone::Foot(side), Bone::Toe(side)] {
-                let lowest = positions.of(bone).iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-                assert!(lowest > -0.03, "{} {bone:?}: {lowest:.3} m", recipe.name);
+                let lowest = positions.track(bone).iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+                assert!(lowest > -0.03, "{} {bone:?}: {lowest:.3} m", spec.name);
             }
         }
     }
 }
 
 #[test]
-fn noisy_plants_move_as_recorded_ones_do() {
-    for recipe in on_level_ground(1.0) {
-        let (positions, generated) = walked(&recipe, 0);
+fn noisy_plants_move_at_recorded_speeds() {
+    for spec in level_ground_specs(1.0) {
+        let (positions, generated) = generated_with_positions(&spec, 0);
         for side in Side::BOTH {
-            let toe = positions.of(Bone::Toe(side));
+            let toe = positions.track(Bone::Toe(side));
             let planted = generated.truth.labels(side, Part::Toe).unwrap();
-            let mut speeds: Vec<f64> = (skipped(&recipe) + 1..planted.len())
+            let mut speeds: Vec<f64> = (lead_in_frames(&spec) + 1..planted.len())
                 .filter(|&frame| planted[frame] && planted[frame - 1])
                 .map(|frame| (toe[frame] - toe[frame - 1]).norm() / generated.clip.frame_time())
                 .collect();
             speeds.sort_by(f64::total_cmp);
             if speeds.is_empty() {
-                continue; // A foot that never stands.
+                continue; // A foot that is never planted.
             }
             let median = speeds[speeds.len() / 2];
-            assert!((0.03..0.5).contains(&median), "{}: {median:.3} m/s", recipe.name);
+            assert!((0.03..0.5).contains(&median), "{}: {median:.3} m/s", spec.name);
         }
     }
 }
 
 #[test]
-fn joints_do_not_jump() {
-    for recipe in on_level_ground(1.0) {
-        let (positions, generated) = walked(&recipe, 0);
+fn joint_speeds_are_bounded() {
+    for spec in level_ground_specs(1.0) {
+        let (positions, generated) = generated_with_positions(&spec, 0);
         for bone in [Bone::Hips, Bone::Head, Bone::Shank(Side::Left), Bone::Hand(Side::Right)] {
-            let track = &positions.of(bone)[skipped(&recipe)..];
+            let track = &positions.track(bone)[lead_in_frames(&spec)..];
             for (frame, pair) in track.windows(2).enumerate() {
                 let speed = (pair[1] - pair[0]).norm() / generated.clip.frame_time();
-                assert!(speed < 16.0, "{} {bone:?} {frame}: {speed:.1} m/s", recipe.name);
+                assert!(speed < 16.0, "{} {bone:?} {frame}: {speed:.1} m/s", spec.name);
             }
         }
     }
 }
 
 #[test]
-fn the_pelvis_moves_smoothly() {
-    for recipe in on_level_ground(0.0) {
+fn pelvis_acceleration_is_bounded() {
+    for spec in level_ground_specs(0.0) {
         for seed in 0..4 {
-            let (positions, generated) = walked(&recipe, seed);
+            let (positions, generated) = generated_with_positions(&spec, seed);
             let step = generated.clip.frame_time();
-            let track = &positions.of(Bone::Hips)[skipped(&recipe)..];
-            for (frame, three) in track.windows(3).enumerate() {
-                let push = (three[0] - 2.0 * three[1] + three[2]).norm() / (step * step);
-                assert!(push < 60.0, "{} seed {seed} frame {frame}: {push:.0} m/s²", recipe.name);
+            let track = &positions.track(Bone::Hips)[lead_in_frames(&spec)..];
+            for (frame, triple) in track.windows(3).enumerate() {
+                let acceleration = (triple[0] - 2.0 * triple[1] + triple[2]).norm() / (step * step);
+                assert!(
+                    acceleration < 60.0,
+                    "{} seed {seed} frame {frame}: {acceleration:.0} m/s²",
+                    spec.name
+                );
             }
         }
     }
 }
 
 #[test]
-fn flight_is_free_fall() {
-    // The frog jumps' flights are long enough to fit a parabola.
-    let recipe = &catalogue(0.0)[0];
-    let (positions, generated) = walked(recipe, 0);
+fn pelvis_is_in_free_fall_during_flight() {
+    // Flights of the frog jumps are long enough to fit a parabola.
+    let spec = &samples(0.0)[0];
+    let (positions, generated) = generated_with_positions(spec, 0);
     let contact = Side::BOTH.map(|side| generated.truth.labels(side, Part::Contact).unwrap());
-    let hips = positions.of(Bone::Hips);
+    let hips = positions.track(Bone::Hips);
     let step = generated.clip.frame_time();
     let mut checked = 0;
     for frame in 4..contact[0].len() - 4 {

@@ -137,7 +137,7 @@ impl RawClip {
         let found = match self.detector.get() {
             Some(detector) => detector.detect(params),
             None => {
-                let feet = Feet::new(&self.clip, &self.skeleton)?;
+                let feet = Feet::of(&self.clip, &self.skeleton)?;
                 if feet.frame_count() > MOST_KEPT {
                     plants::detect_once(feet, params)
                 } else {

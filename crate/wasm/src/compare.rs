@@ -1,7 +1,6 @@
 //! Labels from elsewhere, beside ours.
 
-use plantigrade::formats;
-use plantigrade::plants::Annotation;
+use plantigrade::labels::{self, Labelling};
 use plantigrade::score::{self, DisagreementKind, PartScore};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
@@ -12,7 +11,7 @@ use crate::{RawClip, RawDetection};
 
 /// Labels of the clip by someone else.
 #[wasm_bindgen]
-pub struct RawLabelling(Annotation);
+pub struct RawLabelling(Labelling);
 
 #[wasm_bindgen]
 impl RawLabelling {
@@ -23,7 +22,7 @@ impl RawLabelling {
     /// If the file is none of these, or is of another clip.
     #[wasm_bindgen(constructor)]
     pub fn new(file: &[u8], frames: usize) -> Result<RawLabelling, Failure> {
-        Ok(RawLabelling(formats::read_bytes(file, frames)?))
+        Ok(RawLabelling(labels::read_bytes(file, frames)?))
     }
 
     /// The parts that were labelled.

@@ -1,9 +1,8 @@
 //! The labels of a clip.
 
 use plantigrade::bvh::Clip;
-use plantigrade::formats::{self, Document, Labelled, Source};
+use plantigrade::labels::{self, Document, Edit, Labelled, Source};
 use plantigrade::notice::Notice;
-use plantigrade::plants::Edit;
 use plantigrade::plants::{Detection, FootLabels, PartLabels};
 use plantigrade::skeleton::Skeleton;
 use tsify::Ts;
@@ -45,11 +44,11 @@ impl RawDetection {
         let frame_time = clip.frame_time();
         let text = match format {
             "json" => Document::of(Source { name, sha256 }, clip, skeleton, self.core(), notices).to_json(),
-            "csv" => formats::frames_csv(&labelled, frame_time),
-            "intervals" => formats::intervals_csv(&labelled, frame_time),
-            "events" => formats::events_csv(&labelled, frame_time),
-            "blender" => formats::blender_script(&labelled, &name, frame_time),
-            "npz" => return Ok(formats::npz(&labelled, &name, frame_time)),
+            "csv" => labels::frames_csv(&labelled, frame_time),
+            "intervals" => labels::intervals_csv(&labelled, frame_time),
+            "events" => labels::events_csv(&labelled, frame_time),
+            "blender" => labels::blender_script(&labelled, &name, frame_time),
+            "npz" => return Ok(labels::npz(&labelled, &name, frame_time)),
             _ => return Err(Failure::from(format!("there is no format {format:?}"))),
         };
         Ok(text.into_bytes())
@@ -86,8 +85,7 @@ impl RawDetection {
     pub fn edit(&mut self, edits: Vec<Ts<EditFacts>>) -> Result<(), Failure> {
         let edits =
             edits.iter().map(|edit| Ok(from_js(edit)?.into())).collect::<Result<Vec<Edit>, Failure>>()?;
-        self.edited =
-            (!edits.is_empty()).then(|| plantigrade::plants::edited(&self.found, &edits, self.frame_time));
+        self.edited = (!edits.is_empty()).then(|| labels::edited(&self.found, &edits, self.frame_time));
         Ok(())
     }
 
@@ -135,14 +133,14 @@ impl RawDetection {
 
     /// Plants as frames: start, end, start, end, ...; half-open.
     pub fn intervals(&self, part: &str, side: &str) -> Result<Vec<u32>, Failure> {
-        let ranges = plantigrade::intervals::intervals(&self.foot(part, side)?.planted);
+        let ranges = labels::intervals(&self.foot(part, side)?.planted);
         Ok(ranges.into_iter().flat_map(|range| [range.start as u32, range.end as u32]).collect())
     }
 
     /// For each of those plants 1 where it is as a person wants it, else 0.
     pub fn edited(&self, part: &str, of: &str) -> Result<Vec<u8>, Failure> {
         let (shown, labels, side) = (self.core(), self.part(part)?, side(of)?);
-        let ranges = plantigrade::intervals::intervals(&labels.foot(side).planted);
+        let ranges = labels::intervals(&labels.foot(side).planted);
         Ok(ranges.iter().map(|range| u8::from(shown.is_edited(side, labels.part, range))).collect())
     }
 }

@@ -99,8 +99,8 @@ impl RawClip {
     /// # Errors
     /// If the clip has no motion or no feet.
     pub fn gait(&self, detection: &RawDetection) -> Result<Ts<GaitFacts>, Failure> {
-        let feet = Feet::new(self.core(), self.skeleton())?;
-        to_js(&GaitFacts::from(Gait::from_detection(&feet, detection.core())))
+        let feet = Feet::of(self.core(), self.skeleton())?;
+        to_js(&GaitFacts::from(Gait::of(&feet, detection.core())))
     }
 }
 

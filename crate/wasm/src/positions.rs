@@ -2,7 +2,7 @@
 
 use js_sys::Float32Array;
 use plantigrade::bvh::Clip;
-use plantigrade::kinematics;
+use plantigrade::motion;
 use plantigrade::skeleton::Skeleton;
 
 /// Poses that are placed at a time.
@@ -11,7 +11,7 @@ const PART: usize = 1024;
 /// All poses: they are written to the page's memory part by part, as the module's own never
 /// shrinks once it has held them.
 pub(crate) fn all(skeleton: &Skeleton, clip: &Clip) -> Float32Array {
-    let (poses, width) = (kinematics::pose_count(clip), clip.joints().len() * 3);
+    let (poses, width) = (motion::pose_count(clip), clip.joints().len() * 3);
     let all = Float32Array::new_with_length((poses * width) as u32);
     for start in (0..poses).step_by(PART) {
         let end = poses.min(start + PART);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use js_sys::Function;
-use plantigrade::formats::{self, SegmentsDocument, Source};
+use plantigrade::labels::{self, SegmentsDocument, Source};
 use plantigrade::score::{self, Tolerance, TrueCut};
 use plantigrade::segments::{self, Method, Segment, Segmentation};
 use serde::{Deserialize, Serialize};
@@ -66,8 +66,8 @@ impl RawClip {
         document.with_labels(&names);
         Ok(match format {
             "json" => document.to_json(),
-            "csv" => formats::segments_csv(&[document]),
-            "babel" => formats::babel_json(&[document]),
+            "csv" => labels::segments_csv(&[document]),
+            "babel" => labels::babel_json(&[document]),
             _ => return Err(Failure::from(format!("there is no format {format:?}"))),
         })
     }
@@ -81,7 +81,7 @@ impl RawClip {
         if start >= end || end > frames {
             return Err(format!("there are no frames {start} to {end}: the clip has {frames}").into());
         }
-        Ok(plantigrade::bvh::write(&self.core().slice(start..end)).into_bytes())
+        Ok(plantigrade::bvh::write(&self.core().part(start..end)).into_bytes())
     }
 }
 
@@ -152,7 +152,7 @@ impl RawSegmentation {
 /// Whether a text holds segments of the clip of that name (without its ending), right or wrong.
 #[wasm_bindgen(js_name = hasSegments)]
 pub fn has_segments(text: &str, clip: &str) -> bool {
-    formats::has_segments(text, clip)
+    labels::has_segments(text, clip)
 }
 
 /// Segments of the clip by someone else.
@@ -173,8 +173,8 @@ impl RawSegments {
     pub fn new(text: &str, name: &str, clip: &RawClip) -> Result<RawSegments, Failure> {
         let (frames, rate) = (clip.core().frame_count(), clip.core().rate());
         Ok(RawSegments {
-            segments: formats::read_segments(text, name, frames, rate)?,
-            cuts: formats::read_cuts(text, name, frames, rate)?,
+            segments: labels::read_segments(text, name, frames, rate)?,
+            cuts: labels::read_cuts(text, name, frames, rate)?,
         })
     }
 

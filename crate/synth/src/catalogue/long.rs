@@ -1,12 +1,12 @@
-//! A long mix of everyday motion.
+//! Long clip of everyday motion.
 
-use crate::act::{Action, Actor};
+use crate::actions::{Action, Actor};
 use crate::character::Decimals;
+use crate::generate::ClipSpec;
 use crate::motion::Motion;
-use crate::recipe::Recipe;
 
-/// What happens in a long recording, how often, and for how many seconds.
-const DAY: [(Action, f64, [f64; 2]); 10] = [
+/// Action, probability and range of durations in seconds.
+const ACTIONS: [(Action, f64, [f64; 2]); 10] = [
     (Action::Walk, 0.36, [4.0, 20.0]),
     (Action::Stand, 0.24, [1.0, 9.0]),
     (Action::Turn, 0.14, [2.0, 3.0]),
@@ -19,26 +19,26 @@ const DAY: [(Action, f64, [f64; 2]); 10] = [
     (Action::Box, 0.02, [5.0, 12.0]),
 ];
 
-/// A long recording at 120 Hz: walking, standing, turning, jogging, now and then something
-/// else. It is written with six decimals, as recording software does: an hour has 432,000 frames
+/// Returns a clip at 120 Hz of walking, standing, turning, jogging and occasional other actions. It
+/// is written with six decimals like the files of recording software: an hour has 432,000 frames
 /// and more than 200 MB.
-pub fn long(frames: usize, noise_level: f64) -> Recipe {
-    let motion = Motion::acted(1.0, |actor, seconds| {
+pub fn long_mix(frames: usize, noise_level: f64) -> ClipSpec {
+    let motion = Motion::from_actions(1.0, |actor, seconds| {
         while actor.now() < seconds + 2.0 {
-            something(actor);
+            random_action(actor);
         }
     });
-    let mut recipe = Recipe::new("long", "emil", motion, frames, 120, noise_level);
-    recipe.character.decimals = Decimals::Six;
-    recipe
+    let mut spec = ClipSpec::new("long", "emil", motion, frames, 120, noise_level);
+    spec.character.decimals = Decimals::Six;
+    spec
 }
 
-fn something(actor: &mut Actor) {
-    let mut chance = actor.random.between(0.0, 1.0);
-    for (action, share, [least, most]) in DAY {
-        chance -= share;
+fn random_action(actor: &mut Actor) {
+    let mut chance = actor.random.uniform(0.0, 1.0);
+    for (action, probability, [least, most]) in ACTIONS {
+        chance -= probability;
         if chance < 0.0 {
-            let seconds = actor.random.between(least, most);
+            let seconds = actor.random.uniform(least, most);
             actor.perform(action, seconds);
             return;
         }

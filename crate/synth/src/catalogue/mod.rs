@@ -1,11 +1,11 @@
-//! The clips there are recipes for.
+//! Specifications of all generated clips.
 
-mod everyday;
-mod hard;
+mod full_set;
+mod hard_cases;
 mod long;
 mod samples;
 
-pub use everyday::full_set;
-pub use hard::hard_cases;
-pub use long::long;
-pub use samples::catalogue;
+pub use full_set::full_set;
+pub use hard_cases::hard_cases;
+pub use long::long_mix;
+pub use samples::samples;

@@ -1,29 +1,33 @@
-//! The clips of `samples/`.
+//! The clips in `samples/`.
 
-use crate::motion::{self, Motion, Written};
-use crate::recipe::Recipe;
+use crate::generate::ClipSpec;
+use crate::motion::{Motion, PlanFn};
+use crate::sample_motions;
 
-/// The thirteen sample clips, their characters' noise `noise_level` times as strong.
+/// Returns the thirteen sample clips. `noise_level` is the factor on the characters' foot noise.
 ///
-/// Motions, lengths and rates are those of the files that the plant detector's paper
-/// reports one by one (its table 2).
-pub fn catalogue(noise_level: f64) -> Vec<Recipe> {
-    let recipe = |name, performer, motion: Written, frames, rate| {
-        Recipe::new(name, performer, Motion::new(motion), frames, rate, noise_level)
+/// Motions, lengths and frame rates are those of the files in table 2 of the plant detector's
+/// paper.
+pub fn samples(noise_level: f64) -> Vec<ClipSpec> {
+    let spec = |name, character_name, motion: PlanFn, frames, rate| {
+        ClipSpec::new(name, character_name, Motion::from_plan(motion), frames, rate, noise_level)
     };
     vec![
-        recipe("frog-jumps", "ada", motion::frog_jumps, 500, 30),
-        recipe("curved-walk", "ben", motion::curved_walk, 245, 120),
-        recipe("run-and-jump", "ben", motion::run_and_jump, 370, 120),
-        recipe("drunken-stagger", "chen", motion::drunken_stagger, 791, 24),
-        Recipe { leading_t_pose: true, ..recipe("straight-jog", "chen", motion::straight_jog, 361, 24) },
-        recipe("foot-drag-walk", "dora", motion::foot_drag_walk, 1000, 120),
-        recipe("modern-dance", "emil", motion::modern_dance, 300, 60),
-        recipe("bowling", "gus", motion::bowling, 316, 30),
-        recipe("ballet", "fay", motion::ballet, 298, 24),
-        recipe("limp-to-run", "fay", motion::limp_to_run, 744, 24),
-        recipe("one-leg-hop", "fay", motion::one_leg_hop, 336, 24),
-        recipe("skipping", "fay", motion::skipping, 462, 24),
-        recipe("sword-and-shield", "hana", motion::sword_and_shield, 171, 30),
+        spec("frog-jumps", "ada", sample_motions::frog_jumps, 500, 30),
+        spec("curved-walk", "ben", sample_motions::curved_walk, 245, 120),
+        spec("run-and-jump", "ben", sample_motions::run_and_jump, 370, 120),
+        spec("drunken-stagger", "chen", sample_motions::drunken_stagger, 791, 24),
+        ClipSpec {
+            leading_t_pose: true,
+            ..spec("straight-jog", "chen", sample_motions::straight_jog, 361, 24)
+        },
+        spec("foot-drag-walk", "dora", sample_motions::foot_drag_walk, 1000, 120),
+        spec("modern-dance", "emil", sample_motions::modern_dance, 300, 60),
+        spec("bowling", "gus", sample_motions::bowling, 316, 30),
+        spec("ballet", "fay", sample_motions::ballet, 298, 24),
+        spec("limp-to-run", "fay", sample_motions::limp_to_run, 744, 24),
+        spec("one-leg-hop", "fay", sample_motions::one_leg_hop, 336, 24),
+        spec("skipping", "fay", sample_motions::skipping, 462, 24),
+        spec("sword-and-shield", "hana", sample_motions::sword_and_shield, 171, 30),
     ]
 }

@@ -1,46 +1,46 @@
-//! Who moves, and how their skeleton is written down.
+//! Characters: body proportions, skeleton and file conventions.
 
-mod build;
-mod cast;
 mod naming;
+mod presets;
+mod proportions;
 mod rig;
 
-pub use build::Build;
-pub use cast::{CAST, character};
 pub use naming::Naming;
-pub(crate) use rig::outward;
+pub use presets::{CHARACTER_NAMES, character};
+pub use proportions::Proportions;
+pub(crate) use rig::lateral_sign;
 pub use rig::{BONE_COUNT, Bone, Rig, RigJoint};
 
 use plantigrade::bvh::Axis;
 
 use crate::noise::Noise;
 
-/// A performer: body, file conventions and the quality of the recording.
+/// A character: body, file conventions and quality of the recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Character {
-    /// A short name.
+    /// Short name.
     pub name: &'static str,
-    /// The body.
-    pub build: Build,
-    /// What the joints are called.
+    /// Body proportions.
+    pub proportions: Proportions,
+    /// Joint naming convention.
     pub naming: Naming,
-    /// Joints in the spine: 2 or 3.
+    /// Number of spine joints: 2 or 3.
     pub spine_joints: usize,
-    /// The unit of length of the file.
+    /// Length unit of the file.
     pub unit: Unit,
-    /// The axis that points up in the file.
+    /// Up axis of the file.
     pub up: Up,
-    /// The order in which rotation channels are written.
+    /// Order of the rotation channels.
     pub rotation_order: [Axis; 3],
-    /// Which joints have position channels.
-    pub positions: Positions,
-    /// How many decimals are written.
+    /// Joints with position channels.
+    pub position_channels: PositionChannels,
+    /// Number of decimals in the file.
     pub decimals: Decimals,
-    /// Noise of this character's feet.
+    /// Noise of the feet.
     pub noise: Noise,
 }
 
-/// The unit of length of a file.
+/// Length unit of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Metre.
@@ -54,7 +54,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// File units in one metre.
+    /// Returns the number of file units per metre.
     pub fn per_metre(self) -> f64 {
         match self {
             Unit::Metre => 1.0,
@@ -65,36 +65,36 @@ impl Unit {
     }
 }
 
-/// Decimals of the numbers in a file.
+/// Number of decimals in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decimals {
-    /// As many as resolve about a hundredth of a millimetre: small files.
-    Enough,
-    /// Six, as recording software writes them.
+    /// Compact: a resolution of about 0.01 mm, for small files.
+    Compact,
+    /// Six, as written by recording software.
     Six,
 }
 
 impl Decimals {
-    /// Of lengths in `unit`.
-    pub fn of_lengths(self, unit: Unit) -> usize {
+    /// Returns the number of decimals of lengths in `unit`.
+    pub fn for_lengths(self, unit: Unit) -> usize {
         match (self, unit) {
             (Decimals::Six, _) => 6,
-            (Decimals::Enough, Unit::Metre) => 5,
-            (Decimals::Enough, Unit::Asf) => 4,
-            (Decimals::Enough, Unit::Centimetre | Unit::Inch) => 3,
+            (Decimals::Compact, Unit::Metre) => 5,
+            (Decimals::Compact, Unit::Asf) => 4,
+            (Decimals::Compact, Unit::Centimetre | Unit::Inch) => 3,
         }
     }
 
-    /// Of angles in degrees.
-    pub fn of_angles(self) -> usize {
+    /// Returns the number of decimals of angles in degrees.
+    pub fn for_angles(self) -> usize {
         match self {
-            Decimals::Enough => 4,
+            Decimals::Compact => 4,
             Decimals::Six => 6,
         }
     }
 }
 
-/// The axis that points up in a file.
+/// Up axis of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Up {
     /// Y up, Z forward.
@@ -103,11 +103,11 @@ pub enum Up {
     Z,
 }
 
-/// Which joints of a file have position channels.
+/// Joints of a file with position channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Positions {
-    /// The root alone.
+pub enum PositionChannels {
+    /// The root only.
     Root,
-    /// All joints; they repeat their offsets in every frame.
+    /// All joints; positions of non-root joints equal their offsets in every frame.
     All,
 }

@@ -1,15 +1,15 @@
-//! What the joints of a skeleton are called, in the conventions met in the field.
+//! Joint names in common conventions.
 
 use plantigrade::foot::Side;
 
 use super::Bone;
 
-/// A convention of joint names.
+/// Joint naming convention.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Naming {
     /// `LeftUpLeg`, `LeftLeg`, `LeftFoot`, `LeftToeBase`: MotionBuilder and most CMU conversions.
     MotionBuilder,
-    /// The same with the prefix `mixamorig:`.
+    /// MotionBuilder names with the prefix `mixamorig:`.
     Mixamo,
     /// `Thigh_L`, `Shin_L`, `Foot_L`, `Toe_L`: the side as a suffix.
     Suffix,
@@ -20,7 +20,7 @@ pub enum Naming {
 }
 
 impl Naming {
-    /// The name of the joint that turns `bone`.
+    /// Returns the name of the joint that rotates `bone`.
     pub fn name(self, bone: Bone) -> String {
         match self {
             Naming::MotionBuilder => motion_builder(bone),

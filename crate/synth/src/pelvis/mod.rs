@@ -1,80 +1,82 @@
-//! From the feet to the pelvis: where the body is carried.
+//! Motion of the pelvis, computed from the feet.
 
 mod balance;
+mod flight;
 mod height;
-mod leap;
 mod reach;
 mod support;
 
 pub(crate) use reach::hip;
 
-use crate::character::Build;
-use crate::curve::{Track, blur, drift};
-use crate::feet::{FootPath, FootPose};
-use crate::grid::{GRID_RATE, Grid};
-use crate::maths::{Rot, Vec3, forward, heading, leftward, turn};
+use crate::character::Proportions;
+use crate::foot_path::{FootPath, FootPose};
+use crate::math::Random;
+use crate::math::{GRID_RATE, TimeGrid};
+use crate::math::{Rot, Vec3, forward, heading_rotation, leftward, rotation_about};
+use crate::math::{Track, gaussian_blur, smooth_noise};
 use crate::plan::Plan;
-use crate::random::Random;
 
-/// The pelvis at one moment, with what the upper body follows.
+/// Pose of the pelvis, with the quantities that drive the upper body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PelvisPose {
-    /// The pelvis joint, in metres.
+    /// Position of the pelvis joint, in metres.
     pub position: Vec3,
-    /// Its orientation.
+    /// Orientation.
     pub rotation: Rot,
-    /// Turn of the body to the left, in radians.
+    /// Heading of the body to the left, in radians.
     pub heading: f64,
-    /// How far the left foot is ahead of the right, in metres.
+    /// Distance that the left foot is ahead of the right, in metres.
     pub stride: f64,
-    /// Share of the weight on the left foot less that on the right.
+    /// Load on the left foot minus that on the right, as fractions of the total.
     pub balance: f64,
 }
 
-/// Frequency below which a standing body sways, in hertz.
-const SWAY_BAND: f64 = 0.35;
+/// Cut-off frequency of standing sway, in Hz.
+const SWAY_CUTOFF: f64 = 0.35;
 
-/// Seconds over which the body follows a change of the ground's height.
-const CLIMB: f64 = 0.11;
+/// Time in which the body follows a change of ground height, in seconds.
+const CLIMB_TIME: f64 = 0.11;
 
-/// Rounds in which flights are fitted to the reach of the legs.
-const LEAP_ROUNDS: usize = 3;
+/// Iterations that fit flights to the reach of the legs.
+const FLIGHT_ITERATIONS: usize = 3;
 
-/// Greatest distance of the feet that the body answers to, in metres.
-const GREATEST_STRIDE: f64 = 0.75;
+/// Maximum foot distance to which the pelvis responds, in metres.
+const MAX_STRIDE: f64 = 0.75;
 
-/// The pelvis at each point of `grid`.
+/// Returns the pelvis at each point of `grid`.
 pub fn track(
     plan: &Plan,
-    build: &Build,
-    grid: &Grid,
+    proportions: &Proportions,
+    grid: &TimeGrid,
     paths: &[FootPath; 2],
     feet: &[Vec<FootPose>; 2],
 ) -> Vec<PelvisPose> {
-    let support = support::Support::new(paths, grid, build);
+    let support = support::Support::new(paths, grid, proportions);
     let mean = |n: usize| (feet[0][n].heading + feet[1][n].heading) / 2.0;
-    let headings = blur(&(0..grid.len()).map(mean).collect::<Vec<_>>(), Grid::points(0.14));
+    let headings = gaussian_blur(&(0..grid.len()).map(mean).collect::<Vec<_>>(), TimeGrid::points(0.14));
     let ahead = |n: usize| {
         let apart = feet[0][n].ankle - feet[1][n].ankle;
-        apart.dot(&forward(headings[n])).clamp(-GREATEST_STRIDE, GREATEST_STRIDE)
+        apart.dot(&forward(headings[n])).clamp(-MAX_STRIDE, MAX_STRIDE)
     };
-    let strides = blur(&(0..grid.len()).map(ahead).collect::<Vec<_>>(), Grid::points(0.05));
-    let balances = blur(&support.balance, Grid::points(0.07));
-    // On stairs the body rises with the foot that takes the weight.
-    let steps: Vec<f64> = support.pressure.iter().map(|pressure| pressure.y).collect();
-    let ground = blur(&steps, Grid::points(CLIMB));
+    let strides = gaussian_blur(&(0..grid.len()).map(ahead).collect::<Vec<_>>(), TimeGrid::points(0.05));
+    let balances = gaussian_blur(&support.balance, TimeGrid::points(0.07));
+    // On stairs the body rises with the foot that bears the weight.
+    let steps: Vec<f64> =
+        support.centre_of_pressure.iter().map(|centre_of_pressure| centre_of_pressure.y).collect();
+    let ground = gaussian_blur(&steps, TimeGrid::points(CLIMB_TIME));
 
     let pose = |height: &Track<1>| -> Vec<PelvisPose> {
-        let heights: Vec<f64> = grid.times().map(|t| height.at(t)[0] - plan.body.sink.at(t)[0]).collect();
-        let ways = balance::ways(&support, &heights);
+        let heights: Vec<f64> = grid.times().map(|t| height.at(t)[0] - plan.body.lowering.at(t)[0]).collect();
+        let positions = balance::horizontal_positions(&support, &heights);
         let pose = |n: usize| {
             let time = grid.time(n);
             let [tilt, yaw, lean] = plan.body.pelvis.at(time).map(f64::to_radians);
-            let yaw = yaw - (plan.body.pelvis_turn * strides[n]).to_radians();
-            let lean = lean + (plan.body.pelvis_drop * balances[n]).to_radians();
-            let rotation = heading(headings[n] + yaw) * turn(0, tilt) * turn(2, lean);
-            let offset = counterweight(plan, build, time);
-            let position = Vec3::new(ways[0][n], heights[n] + ground[n], ways[1][n])
+            let yaw = yaw - (plan.body.pelvic_rotation * strides[n]).to_radians();
+            let lean = lean + (plan.body.pelvic_drop * balances[n]).to_radians();
+            let rotation =
+                heading_rotation(headings[n] + yaw) * rotation_about(0, tilt) * rotation_about(2, lean);
+            let offset = counterweight(plan, proportions, time);
+            let position = Vec3::new(positions[0][n], heights[n] + ground[n], positions[1][n])
                 + offset[0] * leftward(headings[n])
                 + offset[1] * forward(headings[n]);
             PelvisPose { position, rotation, heading: headings[n], stride: strides[n], balance: balances[n] }
@@ -82,45 +84,45 @@ pub fn track(
         (0..grid.len()).map(pose).collect()
     };
 
-    // Where the body is at the ends of a flight shows how high it may be there, and that
-    // in turn moves the body a little.
-    let mut leaps = leap::leaps(plan, build, paths);
-    let mut poses = pose(&height::track(plan, build, paths, &leaps));
-    for _ in 0..LEAP_ROUNDS {
-        for leap in &mut leaps {
-            let [off, land] = [leap.time.start, leap.time.end]
-                .map(|time| reach::shortfall(&poses, feet, build, grid, time));
-            leap.lower(off, land);
+    // The position of the body at the ends of a flight limits its height there; lower heights in
+    // turn change the position slightly.
+    let mut flights = flight::flights_with_heights(plan, proportions, paths);
+    let mut poses = pose(&height::track(plan, proportions, paths, &flights));
+    for _ in 0..FLIGHT_ITERATIONS {
+        for flight in &mut flights {
+            let [off, land] = [flight.time.start, flight.time.end]
+                .map(|time| reach::excess_height(&poses, feet, proportions, grid, time));
+            flight.lower(off, land);
         }
-        poses = pose(&height::track(plan, build, paths, &leaps));
+        poses = pose(&height::track(plan, proportions, paths, &flights));
     }
-    reach::lower(&mut poses, feet, build);
+    reach::lower_pelvis(&mut poses, feet, proportions);
     poses
 }
 
-/// Sways the pelvis a little, as a body does even when it stands: `amount` is the
-/// standard deviation in metres.
-pub fn sway(poses: &mut [PelvisPose], amount: f64, random: &mut Random) {
-    let [left, ahead] = std::array::from_fn(|_| drift(random, poses.len(), GRID_RATE as f64, SWAY_BAND));
+/// Adds standing sway to the pelvis; `amount` is the standard deviation, in metres.
+pub fn add_sway(poses: &mut [PelvisPose], amount: f64, random: &mut Random) {
+    let [left, ahead] =
+        std::array::from_fn(|_| smooth_noise(random, poses.len(), GRID_RATE as f64, SWAY_CUTOFF));
     for (n, pose) in poses.iter_mut().enumerate() {
         pose.position += amount * (left[n] * leftward(pose.heading) + ahead[n] * forward(pose.heading));
     }
 }
 
-/// Lifts the pelvis with the feet that carry it, `moved` metres each: a leg that stands
-/// on noisy ground does not shake at the knee.
-pub fn lift(poses: &mut [PelvisPose], moved: &[Vec<f64>; 2]) {
+/// Raises the pelvis by the noise heights of the loaded feet, so that noise of a standing foot does
+/// not shake the knee. `heights` holds one value per foot and point, in metres.
+pub fn follow_foot_noise(poses: &mut [PelvisPose], heights: &[Vec<f64>; 2]) {
     for (n, pose) in poses.iter_mut().enumerate() {
         let left = (1.0 + pose.balance) / 2.0;
-        pose.position.y += left * moved[0][n] + (1.0 - left) * moved[1][n];
+        pose.position.y += left * heights[0][n] + (1.0 - left) * heights[1][n];
     }
 }
 
-/// How far the pelvis gives way to the trunk: what is balanced is the body, and a
-/// trunk that bends forward takes the pelvis back. Left and forward, in metres.
-fn counterweight(plan: &Plan, build: &Build, time: f64) -> [f64; 2] {
+/// Returns the horizontal shift of the pelvis that balances the trunk: left and forward, in metres.
+/// A trunk that bends forward moves the pelvis back.
+fn counterweight(plan: &Plan, proportions: &Proportions, time: f64) -> [f64; 2] {
     let [pitch, _, lean] = plan.body.trunk.at(time).map(f64::to_radians);
     let [left, ahead] = plan.body.shift.at(time);
-    let lever = 0.5 * build.trunk;
+    let lever = 0.5 * proportions.trunk;
     [left + lever * libm::sin(lean), ahead - lever * libm::sin(pitch)]
 }

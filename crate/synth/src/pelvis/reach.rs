@@ -1,36 +1,36 @@
-//! Keeps the pelvis where standing legs can reach the ground without being stretched.
+//! Lowering of the pelvis so that standing legs reach the ground without overextension.
 
 use plantigrade::foot::Side;
 
 use super::PelvisPose;
-use crate::character::{Build, outward};
-use crate::feet::FootPose;
-use crate::grid::Grid;
-use crate::maths::Vec3;
+use crate::character::{Proportions, lateral_sign};
+use crate::foot_path::FootPose;
+use crate::math::TimeGrid;
+use crate::math::Vec3;
 
-/// Length that a standing leg may take, as a share of its full length.
-const STRETCH: f64 = 0.983;
+/// Maximum length of a standing leg, as a fraction of its full length.
+const MAX_EXTENSION: f64 = 0.983;
 
-/// Seconds over which the lowering is spread.
-const SPREAD: f64 = 0.1;
+/// Half-width of the smoothing of the lowering, in seconds.
+const SMOOTHING_TIME: f64 = 0.1;
 
-/// Seconds around the end of a flight in which the legs must reach the ground.
-const NEAR: f64 = 0.05;
+/// Time around the ends of a flight in which the legs must reach the ground, in seconds.
+const FLIGHT_END_TIME: f64 = 0.05;
 
-/// Lowers the pelvis smoothly wherever a standing foot would be out of reach.
-pub fn lower(poses: &mut [PelvisPose], feet: &[Vec<FootPose>; 2], build: &Build) {
+/// Lowers the pelvis smoothly where a standing foot would be out of reach.
+pub fn lower_pelvis(poses: &mut [PelvisPose], feet: &[Vec<FootPose>; 2], proportions: &Proportions) {
     let excess: Vec<f64> = (0..poses.len())
         .map(|n| {
-            let over = Side::BOTH.map(|side| excess(&poses[n], &feet[side as usize][n], side, build));
+            let over = Side::BOTH.map(|side| excess(&poses[n], &feet[side as usize][n], side, proportions));
             over[0].max(over[1]).max(0.0)
         })
         .collect();
     if excess.iter().all(|&e| e <= 0.0) {
         return;
     }
-    // The kernel is no wider than the window of the maximum: what is taken off is
-    // never less than the excess.
-    let half = Grid::points(SPREAD) as usize;
+    // The kernel is not wider than the window of the maximum, so the pelvis is lowered by at least
+    // the excess.
+    let half = TimeGrid::points(SMOOTHING_TIME) as usize;
     let wide = sliding_maximum(&excess, half);
     let kernel: Vec<f64> = (0..=2 * half)
         .map(|n| 1.0 - libm::cos(std::f64::consts::TAU * (n as f64 + 1.0) / (2 * half + 2) as f64))
@@ -38,50 +38,51 @@ pub fn lower(poses: &mut [PelvisPose], feet: &[Vec<FootPose>; 2], build: &Build)
     let total: f64 = kernel.iter().sum();
     let last = poses.len() - 1;
     for (n, pose) in poses.iter_mut().enumerate() {
-        let spread = kernel
+        let weighted = kernel
             .iter()
             .enumerate()
             .map(|(k, weight)| weight * wide[(n + k).saturating_sub(half).min(last)]);
-        pose.position.y -= spread.sum::<f64>() / total;
+        pose.position.y -= weighted.sum::<f64>() / total;
     }
 }
 
-/// How much too high the pelvis is around `time`, in metres; 0 if it is not.
-pub fn shortfall(
+/// Returns how far the pelvis is too high around `time`, in metres; 0 if all feet are in reach.
+pub fn excess_height(
     poses: &[PelvisPose],
     feet: &[Vec<FootPose>; 2],
-    build: &Build,
-    grid: &Grid,
+    proportions: &Proportions,
+    grid: &TimeGrid,
     time: f64,
 ) -> f64 {
-    let half = Grid::points(NEAR) as usize;
-    let centre = grid.at(time);
+    let half = TimeGrid::points(FLIGHT_END_TIME) as usize;
+    let centre = grid.point_at(time);
     let around = centre.saturating_sub(half)..(centre + half + 1).min(poses.len());
-    let excesses =
-        around.flat_map(|n| Side::BOTH.map(|side| excess(&poses[n], &feet[side as usize][n], side, build)));
+    let excesses = around
+        .flat_map(|n| Side::BOTH.map(|side| excess(&poses[n], &feet[side as usize][n], side, proportions)));
     excesses.fold(0.0, f64::max)
 }
 
-/// How much too high the pelvis is for one foot, in metres; negative if it is not.
-fn excess(pelvis: &PelvisPose, foot: &FootPose, side: Side, build: &Build) -> f64 {
+/// Returns how far the pelvis is too high for one foot, in metres; negative if the foot is in
+/// reach.
+fn excess(pelvis: &PelvisPose, foot: &FootPose, side: Side, proportions: &Proportions) -> f64 {
     if foot.freedom > 0.5 {
         return 0.0;
     }
-    let hip = hip(pelvis, side, build);
-    let apart = hip - foot.ankle;
-    let across = apart.x * apart.x + apart.z * apart.z;
-    let length = STRETCH * build.leg();
-    let room = (length * length - across).max(0.1 * length * length);
-    apart.y - room.sqrt()
+    let hip = hip(pelvis, side, proportions);
+    let offset = hip - foot.ankle;
+    let horizontal = offset.x * offset.x + offset.z * offset.z;
+    let length = MAX_EXTENSION * proportions.leg_length();
+    let vertical = (length * length - horizontal).max(0.1 * length * length);
+    offset.y - vertical.sqrt()
 }
 
-/// The hip joint.
-pub(crate) fn hip(pelvis: &PelvisPose, side: Side, build: &Build) -> Vec3 {
-    let rest = Vec3::new(outward(side) * build.hip, -build.pelvis_rise(), 0.0);
+/// Returns the position of the hip joint.
+pub(crate) fn hip(pelvis: &PelvisPose, side: Side, proportions: &Proportions) -> Vec3 {
+    let rest = Vec3::new(lateral_sign(side) * proportions.hip, -proportions.pelvis_above_hips(), 0.0);
     pelvis.position + pelvis.rotation * rest
 }
 
-/// The greatest sample within `half` of each.
+/// Returns the maximum within `half` samples of each sample.
 fn sliding_maximum(samples: &[f64], half: usize) -> Vec<f64> {
     (0..samples.len())
         .map(|n| {

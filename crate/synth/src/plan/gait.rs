@@ -1,33 +1,33 @@
-//! Kinds of steps and jumps.
+//! Parameters of steps and jumps.
 
-use super::{Carry, Landing, Lift};
-use crate::maths::lerp;
+use super::{Landing, Lift, SwingPath};
+use crate::math::lerp;
 
-/// How to take a step of a gait.
+/// Parameters of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gait {
-    /// Seconds from the other foot's strike to this one's.
+    /// Time from the other foot's strike to this foot's strike (step time), in seconds.
     pub time: f64,
-    /// Metres the body moves on in that time.
+    /// Distance that the body moves in that time (step length), in metres.
     pub length: f64,
-    /// Degrees it turns to the left.
+    /// Rotation of the body to the left, in degrees.
     pub turn: f64,
-    /// Metres from the body's way out to the ball of the foot.
+    /// Distance of the ball of the foot from the path of the body, in metres.
     pub width: f64,
-    /// Degrees the toes point outward.
+    /// Outward rotation of the foot, in degrees.
     pub toe_out: f64,
-    /// Seconds the foot is in the air.
+    /// Duration of the swing phase, in seconds.
     pub swing: f64,
-    /// How it leaves the ground.
+    /// Push-off of the foot.
     pub lift: Lift,
-    /// How it travels.
-    pub carry: Carry,
-    /// How it lands.
+    /// Path of the foot through the air.
+    pub swing_path: SwingPath,
+    /// Landing of the foot.
     pub landing: Landing,
 }
 
 impl Gait {
-    /// Walking at an easy pace; lengths grow with `scale`.
+    /// Returns comfortable walking; lengths are proportional to `scale`.
     pub fn walk(scale: f64) -> Gait {
         Gait {
             time: 0.54,
@@ -37,7 +37,7 @@ impl Gait {
             toe_out: 6.0,
             swing: 0.42,
             lift: Lift { pitch: 52.0, lead: 0.24 },
-            carry: Carry {
+            swing_path: SwingPath {
                 clearance: 0.075 * scale,
                 peak: 0.34,
                 pitch: 8.0,
@@ -46,13 +46,13 @@ impl Gait {
                 detour: 0.012,
                 grounded: false,
                 load: 0.0,
-                held: None,
+                leg_poses: None,
             },
             landing: Landing::HEEL,
         }
     }
 
-    /// Jogging; lengths grow with `scale`.
+    /// Returns jogging; lengths are proportional to `scale`.
     pub fn jog(scale: f64) -> Gait {
         let walk = Gait::walk(scale);
         Gait {
@@ -61,24 +61,24 @@ impl Gait {
             width: 0.05 * scale,
             swing: 0.47,
             lift: Lift { pitch: 58.0, lead: 0.15 },
-            carry: Carry {
+            swing_path: SwingPath {
                 clearance: 0.27 * scale,
                 peak: 0.36,
                 pitch: 72.0,
                 pitch_at: 0.34,
                 ramps: (0.4, 0.22),
-                ..walk.carry
+                ..walk.swing_path
             },
             landing: Landing { pitch: -10.0, settle: 0.06, rest: 0.0 },
             ..walk
         }
     }
 
-    /// The gait `share` of the way from this one to `other`.
-    pub fn blend(&self, other: &Gait, share: f64) -> Gait {
-        let mix = |a: f64, b: f64| lerp(a, b, share);
-        let nearer = if share < 0.5 { self } else { other };
-        let (from, to) = (&self.carry, &other.carry);
+    /// Interpolates between this gait and `other` by the fraction `t`.
+    pub fn blend(&self, other: &Gait, t: f64) -> Gait {
+        let mix = |a: f64, b: f64| lerp(a, b, t);
+        let nearer = if t < 0.5 { self } else { other };
+        let (from, to) = (&self.swing_path, &other.swing_path);
         Gait {
             time: mix(self.time, other.time),
             length: mix(self.length, other.length),
@@ -90,43 +90,43 @@ impl Gait {
                 pitch: mix(self.lift.pitch, other.lift.pitch),
                 lead: mix(self.lift.lead, other.lift.lead),
             },
-            carry: Carry {
+            swing_path: SwingPath {
                 clearance: mix(from.clearance, to.clearance),
                 peak: mix(from.peak, to.peak),
                 pitch: mix(from.pitch, to.pitch),
                 pitch_at: mix(from.pitch_at, to.pitch_at),
                 ramps: (mix(from.ramps.0, to.ramps.0), mix(from.ramps.1, to.ramps.1)),
                 detour: mix(from.detour, to.detour),
-                ..nearer.carry.clone()
+                ..nearer.swing_path.clone()
             },
-            // Landing half on the heel and half on the ball is neither.
+            // Landings are not interpolated: a mix of heel and ball landing does not exist.
             landing: nearer.landing,
         }
     }
 
-    /// Whether both feet are in the air between two steps.
+    /// True if both feet are in the air between two steps.
     pub fn is_run(&self) -> bool {
         self.swing > self.time
     }
 }
 
-/// How to jump off and land.
+/// Parameters of a jump.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Hop {
-    /// Seconds on the ground before the jump.
+pub struct Jump {
+    /// Time on the ground before take-off, in seconds.
     pub ground: f64,
-    /// Seconds in the air.
+    /// Flight time, in seconds.
     pub flight: f64,
-    /// Metres forward.
+    /// Distance forward, in metres.
     pub length: f64,
-    /// Degrees turned to the left.
+    /// Rotation to the left, in degrees.
     pub turn: f64,
-    /// Metres from the way out to the ball of a foot.
+    /// Distance of the ball of a foot from the path of the body, in metres.
     pub width: f64,
-    /// How the feet leave the ground.
+    /// Push-off of the feet.
     pub lift: Lift,
-    /// How they travel.
-    pub carry: Carry,
-    /// How they land.
+    /// Path of the feet through the air.
+    pub swing_path: SwingPath,
+    /// Landing of the feet.
     pub landing: Landing,
 }

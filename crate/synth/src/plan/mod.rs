@@ -1,47 +1,46 @@
-//! The plan of a motion: when and where each foot stands, and how the rest of the
-//! body is carried.
+//! Motion plans: times and placements of foot contacts, and tracks of the body.
 //!
-//! The plan is the source of the truth: all that follows (foot paths, balance,
-//! pose) may only realise it.
+//! The plan is the source of the ground truth. All later stages (foot paths, balance, pose) realise
+//! it and never change it.
 
-mod body;
+mod body_tracks;
 mod gait;
 mod planner;
+mod stance;
 mod step;
-mod support;
 
-pub use body::{ArmStyle, Body};
-pub use gait::{Gait, Hop};
-pub use planner::{Planner, beside};
-pub use step::{Carry, Held, Landing, Lift, Place, Step};
-pub use support::{Interval, Stance, flights, stances};
+pub use body_tracks::{ArmPose, BodyTracks};
+pub use gait::{Gait, Jump};
+pub use planner::{Planner, foot_placement};
+pub use stance::{Interval, Stance, flights, stances};
+pub use step::{Landing, LegPoses, Lift, Placement, Step, SwingPath};
 
-use crate::curve::Track;
+use crate::math::Track;
 
-/// A motion of both feet, with the carriage of the body.
+/// Plan of a motion: steps of both feet and tracks of the body.
 ///
-/// Time runs in seconds; the clip begins at 0. A plan may begin before that, so
-/// that the clip catches a motion under way.
+/// Times are in seconds; the clip begins at 0. A plan begins earlier, so that a clip can start in
+/// the middle of a movement.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// When the plan begins: at most −1.
+    /// Start of the plan: at most −1.
     pub start: f64,
-    /// Left foot, right foot.
+    /// Left and right foot.
     pub feet: [FootPlan; 2],
-    /// Trunk, head and arms.
-    pub body: Body,
+    /// Pelvis, trunk, head and arms.
+    pub body: BodyTracks,
 }
 
-/// The way of one foot: it stands somewhere and then takes steps.
+/// Plan of one foot: its first placement and its steps.
 #[derive(Clone, Debug)]
 pub struct FootPlan {
-    /// Where the foot stands first.
-    pub start: Place,
-    /// The steps in order of time.
+    /// Initial placement.
+    pub start: Placement,
+    /// Steps in order of time.
     pub steps: Vec<Step>,
-    /// How far the heel is raised while the foot stands, as a pitch in degrees
-    /// (0: flat; dancers on the balls of their feet).
-    pub raise: Track<1>,
-    /// How far the standing foot has turned about its ball, in degrees to the left.
+    /// Raised heel during stances, as a pitch in degrees (0: flat; positive for dancers on the
+    /// balls of their feet).
+    pub heel_raise: Track<1>,
+    /// Rotation of the standing foot about its ball, in degrees to the left.
     pub pivot: Track<1>,
 }

@@ -1,35 +1,35 @@
-//! From pelvis and feet to the turn of every joint.
+//! Joint rotations, computed from pelvis and feet.
 
 mod leg;
-mod upper;
+mod upper_body;
 
-pub use leg::{STRETCH_LIMIT, hold, leg};
-pub use upper::{Restlessness, upper};
+pub use leg::{MAX_LEG_EXTENSION, apply_leg_pose, solve_leg};
+pub use upper_body::{IdleNoise, solve_upper_body};
 
 use crate::character::{BONE_COUNT, Bone};
-use crate::maths::{Rot, Vec3};
+use crate::math::{Rot, Vec3};
 
-/// A pose: where the pelvis is and how each bone is turned against its parent.
+/// Pose: position of the pelvis and rotation of each bone relative to its parent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// The pelvis joint, in metres.
+    /// Position of the pelvis joint, in metres.
     pub root: Vec3,
-    turns: [Rot; BONE_COUNT],
+    rotations: [Rot; BONE_COUNT],
 }
 
 impl Pose {
-    /// The T-pose with the pelvis at `root`.
-    pub fn rest(root: Vec3) -> Pose {
-        Pose { root, turns: [Rot::identity(); BONE_COUNT] }
+    /// Returns the T-pose with the pelvis at `root`.
+    pub fn t_pose(root: Vec3) -> Pose {
+        Pose { root, rotations: [Rot::identity(); BONE_COUNT] }
     }
 
-    /// The turn of `bone` against its parent.
-    pub fn turn(&self, bone: Bone) -> Rot {
-        self.turns[bone.index()]
+    /// Returns the rotation of `bone` relative to its parent.
+    pub fn rotation(&self, bone: Bone) -> Rot {
+        self.rotations[bone.index()]
     }
 
-    /// Turns `bone` against its parent.
-    pub fn set(&mut self, bone: Bone, turn: Rot) {
-        self.turns[bone.index()] = turn;
+    /// Sets the rotation of `bone` relative to its parent.
+    pub fn set_rotation(&mut self, bone: Bone, rotation: Rot) {
+        self.rotations[bone.index()] = rotation;
     }
 }

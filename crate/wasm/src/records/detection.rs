@@ -1,7 +1,6 @@
 //! What plants are found by, and what a person says of them.
 
-use plantigrade::foot::{Part, Side};
-use plantigrade::plants::Edit;
+use plantigrade::labels::{Edit, Part, Side};
 use plantigrade::plants::{Family, Method, Params};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;

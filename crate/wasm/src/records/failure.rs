@@ -1,7 +1,7 @@
 //! What cannot be done, and what is doubtful.
 
 use plantigrade::bvh::Error;
-use plantigrade::formats::LabelsError;
+use plantigrade::labels::LabelsError;
 use plantigrade::notice::Notice;
 use plantigrade::plants::{DetectError, ParamError};
 use plantigrade::segments::{self, SegmentError};

@@ -10,7 +10,7 @@ pub use detection::{DetectOptions, EditFacts, MethodFacts};
 pub use failure::{Failure, NoticeText};
 pub use segmentation::{SegmentFacts, SegmentMethodFacts, SegmentOptions};
 
-use plantigrade::foot::Side;
+use plantigrade::labels::Side;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tsify::{Ts, Tsify};

@@ -2,8 +2,7 @@
 
 use js_sys::Function;
 use plantigrade::bvh;
-use plantigrade::foot::{Part, Side};
-use plantigrade::formats::Document;
+use plantigrade::labels::{Document, Part, Side};
 use plantigrade::plants::{self, Feet};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{
@@ -50,7 +49,7 @@ fn a_clip_comes_with_its_facts() {
 #[wasm_bindgen_test]
 fn labels_are_those_of_the_core() {
     let clip = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
-    let feet = Feet::new(&clip, &Skeleton::main(&clip, &Default::default())).unwrap();
+    let feet = Feet::of(&clip, &Skeleton::main(&clip, &Default::default())).unwrap();
     let expected = plants::detect(&feet, plants::ValidParams::default());
     let found = walk().detect(options("robust")).unwrap();
     assert_eq!(found.parts(), ["contact", "toe", "heel"]);

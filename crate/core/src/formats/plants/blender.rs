@@ -12,6 +12,7 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     title: "Blender script",
     description: "A Python script that sets markers and contact keys in Blender.",
     extension: "blender.py",
+    qualified_extension: "blender.py",
     media_type: "text/x-python",
     write: |export| blender_script(export).into_bytes(),
     read: None,

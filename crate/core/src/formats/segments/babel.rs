@@ -17,6 +17,7 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     title: "BABEL",
     description: "Actions in the format of BABEL.",
     extension: "babel.json",
+    qualified_extension: "babel.json",
     media_type: "application/json",
     write: |export| babel_json(&export.documents).into_bytes(),
     // BABEL files are JSON and are read with the other JSON files.

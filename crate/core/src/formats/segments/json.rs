@@ -14,6 +14,7 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     title: "JSON",
     description: "Segments with the parameters that were used.",
     extension: "segments.json",
+    qualified_extension: "segments.json",
     media_type: "application/json",
     write,
     read: Some(Reader { recognises: |text| text.starts_with(['{', '[']), read }),

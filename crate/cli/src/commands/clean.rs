@@ -1,0 +1,93 @@
+//! `plantigrade clean`: removes foot skate.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use plantigrade::bvh;
+use plantigrade::formats;
+use plantigrade::plants::{self, Feet};
+use plantigrade::skate::{self, Cleaned, Contacts, Options};
+use plantigrade::skeleton::Skeleton;
+
+use crate::args::CleanArgs;
+use crate::error::{InputError, UsageError, display_name};
+use crate::input::{self, Input, LoadedClip};
+use crate::output;
+
+/// Removes foot skate from one clip. Returns the number of inputs that failed (0 or 1).
+pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
+    let params = args.detection.params()?;
+    let [input] = <[Input; 1]>::try_from(input::collect(&args.read)?)
+        .map_err(|inputs| UsageError::NotOneClip(inputs.len()))?;
+    if args.labels.as_deref() == Some(Path::new("-")) && input.path == Path::new("-") {
+        return Err(UsageError::StdinTwice);
+    }
+    let result = input::load(&input, &args.read).and_then(|loaded| clean(&input, &loaded, params, args));
+    Ok(match result {
+        Ok(()) => 0,
+        Err(error) => {
+            eprintln!("{error}");
+            1
+        }
+    })
+}
+
+/// Cleans a clip, writes the result and prints a summary and the notices.
+fn clean(
+    input: &Input,
+    loaded: &LoadedClip,
+    params: plants::ValidParams,
+    args: &CleanArgs,
+) -> Result<(), InputError> {
+    let clip = &loaded.parsed.clip;
+    let skeleton = Skeleton::main(clip, &loaded.overrides);
+    let contacts = match &args.labels {
+        Some(path) => {
+            let labels_error = |error| InputError::Labels { path: path.clone(), error };
+            let labels = formats::read_plants(&read_file(path)?, clip.frame_count());
+            Contacts::from(&labels.map_err(labels_error)?)
+        }
+        None => {
+            let detect_error = |error| InputError::Detect { path: input.path.clone(), error };
+            Contacts::from(&plants::detect(&Feet::new(clip, &skeleton).map_err(detect_error)?, params))
+        }
+    };
+    let cleaned = skate::clean(clip, &skeleton, &contacts, &Options::default());
+    let cleaned = cleaned.map_err(|error| InputError::Clean { path: input.path.clone(), error })?;
+    let written = output::write_atomically(&args.out, bvh::write(&cleaned.clip).as_bytes());
+    written.map_err(|error| InputError::Write { path: args.out.clone(), error })?;
+    let name = display_name(&input.path);
+    eprintln!("{name}: {}", summary(&cleaned));
+    for notice in skeleton.notices.iter().chain(&cleaned.notices) {
+        eprintln!("{name}: {notice}");
+    }
+    Ok(())
+}
+
+/// Reads a file or standard input.
+fn read_file(path: &PathBuf) -> Result<Vec<u8>, InputError> {
+    let mut bytes = Vec::new();
+    let read = if path == Path::new("-") {
+        std::io::stdin().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        fs::read(path)
+    };
+    read.map_err(|error| InputError::Read { path: path.clone(), error })
+}
+
+/// Returns a summary in one line: number of plants, and their slide before and after.
+fn summary(cleaned: &Cleaned) -> String {
+    let mean_and_max = |slide: fn(&skate::CleanedPlant) -> f64| {
+        let slides = || cleaned.plants.iter().map(slide);
+        let mean = slides().sum::<f64>() / cleaned.plants.len().max(1) as f64;
+        [mean, slides().fold(0.0, f64::max)].map(|metres| 1e3 * metres)
+    };
+    let [mean, max] = mean_and_max(|plant| plant.before);
+    let [mean_after, max_after] = mean_and_max(|plant| plant.after);
+    format!(
+        "{} plants, {} corrected; slide: mean {mean:.1} → {mean_after:.1} mm, maximum {max:.1} → {max_after:.1} mm",
+        cleaned.plants.len(),
+        cleaned.held_count(),
+    )
+}

@@ -1,0 +1,86 @@
+//! `plantigrade detect`: labels foot plants.
+
+use std::path::{Path, PathBuf};
+
+use plantigrade::bvh::Parsed;
+use plantigrade::formats::PlantExport;
+use plantigrade::plants::{self, DetectError, Detection, Feet, ValidParams};
+use plantigrade::skeleton::Skeleton;
+
+use crate::args::DetectArgs;
+use crate::batch::Batch;
+use crate::error::{InputError, UsageError};
+use crate::input::{self, Input, LoadedClip};
+
+/// Detects plants in all inputs. Returns the number of inputs that failed.
+pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
+    let params = args.detection.params()?;
+    let still = args.still.as_deref().map(|path| load_still(path, args)).transpose();
+    let still = still.map_err(UsageError::Still)?;
+    let batch = Batch {
+        read: &args.read,
+        write: &args.write,
+        extension: args.format.extension(),
+        options: format!("{params:?} {:?}", args.still),
+    };
+    batch.run(|input, loaded| detect(input, loaded, params, still.as_ref(), args))
+}
+
+/// Loads the feet of the standing clip that is clustered together with the inputs.
+fn load_still(path: &Path, args: &DetectArgs) -> Result<Feet, InputError> {
+    let input = Input { path: path.into(), stem: PathBuf::new() };
+    let loaded = input::load(&input, &args.read)?;
+    let clip = &loaded.parsed.clip;
+    let feet = Feet::new(clip, &Skeleton::main(clip, &loaded.overrides));
+    feet.map_err(|error| InputError::Detect { path: path.into(), error })
+}
+
+/// A skeleton with its feet and its detection.
+pub type DetectedSkeleton = (Skeleton, Feet, Detection);
+
+/// Detects plants in each skeleton of a clip that has feet. Returns at least one detection.
+pub fn detect_all(
+    input: &Input,
+    loaded: &LoadedClip,
+    params: ValidParams,
+    still: Option<&Feet>,
+) -> Result<Vec<DetectedSkeleton>, InputError> {
+    let clip = &loaded.parsed.clip;
+    let mut detected: Vec<DetectedSkeleton> = Vec::new();
+    let mut last_error = DetectError::NoFeet;
+    for skeleton in Skeleton::all(clip, &loaded.overrides) {
+        match Feet::new(clip, &skeleton) {
+            Ok(feet) => {
+                let detection = match still {
+                    Some(still) => plants::detect_with_standing(&feet, still, params),
+                    None => plants::detect(&feet, params),
+                };
+                detected.push((skeleton, feet, detection));
+            }
+            Err(error) => last_error = error,
+        }
+    }
+    if detected.is_empty() {
+        return Err(InputError::Detect { path: input.path.clone(), error: last_error });
+    }
+    Ok(detected)
+}
+
+/// Returns the result for one clip in the requested format.
+fn detect(
+    input: &Input,
+    loaded: &LoadedClip,
+    params: ValidParams,
+    still: Option<&Feet>,
+    args: &DetectArgs,
+) -> Result<Vec<u8>, InputError> {
+    let Parsed { clip, notices } = &loaded.parsed;
+    let detected = detect_all(input, loaded, params, still)?;
+    Ok(args.format.write(&PlantExport {
+        source: loaded.source(input),
+        clip,
+        notices,
+        skeletons: detected.iter().map(|(skeleton, _, detection)| (skeleton, detection)).collect(),
+        as_array: clip.roots().count() > 1,
+    }))
+}

@@ -1,0 +1,150 @@
+//! Errors of the command line and of single inputs.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use plantigrade::bvh;
+use plantigrade::formats::ReadError;
+use plantigrade::plants::DetectError;
+use plantigrade::segments::SegmentError;
+use plantigrade::skate::SkateError;
+
+/// Invalid command line; the program exits with code 2.
+#[derive(Debug, thiserror::Error)]
+pub enum UsageError {
+    /// A parameter of a method is invalid.
+    #[error("{0}")]
+    InvalidParameter(String),
+    /// `score --method` names an unknown method.
+    #[error("{0}")]
+    UnknownMethod(String),
+    /// A folder cannot be listed.
+    #[error(transparent)]
+    ListFolder(#[from] walkdir::Error),
+    /// A folder has no BVH files.
+    #[error("no .bvh files in {folder}", folder = .0.display())]
+    EmptyFolder(PathBuf),
+    /// The clip named by `--still` cannot be used.
+    #[error(transparent)]
+    Still(InputError),
+    /// `clean` was given more than one clip.
+    #[error("found {0} inputs: clean takes exactly one clip")]
+    NotOneClip(usize),
+    /// `clean` was given standard input for both the clip and its labels.
+    #[error("standard input (-) cannot be used for both the clip and --labels")]
+    StdinTwice,
+    /// Several inputs without an output folder.
+    #[error("found {0} inputs: name a folder for the results with --out")]
+    MissingOut(usize),
+    /// Two inputs have the same output file.
+    #[error("{first} and {second} would both be written to {output}",
+        first = .first.display(), second = .second.display(), output = .output.display())]
+    OutputConflict {
+        /// The first input.
+        first: PathBuf,
+        /// The second input.
+        second: PathBuf,
+        /// Their common output, relative to the output folder.
+        output: PathBuf,
+    },
+    /// The output folder cannot be used.
+    #[error("cannot write to {folder}: {error}", folder = .folder.display())]
+    OutputFolder {
+        /// The folder.
+        folder: PathBuf,
+        /// Error of the operating system.
+        error: io::Error,
+    },
+    /// No clip of a folder has truth.
+    #[error("no clip in {folder} has a truth file ({expected})", folder = .folder.display())]
+    NoTruth {
+        /// The folder.
+        folder: PathBuf,
+        /// Names of the expected truth files.
+        expected: &'static str,
+    },
+}
+
+/// Failure of one input, reported in one line; the program exits with code 1.
+#[derive(Debug, thiserror::Error)]
+pub enum InputError {
+    /// The file cannot be opened or read.
+    #[error("{name}: error: {error}", name = display_name(.path))]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Error of the operating system.
+        error: io::Error,
+    },
+    /// The file is not valid BVH.
+    #[error("{name}:{location} error: {kind}. {hint}", name = display_name(.path),
+        location = .error.location.map_or_else(String::new, |location| format!("{location}:")),
+        kind = .error.kind, hint = .error.kind.hint())]
+    Parse {
+        /// The file.
+        path: PathBuf,
+        /// Location and cause.
+        error: Box<bvh::Error>,
+    },
+    /// The clip has no joint with a name given on the command line.
+    #[error("{name}: error: unknown joint {joint:?}: use a joint name of the file's HIERARCHY section",
+        name = display_name(.path))]
+    UnknownJoint {
+        /// The file.
+        path: PathBuf,
+        /// The joint name.
+        joint: String,
+    },
+    /// Labels or truth cannot be used.
+    #[error("{name}: error: {error}", name = display_name(.path))]
+    Labels {
+        /// The labels file.
+        path: PathBuf,
+        /// Cause.
+        error: ReadError,
+    },
+    /// Plants cannot be detected.
+    #[error("{name}: error: {error}", name = display_name(.path))]
+    Detect {
+        /// The file.
+        path: PathBuf,
+        /// Cause.
+        error: DetectError,
+    },
+    /// Foot skate cannot be removed.
+    #[error("{name}: error: {error}", name = display_name(.path))]
+    Clean {
+        /// The file.
+        path: PathBuf,
+        /// Cause.
+        error: SkateError,
+    },
+    /// The clip cannot be segmented.
+    #[error("{name}: error: {error}", name = display_name(.path))]
+    Segment {
+        /// The file.
+        path: PathBuf,
+        /// Cause.
+        error: SegmentError,
+    },
+    /// The program panicked; the panic message was printed before.
+    #[error("{name}: error: internal error: please report the message above together with the clip",
+        name = display_name(.path))]
+    Panic {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The result cannot be written.
+    #[error("{name}: error: cannot write the result: {error}", name = display_name(.path))]
+    Write {
+        /// The output file.
+        path: PathBuf,
+        /// Error of the operating system.
+        error: io::Error,
+    },
+}
+
+/// Returns the name of an input in messages: its path, or `<stdin>`.
+pub fn display_name(path: &Path) -> String {
+    if path == Path::new("-") { "<stdin>".into() } else { path.display().to_string() }
+}
