@@ -53,7 +53,7 @@ fn every_clip_with_motion_and_feet_is_labelled() {
                     assert_eq!(foot.planted.len(), clip.frame_count(), "{}", path.display());
                     assert!(foot.confidence.iter().all(|p| (0.5..=1.0).contains(p)), "{}", path.display());
                 }
-                assert!(detection.floor.is_finite());
+                assert!(detection.ground_height.is_finite());
                 labelled += 1;
             }
             Err(DetectError::NoMotion) => assert_eq!(clip.frame_count(), 0),
@@ -95,7 +95,7 @@ fn others(clip: &Clip) -> (usize, usize) {
     for (few, all) in few.parts.iter().zip(&all.parts) {
         assert_eq!(few.evidence.is_some(), all.evidence.is_some());
         for (close, exact) in few.evidence.iter().zip(&all.evidence) {
-            for (near, root) in close.roots.iter().zip(&exact.roots) {
+            for (near, root) in close.values.iter().zip(&exact.values) {
                 let [near, root] = [near, root].map(|root| f64::from(*root));
                 let is_other = (near > close.threshold) != (root > exact.threshold);
                 let off = (root / exact.threshold - 1.0).abs();

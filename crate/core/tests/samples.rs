@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{Clip, Joint, JointKind};
 use plantigrade::foot::{Part, Side};
-use plantigrade::formats::Document;
+use plantigrade::formats::PlantsDocument;
 use plantigrade::plants::{self, Feet, Method, Params};
 use plantigrade::score::{self, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -28,7 +28,7 @@ fn accuracy(method: Method, part: Part) -> (f64, f64) {
     for path in samples() {
         let clip = support::read(&path).clip;
         let text = fs::read_to_string(path.with_extension("json")).expect("truth beside the sample");
-        let document: Document = serde_json::from_str(&text).expect("a labels document");
+        let document: PlantsDocument = serde_json::from_str(&text).expect("a labels document");
         let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
         let params = Params { method, ..Params::default() }.check().expect("defaults");
         let detection = plants::detect(&feet, params);

@@ -47,7 +47,7 @@ fn cuts_are_where_people_made_them() {
             let found = cut(clip, params).unwrap().cuts();
             tally += score::cuts(&found, truth, clip.frame_time(), Tolerance::Seconds(1.0));
         }
-        assert_eq!(tally.wanted, 10);
+        assert_eq!(tally.total, 10);
         assert!(tally.f1() >= least, "{}: {:.3}", params.method, tally.f1());
     }
 }
@@ -61,7 +61,7 @@ fn rates_give_the_same_cuts() {
                 let rows = (0..clip.frame_count()).step_by(every);
                 let values = rows.flat_map(|frame| clip.row(frame)).copied().collect();
                 let clip = Clip::new(clip.joints().to_vec(), clip.frame_time() * every as f64, values);
-                let cuts = cut(&clip, by(method)).unwrap().cuts();
+                let cuts = cut(&clip, by(*method)).unwrap().cuts();
                 cuts.iter().map(|&cut| cut as f64 * clip.frame_time()).collect::<Vec<_>>()
             };
             let whole = seconds(1);

@@ -123,14 +123,14 @@ fn clean_generated(noise: impl Fn(usize, &ClipSpec) -> Noise) -> Figures {
         println!(
             "{}: {} of {} held, worst slide {:.2} -> {:.3} mm, error {:.1} mm, acceleration x {acceleration:.2} ({place}), knee x {knee:.2}",
             recipe.name,
-            cleaned.constrained(),
+            cleaned.held_count(),
             cleaned.plants.len(),
             1e3 * most(cleaned.plants.iter().map(|plant| plant.before)),
             1e3 * most(slides.clone()),
             1e3 * mean(&errors),
         );
         figures.before.extend(cleaned.plants.iter().map(|plant| plant.before));
-        figures.constrained += cleaned.constrained();
+        figures.constrained += cleaned.held_count();
         figures.slides.extend(slides);
         figures.errors.extend(errors);
         figures.acceleration = figures.acceleration.max(acceleration);
@@ -209,7 +209,7 @@ fn stairs_stay_stairs_and_belts_run_on() {
         println!(
             "{}: {} of {} held, {moves} move, off by {:.2} mm, worst {:.2}",
             recipe.name,
-            cleaned.constrained(),
+            cleaned.held_count(),
             cleaned.plants.len(),
             1e3 * mean(&errors),
             1e3 * most(errors.clone())
@@ -244,7 +244,7 @@ fn recorded_feet_stand() {
         println!(
             "{}: {} of {} held, acceleration x {acceleration:.2} ({place}), knee x {knee:.2}",
             path.file_stem().unwrap_or_default().to_string_lossy(),
-            cleaned.constrained(),
+            cleaned.held_count(),
             cleaned.plants.len()
         );
         all.extend(cleaned.plants);

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::bvh::Axis;
+use crate::foot::{Part, Side};
 use crate::intervals::intervals;
 use crate::notice::Code;
 use crate::skeleton::Up;
@@ -16,7 +17,7 @@ const STANCE: f64 = 0.6;
 /// Returns the position of a foot at a time of its cycle: stance, then a swing of 1.3 m. In metres,
 /// Y up.
 fn foot(time: f64) -> Vector3<f64> {
-    let (cycles, phase) = ((time / CYCLE).ground_height(), (time / CYCLE).fract());
+    let (cycles, phase) = ((time / CYCLE).floor(), (time / CYCLE).fract());
     let swing = ((phase - STANCE) / (1.0 - STANCE)).max(0.0);
     let eased = swing * swing * (3.0 - 2.0 * swing);
     Vector3::new(0.1, 0.15 * (std::f64::consts::PI * swing).sin().powi(2), 1.3 * (cycles + eased))

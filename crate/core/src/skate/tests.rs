@@ -13,7 +13,7 @@ const TRUTH: &str = include_str!("../../../../samples/curved-walk.json");
 
 fn sample() -> (Clip, Contacts) {
     let clip = bvh::parse(SAMPLE, bvh::Options::default()).expect("a sample").clip;
-    let truth = crate::formats::read(TRUTH, clip.frame_count()).expect("its truth");
+    let truth = crate::formats::read_plants(TRUTH.as_bytes(), clip.frame_count()).expect("its truth");
     (clip, Contacts::from(&truth))
 }
 

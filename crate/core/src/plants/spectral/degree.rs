@@ -328,8 +328,8 @@ mod tests {
             let [exact_query, cell_query] = [Summation::AllPairs, Summation::Cells]
                 .map(|summation| query(&samples, &weights, kernel, summation));
             for (all, mut approximate) in [
-                (exact.sqrt_degrees(), calibration.sqrt_degrees()),
-                (every.sqrt_degrees_of(&queries), calibration.sqrt_degrees_of(&queries)),
+                (exact_query.sqrt_degrees(), cell_query.sqrt_degrees()),
+                (exact_query.sqrt_degrees_of(&queries), cell_query.sqrt_degrees_of(&queries)),
             ] {
                 assert!(all.approximation.is_none() && approximate.approximation.is_some());
                 let mut sorted = all.values.clone();
@@ -393,9 +393,9 @@ mod tests {
         let samples = gait(4000);
         let weights = vec![1.0; 4000];
         let query = query(&samples, &weights, Kernel::Cauchy, Summation::Cells);
-        let mut some = reference.sqrt_degrees();
+        let mut field = query.sqrt_degrees();
         for threshold in [f64::NAN, f64::NEG_INFINITY, 0.0] {
-            assert!(calibration.refine_near(threshold).is_none());
+            assert!(field.refine_near(threshold).is_none());
         }
         let zero = DegreeQuery { sigma: 0.0, expansion: OnceCell::new(), ..query };
         assert!(zero.sqrt_degrees().values.iter().all(|value| *value == 0.0));
