@@ -33,7 +33,7 @@ enum Kind {
     Bands,
 }
 
-/// A set of points that are drawn alike.
+/// Points that are drawn in one style.
 pub struct Series {
     label: String,
     points: Vec<(f64, f64)>,

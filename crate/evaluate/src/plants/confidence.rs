@@ -44,8 +44,9 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
     let filled = || bins.iter().filter(|bin| bin.labels > 0);
     let gap = filled().map(|bin| (bin.correct as f64 - bin.confidence_sum).abs()).sum::<f64>() / total as f64;
     report.text(&format!(
-        "Accuracy of contact labels at p = 0 by their confidence. The mean difference between confidence and \
-         accuracy, weighted by frames, is {gap:.3}. Low confidence occurs mainly at the edges of plants."
+        "Accuracy of contact labels at p = 0 by their confidence. The mean difference between confidence \
+         and accuracy, weighted by frames, is {gap:.3}. Low confidence occurs mainly at the edges of \
+         plants."
     ));
     let rows: Vec<Vec<String>> = filled()
         .map(|bin| {

@@ -30,11 +30,11 @@ pub fn write(report: &mut Report, corpus: &Path) -> anyhow::Result<()> {
     report.text("## Contact measured by force plates");
     report.text(&format!(
         "{} recorded trials (walking, running, drop jumps, squats, sitting down and standing up; {frames} \
-         foot-frames with known truth) from public OpenSim and OpenCap data. No constant was fitted to these trials, \
-         but the design of the edge refinement took their onsets and offsets into account. They are therefore not an \
-         unseen test of boundaries. Accuracy in %, lenient. Thresholds are tuned at each p, either on the other \
-         four of the five sources (\"other sources\") or on the same trials (\"same trials\"). The latter is an upper bound \
-         that requires truth.",
+         foot-frames with known truth) from public OpenSim and OpenCap data. No constant was fitted to \
+         these trials, but the design of the edge refinement took their onsets and offsets into account. \
+         They are therefore not an unseen test of boundaries. Accuracy in %, lenient. Thresholds are tuned \
+         at each p, either on the other four of the five sources (\"other sources\") or on the same trials \
+         (\"same trials\"). The latter is an upper bound that requires truth.",
         trials.len()
     ));
     let mut rows = Vec::new();
@@ -66,8 +66,8 @@ pub fn write(report: &mut Report, corpus: &Path) -> anyhow::Result<()> {
     );
     by_trial(report, &trials);
     report.text(
-        "The data used in this section comes from the public repositories of OpenCap, AddBiomechanics and OpenSim \
-         examples. No recorded motion is part of this project.",
+        "The data used in this section comes from the public repositories of OpenCap, AddBiomechanics and \
+         OpenSim examples. No recorded motion is part of this project.",
     );
     report.end_section(MARK);
     Ok(())

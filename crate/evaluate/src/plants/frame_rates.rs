@@ -13,8 +13,8 @@ use crate::report::{Report, percent};
 pub fn write(report: &mut Report) -> anyhow::Result<()> {
     report.text("## Frame rate");
     report.text(
-        "Clips of 120 Hz reduced to lower frame rates, robust contact, in %: labels that equal those of the full \
-         rate at the same instants, and accuracy at p = 0.2.",
+        "Clips of 120 Hz reduced to lower frame rates, robust contact, in %: labels that equal those of \
+         the full rate at the same instants, and accuracy at p = 0.2.",
     );
     let mut rows = Vec::new();
     for factor in [1, 2, 4, 5] {

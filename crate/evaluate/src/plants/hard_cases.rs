@@ -12,14 +12,14 @@ use crate::report::{Report, percent};
 pub fn write(report: &mut Report) -> anyhow::Result<()> {
     report.text("## Hard cases");
     report.text(
-        "Accuracy in % at p = 0.2, pooled over the seeds. In the truth, a foot is planted while it is still relative \
-         to the ground under it. In *one-foot-dragged*, a foot moves along the ground at 0.1 to 0.4 m/s for the \
-         whole clip. Frame by frame it looks like a planted foot with noise, and clustering labels it as planted. \
-         The default method detects it by its path: the distance between two planted feet is constant, even on \
-         moving ground. A foot that moves steadily away from the other for 0.4 leg lengths without a step, both \
-         labelled planted, is dragged. *afloat* has no plants and cannot be solved from motion alone: the \
-         slow reversals of swimming feet are labelled as plants. A notice reports that the fraction of time in the \
-         air exceeds that of any gait.",
+        "Accuracy in % at p = 0.2, pooled over the seeds. In the truth, a foot is planted while it is \
+         still relative to the ground under it. In *one-foot-dragged*, a foot moves along the ground at \
+         0.1 to 0.4 m/s for the whole clip. Frame by frame it looks like a planted foot with noise, and \
+         clustering labels it as planted. The default method detects it by its path: the distance between \
+         two planted feet is constant, even on moving ground. A foot that moves steadily away from the \
+         other for 0.4 leg lengths without a step, both labelled planted, is dragged. *afloat* has no \
+         plants and cannot be solved from motion alone: the slow reversals of swimming feet are labelled \
+         as plants. A notice reports that the fraction of time in the air exceeds that of any gait.",
     );
     let mut rows = Vec::new();
     for spec in hard_cases(1.0) {

@@ -19,8 +19,9 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
     let trials = generate_trials(&full_set(1.0), SEEDS);
     report.text("## All methods on the generated set");
     report.text(
-        "Accuracy in %. Methods that label toes are scored on toe plants, methods that label contact on contact, and \
-         the default on both. Thresholds are the defaults of the program, in metres; table 3 has tuned thresholds.",
+        "Accuracy in %. Methods that label toes are scored on toe plants, methods that label contact on \
+         contact, and the default on both. Thresholds are the defaults of the program, in metres; table 3 \
+         has tuned thresholds.",
     );
     let mut rows = Vec::new();
     for method in Method::ALL {
@@ -122,8 +123,9 @@ fn lowest(report: &mut Report, trials: &[Trial]) {
 fn noise(report: &mut Report) {
     report.text("### Noise");
     report.text(
-        "Accuracy in % at p = 0.1 / 0.3 for foot noise (jitter, slow sliding, vertical offset of plants) between half \
-         and twice the level of recorded motion; three seeds. *Lowest* is the lowest clip at p = 0.3.",
+        "Accuracy in % at p = 0.1 / 0.3 for foot noise (jitter, slow sliding, vertical offset of plants) \
+         between half and twice the level of recorded motion; three seeds. *Lowest* is the lowest clip at \
+         p = 0.3.",
     );
     let mut rows = Vec::new();
     for level in [0.5, 1.0, 1.5, 2.0] {

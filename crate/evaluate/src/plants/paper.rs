@@ -47,8 +47,8 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
 fn overall(report: &mut Report, trials: &[Trial]) {
     let [paper] = accuracies(trials, default_params(Method::Paper), Part::Toe, [0.3]);
     report.text(&format!(
-        "At r = 0.001, w = 1 and p = 0.3 the paper reports **98.72 %** for its 35 recordings. The same method reaches \
-         **{:.2} %** on the generated set; the lowest clip has {:.2} %.",
+        "At r = 0.001, w = 1 and p = 0.3 the paper reports **98.72 %** for its 35 recordings. The same \
+         method reaches **{:.2} %** on the generated set; the lowest clip has {:.2} %.",
         paper.pooled(),
         paper.lowest()
     ));
@@ -57,8 +57,8 @@ fn overall(report: &mut Report, trials: &[Trial]) {
 fn table_1(report: &mut Report, trials: &[Trial]) -> anyhow::Result<()> {
     report.text("### Table 1 and figure 9: bandwidth per clip and common bandwidth");
     report.text(
-        "Lowest and highest accuracy of single clips in %, and standard deviation over clips. Published figures in \
-         italics.",
+        "Lowest and highest accuracy of single clips in %, and standard deviation over clips. Published \
+         figures in italics.",
     );
     let published = [
         ([85.1, 100.0, 0.033783], [84.81, 100.0, 0.03827]),
@@ -108,8 +108,8 @@ fn table_1(report: &mut Report, trials: &[Trial]) -> anyhow::Result<()> {
 fn table_2(report: &mut Report, trials: &[Trial]) {
     report.text("### Table 2: accuracy by motion");
     report.text(
-        "Accuracy in %, w = 1. Published figures in italics. The last columns are the difference to the published figure \
-         at r = 0.001, p = 0.3, and the accuracy of the default method at p = 0.3.",
+        "Accuracy in %, w = 1. Published figures in italics. The last columns are the difference to the \
+         published figure at r = 0.001, p = 0.3, and the accuracy of the default method at p = 0.3.",
     );
     let settings = [(0.0006, 0.2), (0.001, 0.3), (0.002, 0.3)];
     let mut rows = Vec::new();
@@ -160,8 +160,9 @@ fn figures_6_to_8(report: &mut Report, trials: &[Trial]) -> anyhow::Result<()> {
         .zip(at_03)
         .fold((0.0, 0.0), |best, (&r, accuracy)| if accuracy > best.1 { (r, accuracy) } else { best });
     report.text(&format!(
-        "Results for three seeds. At p = 0.3 the accuracy is highest at r = {best:.4} ({highest:.2} %); the peak of the \
-         paper is at 0.001. As in the paper, it decreases on both sides: {:.2} % at r = 0.0002 and {:.2} % at 0.0044.",
+        "Results for three seeds. At p = 0.3 the accuracy is highest at r = {best:.4} ({highest:.2} %); \
+         the peak of the paper is at 0.001. As in the paper, it decreases on both sides: {:.2} % at r = \
+         0.0002 and {:.2} % at 0.0044.",
         by_window[1][0][2].pooled(),
         by_window[1][tolerances.len() - 1][2].pooled()
     ));

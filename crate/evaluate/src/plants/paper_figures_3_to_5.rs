@@ -42,8 +42,8 @@ fn figure_3(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
     };
     let panels = [panel(0, "Left toe, w = 0"), panel(1, "Left toe, w = 1")];
     report.text(&format!(
-        "Labels of the published method flicker where noise is strong. A window of three frames reduces this. The whole \
-         clip (walk dragging a foot) has {} plants at w = 0 and {} at w = 1.",
+        "Labels of the published method flicker where noise is strong. A window of three frames reduces \
+         this. The whole clip (walk dragging a foot) has {} plants at w = 0 and {} at w = 1.",
         plant_counts[0], plant_counts[1]
     ));
     let path = report.figure("figure-3", "Heights of a toe and its labels, without and with the window");

@@ -43,8 +43,9 @@ type Selection<'a> = dyn Fn(&BestThresholds) -> (Kind, Thresholds) + 'a;
 pub fn write(report: &mut Report, trials: &[Trial]) {
     report.text("### Table 3: thresholds tuned on the truth");
     report.text(
-        "Accuracy in % at p = 0.3. Published figures in italics. As in the paper, common thresholds apply to the values \
-         in the units of the files, which differ. Thresholds per clip are tuned on the truth of that clip.",
+        "Accuracy in % at p = 0.3. Published figures in italics. As in the paper, common thresholds apply \
+         to the values in the units of the files, which differ. Thresholds per clip are tuned on the truth \
+         of that clip.",
     );
     let in_units: Vec<Signals> = trials.iter().map(|trial| signals(trial, Method::Paper, 1.0)).collect();
     let in_metres: Vec<Signals> =
@@ -84,9 +85,9 @@ pub fn write(report: &mut Report, trials: &[Trial]) {
     report.table(&["motion", "common: height", "speed", "both", "per clip: height", "speed", "both"], &rows);
     let reused = per_clip_accuracy(None, &|best| (Kind::Dual, (best[0].1.0, best[1].1.1)));
     report.text(&format!(
-        "In metres, common thresholds are far more accurate: {} (height), {} (speed), {} (both). The paper's double \
-         threshold per file appears to combine the two thresholds that were tuned separately; that combination has \
-         {}.",
+        "In metres, common thresholds are far more accurate: {} (height), {} (speed), {} (both). The \
+         paper's double threshold per file appears to combine the two thresholds that were tuned \
+         separately; that combination has {}.",
         percent(common_accuracy(None, common_in_metres[0], &in_metres)),
         percent(common_accuracy(None, common_in_metres[1], &in_metres)),
         percent(common_accuracy(None, common_in_metres[2], &in_metres)),

@@ -85,8 +85,8 @@ const CAUSES: &str = "\
 - *Short actions.* A turn of 2 s is little longer than the shortest segment of `auto` (1.2 s), and it consists of
   steps, so it is merged with the adjacent walk. Methods whose first window is 2 s rarely detect it.
 - *Sequential methods.* `mvu`, `pca`, `pca-tail` and `ppca` restart at each cut, so each cut depends on all previous
-  ones, and a marginal cut shifts all that follow. `auto` optimises all cuts jointly. `lsd` also considers the whole clip, but
-  a motif near a threshold or a class boundary can change which motifs repeat, and with them the cuts.
+  ones, and a marginal cut shifts all that follow. `auto` optimises all cuts jointly. `lsd` also considers the whole
+  clip, but a motif near a threshold or a class boundary can change which motifs repeat, and with them the cuts.
 - *Truth.* Annotators do not agree to within half a second. F1 at ±0.5 s and inside the range depends on conventions as
   much as on methods.
 ";

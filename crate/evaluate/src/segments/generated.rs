@@ -75,9 +75,10 @@ pub fn write(report: &mut Report) -> Generated {
     let frames: usize = generated.cases[..count].iter().map(|case| case.clip.frame_count()).sum();
     report.text("### Generated actions");
     report.text(&format!(
-        "{count} sequences of four to eight actions, planned as one motion at 120 Hz ({frames} frames per seed), with \
-         known cuts. The methods were selected on seeds 0 to 3; results are for seeds 10 to 19. Seeds differ in steps \
-         and noise but not in the order of actions, so ten seeds provide less than ten times the evidence of one."
+        "{count} sequences of four to eight actions, planned as one motion at 120 Hz ({frames} frames per \
+         seed), with known cuts. The methods were selected on seeds 0 to 3; results are for seeds 10 to \
+         19. Seeds differ in steps and noise but not in the order of actions, so ten seeds provide less \
+         than ten times the evidence of one."
     ));
     table(report, &generated);
     frame_rates(report, &generated);
@@ -87,20 +88,22 @@ pub fn write(report: &mut Report) -> Generated {
 fn introduction(report: &mut Report) {
     report.text("## Segmentation into actions");
     report.text(
-        "Detected cuts are matched one to one with true cuts, nearest pairs first. A cut is correct if it is within a \
-         given time of the middle of the true cut, or *inside* the range of frames in which one action changes into the \
-         next. P (precision) is the fraction of detected cuts that are correct, R (recall) the fraction of true cuts \
-         that are detected, F1 their harmonic mean. The MVU paper counts both inside. The methods:",
+        "Detected cuts are matched one to one with true cuts, nearest pairs first. A cut is correct if it \
+         is within a given time of the middle of the true cut, or *inside* the range of frames in which \
+         one action changes into the next. P (precision) is the fraction of detected cuts that are \
+         correct, R (recall) the fraction of true cuts that are detected, F1 their harmonic mean. The MVU \
+         paper counts both inside. The methods:",
     );
     let methods =
         Method::ALL.map(|method| format!("- `{}`: {}. {}", method.name(), method.title(), method.about()));
     report.text(&methods.join("\n"));
     report.text(
-        "*As published* follows the publication where the default differs from it. For `mvu` this is ten dimensions, \
-         the residual as a ratio of the total, and a cut wherever the residual grows by more than the mean (`--dims 10 \
-         --residual ratio --published`). Its defaults are one dimension, the absolute residual, and three times the mean relative to the \
-         window 0.67 s before; two further rows each change one of these. For `ppca` it is a fixed peak of 15. For `lsd` \
-         it is a separate threshold for each wavelet level, no smoothing, and splits by amplitude only. `pca` is as \
+        "*As published* follows the publication where the default differs from it. For `mvu` this is ten \
+         dimensions, the residual as a ratio of the total, and a cut wherever the residual grows by more \
+         than the mean (`--dims 10 --residual ratio --published`). Its defaults are one dimension, the \
+         absolute residual, and three times the mean relative to the window 0.67 s before; two further \
+         rows each change one of these. For `ppca` it is a fixed peak of 15. For `lsd` it is a separate \
+         threshold for each wavelet level, no smoothing, and splits by amplitude only. `pca` is as \
          published.",
     );
 }
@@ -176,8 +179,8 @@ fn frame_rates(report: &mut Report, generated: &Generated) {
         })
         .collect();
     report.text(&format!(
-        "Agreement of cuts at lower frame rates with those at 120 Hz, for the clips of seed {}: F1 with a tolerance of \
-         {RATE_TOLERANCE} s.",
+        "Agreement of cuts at lower frame rates with those at 120 Hz, for the clips of seed {}: F1 with a \
+         tolerance of {RATE_TOLERANCE} s.",
         SEEDS.start
     ));
     report.table(&["method", "60 Hz", "30 Hz", "24 Hz"], &rows);

@@ -86,8 +86,8 @@ pub fn write(report: &mut Report, corpus: &Path) -> anyhow::Result<()> {
 
 fn both_trials(report: &mut Report, recorded: &Recorded, cuts: &[VariantCuts]) {
     report.text(
-        "Both trials pooled, P / R / F1. The last column is the F1 at ±1 s of a prototype of each method on all seven \
-         trials.",
+        "Both trials pooled, P / R / F1. The last column is the F1 at ±1 s of a prototype of each method \
+         on all seven trials.",
     );
     let rows: Vec<Vec<String>> = cuts
         .iter()
@@ -121,9 +121,10 @@ fn first_trial(report: &mut Report, recorded: &Recorded, cuts: &[VariantCuts]) {
     let second_cuts: Vec<usize> = second.truth.iter().map(|cut| cut.middle() as usize).collect();
     let [half, inside] = [HALF, Tolerance::Inside].map(|tolerance| first.tally(&second_cuts, tolerance));
     report.text(&format!(
-        "86_01, compared with two annotators. The annotators agree on the actions. Their cuts differ by {:.2} s in the \
-         median and {:.2} s at most. Scored like a method against the first annotator, the second has F1 {:.2} at ±0.5 s and {:.2} inside \
-         the ranges. Higher scores are not meaningful. The second annotator gave no ranges. P / R / F1:",
+        "86_01, compared with two annotators. The annotators agree on the actions. Their cuts differ by \
+         {:.2} s in the median and {:.2} s at most. Scored like a method against the first annotator, the \
+         second has F1 {:.2} at ±0.5 s and {:.2} inside the ranges. Higher scores are not meaningful. The \
+         second annotator gave no ranges. P / R / F1:",
         (differences[(differences.len() - 1) / 2] + differences[differences.len() / 2]) / 2.0,
         differences.last().copied().unwrap_or_default(),
         half.f1(),
@@ -204,10 +205,10 @@ fn amplitudes(report: &mut Report, recorded: &Recorded) {
         ]);
     }
     report.text(
-        "According to the patent, changes of the curve between turning points are below 5 if they are irrelevant and \
-         at least 10 if they are relevant; its threshold is 6.5. With lengths scaled to a leg of 15.94 and the curve \
-         smoothed by 80 ms, this holds for 86_01. In 13_30, which contains slow exercises, more changes are between 5 and \
-         10.",
+        "According to the patent, changes of the curve between turning points are below 5 if they are \
+         irrelevant and at least 10 if they are relevant; its threshold is 6.5. With lengths scaled to a \
+         leg of 15.94 and the curve smoothed by 80 ms, this holds for 86_01. In 13_30, which contains slow \
+         exercises, more changes are between 5 and 10.",
     );
     report.table(&["changes between turning points", "< 5", "5 to 10", "≥ 10", "motifs ≥ 10"], &rows);
 }
@@ -221,11 +222,11 @@ const CLAIMS: &str = "\
 Claims of the publications:
 
 - *Unfolding is more accurate than PCA and PPCA, and cuts 86_01 correctly* (MVU paper, ten dimensions). **Not
-  reproduced.** As published, `mvu` is less accurate than both. Ten dimensions leave a residual of less than a thousandth
-  of an unfolded window, and its jumps hardly correspond to changes of the motion. With one dimension, the absolute
-  residual and a stricter rule, `mvu` is more accurate than `pca` on generated motion but not on these trials. `pca-tail`, a linear
-  subspace with the same rule, and `ppca` are more accurate than `mvu` on both. The improvement is due to the rule, not
-  to the unfolding.
+  reproduced.** As published, `mvu` is less accurate than both. Ten dimensions leave a residual of less than a
+  thousandth of an unfolded window, and its jumps hardly correspond to changes of the motion. With one dimension, the
+  absolute residual and a stricter rule, `mvu` is more accurate than `pca` on generated motion but not on these
+  trials. `pca-tail`, a linear subspace with the same rule, and `ppca` are more accurate than `mvu` on both. The
+  improvement is due to the rule, not to the unfolding.
 - *PCA misses the second jump and the change from kick to punch in 86_01* (MVU paper). **Not reproduced.** If the second
   jump is the first punch of the annotators, `pca` detects it, and also the change from kick to punch. Its error is an
   early cut at the end of the jump that begins at 4.6 s.
