@@ -1,4 +1,4 @@
-/** `npm run evaluate`: writes RESULTS.md and its figures anew. */
+/** `npm run evaluate`: writes RESULTS.md and its figures. */
 
 import { main, run, step } from "./run.mjs";
 import { CRATES, toolchain } from "./setup.mjs";

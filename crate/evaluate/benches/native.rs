@@ -1,4 +1,4 @@
-//! The core on this machine itself: reading, labelling, cutting into actions.
+//! Benchmarks of the native build: parsing, detection and segmentation.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use plantigrade::bvh::{self, Clip};
@@ -11,44 +11,45 @@ fn clip(frames: usize) -> Clip {
     generate(&long_mix(frames, 1.0), 0).clip
 }
 
-/// About ten megabytes of text.
-fn read(criterion: &mut Criterion) {
+/// Parses about 10 MB of BVH text.
+fn parse(criterion: &mut Criterion) {
     let bytes = bvh::write(&clip(19_500)).into_bytes();
     let mut group = criterion.benchmark_group("read");
     group.throughput(Throughput::Bytes(bytes.len() as u64));
     group.bench_function("ten-megabytes", |bencher| {
         bencher.iter_batched(
             || (),
-            |()| bvh::parse(&bytes, Default::default()).expect("what we wrote"),
-            // What comes out is large: dropping it is not part of reading.
+            |()| bvh::parse(&bytes, Default::default()).expect("valid BVH"),
+            // The clip is large; dropping it is not measured.
             BatchSize::PerIteration,
         );
     });
 }
 
-/// From a clip to the labels of all parts of both feet.
+/// Detects plants of all parts of both feet.
 fn detect(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("detect");
     for frames in [300, 1_000, 10_000] {
         let clip = clip(frames);
         let skeleton = Skeleton::main(&clip, &Overrides::default());
-        let params = Params::default().check().expect("the defaults");
+        let params = Params::default().check().expect("valid defaults");
         group.bench_function(frames.to_string(), |bencher| {
             bencher.iter(|| plants::detect(&Feet::of(&clip, &skeleton).expect("feet"), params));
         });
     }
 }
 
-/// From a clip to its actions, by the default method.
-fn cut(criterion: &mut Criterion) {
+/// Segments a clip with the default method.
+fn segment(criterion: &mut Criterion) {
     let clip = clip(10_000);
     let skeleton = Skeleton::main(&clip, &Overrides::default());
-    let params = segments::Params::default().check().expect("the defaults");
+    let params = segments::Params::default().check().expect("valid defaults");
     let mut group = criterion.benchmark_group("cut");
     group.bench_function("10000", |bencher| {
-        bencher.iter(|| segments::segment(&clip, &skeleton, params, &mut |_| Ok(())).expect("a body"));
+        bencher
+            .iter(|| segments::segment(&clip, &skeleton, params, &mut |_| Ok(())).expect("a body in motion"));
     });
 }
 
-criterion_group!(benches, read, detect, cut);
+criterion_group!(benches, parse, detect, segment);
 criterion_main!(benches);

@@ -1,4 +1,4 @@
-//! Line figures as SVG.
+//! Figures as SVG.
 
 use std::ops::Range;
 use std::path::Path;
@@ -7,7 +7,7 @@ use anyhow::anyhow;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-/// Colours that differ for everyone, in order.
+/// Colours of series, distinguishable with colour-vision deficiencies.
 const COLOURS: [RGBColor; 6] = [
     RGBColor(11, 111, 194),
     RGBColor(179, 83, 0),
@@ -17,63 +17,72 @@ const COLOURS: [RGBColor; 6] = [
     RGBColor(192, 40, 70),
 ];
 
-/// What people said, whatever the order.
-const BY_HAND: RGBColor = RGBColor(93, 106, 120);
+/// Colour of bands.
+const BAND_COLOUR: RGBColor = RGBColor(93, 106, 120);
 
-/// How a series is drawn.
+/// Kind of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Look {
-    /// Through the points; a value that is no number breaks the line.
+enum Kind {
+    /// Line through the points; NaN values break it.
     Line,
+    /// One dot per point.
     Dots,
-    /// From the bottom to the top at each x.
-    Upright,
-    /// From the bottom to the top between x and y of each point, with its middle marked.
-    Band,
+    /// One line over the full height at each x.
+    VerticalLines,
+    /// One band over the full height from x to y of each point, with its middle marked.
+    Bands,
 }
 
-/// One line or set of dots, uprights or bands.
+/// Points that are drawn in one style.
 pub struct Series {
     label: String,
     points: Vec<(f64, f64)>,
-    look: Look,
+    kind: Kind,
 }
 
 impl Series {
+    /// Creates a line; NaN values break it.
     pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
-        Series { label: label.into(), points, look: Look::Line }
+        Series { label: label.into(), points, kind: Kind::Line }
     }
 
+    /// Creates a set of dots.
     pub fn dots(label: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
-        Series { label: label.into(), points, look: Look::Dots }
+        Series { label: label.into(), points, kind: Kind::Dots }
     }
 
-    pub fn uprights(label: impl Into<String>, places: impl IntoIterator<Item = f64>) -> Series {
-        let points = places.into_iter().map(|place| (place, 0.0)).collect();
-        Series { label: label.into(), points, look: Look::Upright }
+    /// Creates vertical lines at the given x.
+    pub fn vertical_lines(label: impl Into<String>, positions: impl IntoIterator<Item = f64>) -> Series {
+        let points = positions.into_iter().map(|x| (x, 0.0)).collect();
+        Series { label: label.into(), points, kind: Kind::VerticalLines }
     }
 
+    /// Creates bands over ranges of x.
     pub fn bands(label: impl Into<String>, ranges: Vec<(f64, f64)>) -> Series {
-        Series { label: label.into(), points: ranges, look: Look::Band }
+        Series { label: label.into(), points: ranges, kind: Kind::Bands }
     }
 
-    /// Nothing, in the place of a colour.
-    pub fn none() -> Series {
+    /// Creates an empty series, which skips a colour.
+    pub fn placeholder() -> Series {
         Series::dots("", Vec::new())
     }
 }
 
 /// One set of axes.
 pub struct Panel<'a> {
+    /// Title above the axes.
     pub title: &'a str,
+    /// Label and range of the x axis.
     pub x: (&'a str, Range<f64>),
+    /// Label and range of the y axis.
     pub y: (&'a str, Range<f64>),
+    /// Series in the order of their colours.
     pub series: Vec<Series>,
 }
 
 impl Panel<'_> {
-    /// Without a legend, where another panel has the same.
-    pub fn unlabelled(mut self) -> Self {
+    /// Removes the legend.
+    pub fn without_legend(mut self) -> Self {
         self.series.iter_mut().for_each(|series| series.label.clear());
         self
     }
@@ -83,14 +92,14 @@ impl Panel<'_> {
 pub fn draw(path: &Path, panels: &[Panel]) -> anyhow::Result<()> {
     let height = if panels.len() == 1 { 380 } else { 240 * panels.len() as u32 };
     let area = SVGBackend::new(path, (760, height)).into_drawing_area();
-    let drawn = (|| {
+    let result = (|| {
         area.fill(&WHITE).map_err(|error| error.to_string())?;
         for (part, panel) in area.split_evenly((panels.len(), 1)).iter().zip(panels) {
             draw_panel(part, panel).map_err(|error| error.to_string())?;
         }
         area.present().map_err(|error| error.to_string())
     })();
-    drawn.map_err(|error: String| anyhow!("{}: {error}", path.display()))
+    result.map_err(|error: String| anyhow!("cannot draw {}: {error}", path.display()))
 }
 
 fn draw_panel(
@@ -112,31 +121,36 @@ fn draw_panel(
         .bold_line_style(RGBColor(225, 229, 234))
         .draw()
         .map_err(|error| error.to_string())?;
-    let mut all: Vec<(&Series, &RGBColor)> = panel.series.iter().zip(COLOURS.iter().cycle()).collect();
-    // Bands lie under all else.
-    all.sort_by_key(|(series, _)| series.look != Look::Band);
+    let mut series_and_colours: Vec<(&Series, &RGBColor)> =
+        panel.series.iter().zip(COLOURS.iter().cycle()).collect();
+    // Bands are drawn first, below all other series.
+    series_and_colours.sort_by_key(|(series, _)| series.kind != Kind::Bands);
     let (bottom, top) = (panel.y.1.start, panel.y.1.end);
-    let upright = |place: f64| vec![(place, bottom), (place, top)];
-    for (series, &colour) in all {
+    let vertical = |x: f64| vec![(x, bottom), (x, top)];
+    for (series, &colour) in series_and_colours {
         let points = series.points.iter().copied();
         let mut style = colour.stroke_width(2);
-        let drawn = match series.look {
-            Look::Dots => chart.draw_series(points.map(|point| Circle::new(point, 2, colour.filled()))),
-            Look::Line => {
-                let pieces = series.points.split(|point| point.1.is_nan());
-                chart.draw_series(pieces.map(|piece| PathElement::new(piece, style)))
+        let result = match series.kind {
+            Kind::Dots => chart.draw_series(points.map(|point| Circle::new(point, 2, colour.filled()))),
+            Kind::Line => {
+                let parts = series.points.split(|point| point.1.is_nan());
+                chart.draw_series(parts.map(|part| PathElement::new(part, style)))
             }
-            Look::Upright => chart.draw_series(points.map(|point| PathElement::new(upright(point.0), style))),
-            Look::Band => {
-                let middles = points.clone().map(|(from, to)| upright((from + to) / 2.0));
-                let middles = middles.map(|line| PathElement::new(line, BY_HAND));
+            Kind::VerticalLines => {
+                chart.draw_series(points.map(|point| PathElement::new(vertical(point.0), style)))
+            }
+            Kind::Bands => {
+                let middles = points.clone().map(|(from, to)| vertical((from + to) / 2.0));
+                let middles = middles.map(|line| PathElement::new(line, BAND_COLOUR));
                 chart.draw_series(middles).map_err(|error| error.to_string())?;
-                style = BY_HAND.mix(0.25).stroke_width(9);
+                style = BAND_COLOUR.mix(0.25).stroke_width(9);
                 let corners = points.map(|(from, to)| [(from, bottom), (to, top)]);
-                chart.draw_series(corners.map(|corners| Rectangle::new(corners, BY_HAND.mix(0.25).filled())))
+                chart.draw_series(
+                    corners.map(|corners| Rectangle::new(corners, BAND_COLOUR.mix(0.25).filled())),
+                )
             }
         };
-        let drawn = drawn.map_err(|error| error.to_string())?;
+        let drawn = result.map_err(|error| error.to_string())?;
         if !series.label.is_empty() {
             drawn
                 .label(&series.label)

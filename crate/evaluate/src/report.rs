@@ -1,16 +1,16 @@
-//! The page: text, tables and figures.
+//! The report: a Markdown page of text, tables and figures.
 
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// The page as it grows.
+/// A Markdown page under construction.
 pub struct Report {
     text: String,
     figures: PathBuf,
 }
 
 impl Report {
-    /// An empty page whose figures go into a folder.
+    /// Creates an empty page whose figures are written to the folder `figures`.
     pub fn new(figures: PathBuf) -> Report {
         Report { text: String::new(), figures }
     }
@@ -24,7 +24,7 @@ impl Report {
         self.text.push('\n');
     }
 
-    /// Adds a table; all but the first column are numbers.
+    /// Adds a table. All columns but the first are aligned right.
     pub fn table(&mut self, head: &[&str], rows: &[Vec<String>]) {
         let mut table = format!("| {} |\n|---|{}\n", head.join(" | "), "---:|".repeat(head.len() - 1));
         for row in rows {
@@ -34,43 +34,43 @@ impl Report {
         self.text(&table);
     }
 
-    /// Adds a figure and gives the path to write it to.
+    /// Adds a figure and returns the path to write it to.
     pub fn figure(&mut self, name: &str, alt: &str) -> PathBuf {
         self.text(&format!("![{alt}](docs/results/{name}.svg)"));
         self.figures.join(format!("{name}.svg"))
     }
 
-    /// Begins a part that can be kept.
-    pub fn begin(&mut self, mark: &str) {
+    /// Begins a section that [`Report::copy_section`] can copy.
+    pub fn begin_section(&mut self, mark: &str) {
         self.text(&format!("<!-- {mark} -->"));
     }
 
-    /// Ends a part that can be kept.
-    pub fn end(&mut self, mark: &str) {
+    /// Ends a section.
+    pub fn end_section(&mut self, mark: &str) {
         self.text(&format!("<!-- /{mark} -->"));
     }
 
-    /// Takes a part over from an earlier page, with its figures as they are.
-    pub fn keep(&mut self, before: &str, mark: &str) {
+    /// Copies a section from a previous version of the page. Its figures are not changed.
+    pub fn copy_section(&mut self, previous: &str, mark: &str) {
         let (begin, end) = (format!("<!-- {mark} -->"), format!("<!-- /{mark} -->"));
-        if let (Some(from), Some(to)) = (before.find(&begin), before.find(&end)) {
-            self.text(&before[from..to + end.len()]);
-            println!("The section \"{mark}\" is kept as it is: the recorded trials are not here.");
+        if let (Some(from), Some(to)) = (previous.find(&begin), previous.find(&end)) {
+            self.text(&previous[from..to + end.len()]);
+            println!("Copied the section \"{mark}\": the recorded trials are not available.");
         }
     }
 
-    /// The whole page.
+    /// Returns the text of the page.
     pub fn finish(self) -> String {
         self.text
     }
 }
 
-/// A percentage with two decimals.
+/// Formats a percentage with two decimals.
 pub fn percent(value: f64) -> String {
     format!("{value:.2}")
 }
 
-/// A difference with its sign.
+/// Formats a difference with its sign and two decimals.
 pub fn signed(value: f64) -> String {
     format!("{value:+.2}")
 }

@@ -1,32 +1,32 @@
-//! The paper's figures 3 to 5: what the window does, and why a scale can be found.
+//! Figures 3 to 5 of the paper: effect of the window, and selection of the bandwidth.
 
 use plantigrade::plants::{Method, Params};
 
+use super::trial::{Trial, default_params};
 use crate::figure::{Panel, Series, draw};
 use crate::report::Report;
-use crate::trial::{Trial, of};
 
 /// Adds the figures.
-pub fn write(report: &mut Report, all: &[Trial]) -> anyhow::Result<()> {
-    report.text("### Figure 3: what the window is for");
-    let Some(trial) = all.iter().find(|trial| trial.name == "foot-drag-walk") else { return Ok(()) };
-    jitter(report, trial)?;
-    report.text("### Figures 4 and 5: why a scale can be found");
-    let Some(trial) = all.iter().find(|trial| trial.name == "curved-walk") else { return Ok(()) };
-    knee(report, trial)
+pub fn write(report: &mut Report, trials: &[Trial]) -> anyhow::Result<()> {
+    report.text("### Figure 3: effect of the window");
+    let Some(trial) = trials.iter().find(|trial| trial.name == "foot-drag-walk") else { return Ok(()) };
+    figure_3(report, trial)?;
+    report.text("### Figures 4 and 5: selection of the bandwidth");
+    let Some(trial) = trials.iter().find(|trial| trial.name == "curved-walk") else { return Ok(()) };
+    figures_4_and_5(report, trial)
 }
 
-/// Labels of one foot without and with the window, on the height of the toe.
-fn jitter(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
+/// Labels and heights of one toe, without and with the window.
+fn figure_3(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
     let metres = trial.feet.metres_per_unit;
     let frames = trial.feet.frame_count().min((5.0 / trial.frame_time()) as usize);
-    let mut runs = Vec::new();
+    let mut plant_counts = Vec::new();
     let mut panel = |window: usize, title: &'static str| {
-        let detection = trial.detect(Params { window, ..of(Method::Paper) });
+        let detection = trial.detect(Params { window, ..default_params(Method::Paper) });
         let toe = &detection.principal().feet[0];
-        let count =
+        let plants =
             |foot: usize| plantigrade::labels::intervals(&detection.principal().feet[foot].planted).len();
-        runs.push(count(0) + count(1));
+        plant_counts.push(plants(0) + plants(1));
         let points = |planted: bool| {
             (0..frames)
                 .filter(|&frame| toe.planted[frame] == planted)
@@ -35,33 +35,35 @@ fn jitter(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
         };
         Panel {
             title,
-            x: ("seconds", 0.0..frames as f64 * trial.frame_time()),
+            x: ("time in s", 0.0..frames as f64 * trial.frame_time()),
             y: ("height in m", 0.0..0.2),
-            series: vec![Series::dots("planted", points(true)), Series::dots("not", points(false))],
+            series: vec![Series::dots("planted", points(true)), Series::dots("not planted", points(false))],
         }
     };
     let panels = [panel(0, "Left toe, w = 0"), panel(1, "Left toe, w = 1")];
     report.text(&format!(
-        "Labels of the published method flicker where noise is strong; a window of three frames calms them. Over \
-         the whole clip (walk dragging a foot) there are {} plants at w = 0 and {} at w = 1.",
-        runs[0], runs[1]
+        "Labels of the published method flicker where noise is strong. A window of three frames reduces \
+         this. The whole clip (walk dragging a foot) has {} plants at w = 0 and {} at w = 1.",
+        plant_counts[0], plant_counts[1]
     ));
-    let path = report.figure("figure-3", "Heights of a toe with its labels, without and with the window");
+    let path = report.figure("figure-3", "Heights of a toe and its labels, without and with the window");
     draw(&path, &panels)
 }
 
 /// Norms by frame and sorted, and their running variance.
-fn knee(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
-    let detection = trial.detect(of(Method::Paper));
+fn figures_4_and_5(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
+    let detection = trial.detect(default_params(Method::Paper));
     let Some(evidence) = &detection.principal().evidence else { return Ok(()) };
     let numbered = |values: &mut dyn Iterator<Item = f64>| {
-        values.enumerate().map(|(j, value)| (j as f64, value)).collect::<Vec<_>>()
+        values.enumerate().map(|(index, value)| (index as f64, value)).collect::<Vec<_>>()
     };
     let knee = evidence.knee as f64;
     let count = evidence.sorted_norms.len() as f64;
     let variance = numbered(&mut evidence.running_variance().take_while(|variance| *variance <= 0.01));
-    let path = report
-        .figure("figure-4-5", "Norms of a walk's samples, sorted, and their running variance, with the knee");
+    let path = report.figure(
+        "figure-4-5",
+        "Norms of the samples of a walk, unsorted and sorted, and their running variance with its knee",
+    );
     draw(
         &path,
         &[
@@ -75,7 +77,7 @@ fn knee(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
                 )],
             },
             Panel {
-                title: "The same, sorted (figure 4b)",
+                title: "Sorted norms (figure 4b)",
                 x: ("sample", 0.0..count),
                 y: ("norm", 0.0..2.0),
                 series: vec![
@@ -84,7 +86,7 @@ fn knee(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
                 ],
             },
             Panel {
-                title: "Sample variance of the first norms (figure 5)",
+                title: "Running variance of the sorted norms (figure 5)",
                 x: ("sample", 0.0..count),
                 y: ("variance", 0.0..0.01),
                 series: vec![

@@ -1,5 +1,6 @@
-//! Clips with truth, and what comes of labelling them.
+//! Clips with truth, and the accuracy of labels.
 
+use std::ops::Range;
 use std::path::Path;
 
 use plantigrade::bvh::{self, Clip};
@@ -7,18 +8,19 @@ use plantigrade::labels::{self, Part, Side};
 use plantigrade::plants::{self, Detection, Feet, Method, Params};
 use plantigrade::score::{self, Events, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};
-use plantigrade_synth::{Generated, Recipe, generate};
+use plantigrade_synth::{ClipSpec, Generated, generate};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use crate::parallel;
-
-/// Seeds that are reported on.
-pub const SEEDS: std::ops::Range<u64> = 10..20;
+/// Seeds of the reported results.
+pub const SEEDS: Range<u64> = 10..20;
 
 /// One clip with its truth.
 pub struct Trial {
+    /// Name of the clip.
     pub name: String,
+    /// Tracks of the feet.
     pub feet: Feet,
-    /// Truth of each part: the left foot's, then the right's.
+    /// Truth of each part, left foot first.
     truth: Vec<(Part, [Truth; 2])>,
 }
 
@@ -29,7 +31,7 @@ impl Trial {
         Trial { name, feet, truth }
     }
 
-    /// A generated clip.
+    /// Creates a trial from a generated clip.
     pub fn generated(name: impl Into<String>, generated: &Generated) -> Trial {
         let truth = |part: Part| {
             let known = |labels: Vec<bool>| labels.into_iter().map(Some).collect();
@@ -39,7 +41,7 @@ impl Trial {
         Trial::new(name.into(), &generated.clip, Part::ALL.map(truth).into())
     }
 
-    /// A recorded clip with measured contact beside it.
+    /// Reads a recorded clip, with measured contact in a JSON file of the same name.
     pub fn recorded(path: &Path) -> anyhow::Result<Trial> {
         let clip = bvh::parse(&std::fs::read(path)?, bvh::Options::default())?.clip;
         let text = std::fs::read_to_string(path.with_extension("json"))?;
@@ -51,21 +53,23 @@ impl Trial {
         Ok(Trial::new(name.into_owned(), &clip, masked.collect()))
     }
 
+    /// Time between frames, in seconds.
     pub fn frame_time(&self) -> f64 {
         self.feet.frame_time
     }
 
-    /// Truth of one part.
+    /// Truth of one part, left foot first.
     pub fn truth(&self, part: Part) -> &[Truth; 2] {
-        let found = self.truth.iter().find(|(other, _)| *other == part);
-        found.map(|(_, truth)| truth).expect("truth of that part")
+        let truth = self.truth.iter().find(|(other, _)| *other == part);
+        truth.map(|(_, truth)| truth).expect("truth of that part")
     }
 
+    /// Detects plants.
     pub fn detect(&self, params: Params) -> Detection {
-        plants::detect(&self.feet, params.check().expect("parameters within their rules"))
+        plants::detect(&self.feet, params.check().expect("valid parameters"))
     }
 
-    /// Lenient accuracy of labels of both feet.
+    /// Returns the lenient tally of labels of both feet.
     pub fn tally(&self, part: Part, labels: [&[bool]; 2], fuzzy: f64) -> Tally {
         let mut tally = Tally::default();
         for (labels, truth) in labels.into_iter().zip(self.truth(part)) {
@@ -74,7 +78,7 @@ impl Trial {
         tally
     }
 
-    /// Strict accuracy of labels of both feet.
+    /// Returns the strict tally of labels of both feet.
     pub fn strict(&self, part: Part, labels: [&[bool]; 2], fuzzy: f64) -> Tally {
         let mut tally = Tally::default();
         for (labels, truth) in labels.into_iter().zip(self.truth(part)) {
@@ -83,7 +87,7 @@ impl Trial {
         tally
     }
 
-    /// Plants of both feet as events.
+    /// Compares the plants of both feet with the truth as events.
     pub fn events(&self, part: Part, labels: [&[bool]; 2]) -> Events {
         let mut events = Events::default();
         for (labels, truth) in labels.into_iter().zip(self.truth(part)) {
@@ -93,74 +97,77 @@ impl Trial {
     }
 }
 
-/// The labels of one part of both feet.
+/// Returns the labels of one part, left foot first.
 pub fn labels(detection: &Detection, part: Part) -> [&[bool]; 2] {
     let labels = detection.part(part).expect("the method labels that part");
     Side::BOTH.map(|side| labels.foot(side).planted.as_slice())
 }
 
-/// Default parameters of a method.
-pub fn of(method: Method) -> Params {
+/// Returns the default parameters of a method.
+pub fn default_params(method: Method) -> Params {
     Params { method, ..Params::default() }
 }
 
-/// The trials of some recipes for some seeds.
-pub fn trials(recipes: &[Recipe], seeds: impl IntoIterator<Item = u64>) -> Vec<Trial> {
-    let jobs: Vec<(&Recipe, u64)> =
-        seeds.into_iter().flat_map(|seed| recipes.iter().map(move |recipe| (recipe, seed))).collect();
-    parallel::map(&jobs, |(recipe, seed)| Trial::generated(recipe.name.to_string(), &generate(recipe, *seed)))
+/// Generates the trials of all specifications for all seeds.
+pub fn generate_trials(specs: &[ClipSpec], seeds: impl IntoIterator<Item = u64>) -> Vec<Trial> {
+    let jobs: Vec<(&ClipSpec, u64)> =
+        seeds.into_iter().flat_map(|seed| specs.iter().map(move |spec| (spec, seed))).collect();
+    let trial = |(spec, seed): &(&ClipSpec, u64)| Trial::generated(spec.name.clone(), &generate(spec, *seed));
+    jobs.par_iter().map(trial).collect()
 }
 
-/// Accuracies of many clips.
+/// Accuracies of several clips.
 #[derive(Clone, Debug, Default)]
 pub struct Accuracies {
     pooled: Tally,
-    each: Vec<f64>,
+    per_clip: Vec<f64>,
 }
 
 impl Accuracies {
-    pub fn of(tallies: impl IntoIterator<Item = Tally>) -> Accuracies {
-        let mut all = Accuracies::default();
+    /// Collects the tallies of clips.
+    pub fn from_tallies(tallies: impl IntoIterator<Item = Tally>) -> Accuracies {
+        let mut accuracies = Accuracies::default();
         for tally in tallies {
-            all.pooled += tally;
-            all.each.push(100.0 * tally.accuracy());
+            accuracies.pooled += tally;
+            accuracies.per_clip.push(100.0 * tally.accuracy());
         }
-        all
+        accuracies
     }
 
-    /// In percent, pooled over frames.
+    /// Accuracy pooled over frames, in percent.
     pub fn pooled(&self) -> f64 {
         100.0 * self.pooled.accuracy()
     }
 
-    /// In percent, of the worst clip.
+    /// Accuracy of the worst clip, in percent.
     pub fn lowest(&self) -> f64 {
-        self.each.iter().copied().fold(100.0, f64::min)
+        self.per_clip.iter().copied().fold(100.0, f64::min)
     }
 
-    /// In percent, of the best clip.
+    /// Accuracy of the best clip, in percent.
     pub fn highest(&self) -> f64 {
-        self.each.iter().copied().fold(0.0, f64::max)
+        self.per_clip.iter().copied().fold(0.0, f64::max)
     }
 
-    /// Standard deviation over clips (n − 1), as a share.
-    pub fn deviation(&self) -> f64 {
-        let mean = self.each.iter().sum::<f64>() / self.each.len() as f64;
-        let squares: f64 = self.each.iter().map(|each| (each - mean).powi(2)).sum();
-        (squares / (self.each.len().max(2) - 1) as f64).sqrt() / 100.0
+    /// Sample standard deviation over clips (n − 1), as a fraction.
+    pub fn standard_deviation(&self) -> f64 {
+        let mean = self.per_clip.iter().sum::<f64>() / self.per_clip.len() as f64;
+        let squares: f64 = self.per_clip.iter().map(|accuracy| (accuracy - mean).powi(2)).sum();
+        (squares / (self.per_clip.len().max(2) - 1) as f64).sqrt() / 100.0
     }
 }
 
-/// Accuracies of a method over trials, for each fuzzy period.
+/// Returns the accuracies of a method over trials, for each fuzzy period.
 pub fn accuracies<const N: usize>(
     trials: &[Trial],
     params: Params,
     part: Part,
     fuzzy: [f64; N],
 ) -> [Accuracies; N] {
-    let tallies = parallel::map(trials, |trial| {
+    let tallies = |trial: &Trial| {
         let detection = trial.detect(params);
         fuzzy.map(|fuzzy| trial.tally(part, labels(&detection, part), fuzzy))
-    });
-    std::array::from_fn(|place| Accuracies::of(tallies.iter().map(|tallies| tallies[place])))
+    };
+    let tallies: Vec<[Tally; N]> = trials.par_iter().map(tallies).collect();
+    std::array::from_fn(|index| Accuracies::from_tallies(tallies.iter().map(|tallies| tallies[index])))
 }

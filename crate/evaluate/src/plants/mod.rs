@@ -1,0 +1,12 @@
+//! Sections about foot plants.
+
+pub mod confidence;
+pub mod force_plates;
+pub mod frame_rates;
+pub mod hard_cases;
+pub mod methods;
+pub mod paper;
+pub mod paper_figures_3_to_5;
+pub mod paper_table_3;
+pub mod threshold_search;
+pub mod trial;
