@@ -65,7 +65,7 @@ fn clean_writes_nothing_if_it_fails() {
     let (sample, other) = (file("samples/curved-walk.bvh"), file("samples/ballet.json"));
     let (code, _, stderr) = run(folder.path(), &["clean", &sample, "-o", "out.bvh", "--labels", &other], b"");
     assert_eq!((code, stderr.lines().count()), (1, 1), "{stderr}");
-    assert!(stderr.contains("the labels are of 298 frames, and the clip has 245"), "{stderr}");
+    assert!(stderr.contains("the file has 298 frames, but the clip has 245"), "{stderr}");
     let (code, _, stderr) = run(folder.path(), &["clean", "-", "-o", "out.bvh"], b"HIERARCHY\n");
     assert_eq!((code, stderr.starts_with("<stdin>:")), (1, true), "{stderr}");
     for wrong in [

@@ -322,7 +322,7 @@ fn score_compares_cuts_with_truth() {
     fs::write(folder.path().join("segmentation.json"), other.to_string()).expect("written");
     let output = plantigrade(&["score", path, "--cuts"]);
     assert_eq!(code(&output), 1);
-    assert!(stderr(&output).contains("segmentation.json: error: the labels are of 9 frames"));
+    assert!(stderr(&output).contains("segmentation.json: error: the file has 9 frames"));
 }
 
 #[test]

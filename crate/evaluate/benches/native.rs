@@ -34,7 +34,7 @@ fn detect(criterion: &mut Criterion) {
         let skeleton = Skeleton::main(&clip, &Overrides::default());
         let params = Params::default().check().expect("valid defaults");
         group.bench_function(frames.to_string(), |bencher| {
-            bencher.iter(|| plants::detect(&Feet::of(&clip, &skeleton).expect("feet"), params));
+            bencher.iter(|| plants::detect(&Feet::new(&clip, &skeleton).expect("feet"), params));
         });
     }
 }

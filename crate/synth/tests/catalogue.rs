@@ -48,8 +48,8 @@ fn clips_have_the_frames_and_rate_of_their_specification() {
         let generated = generate(&spec, 0);
         assert_eq!(generated.clip.frame_count(), spec.frames, "{}", spec.name);
         assert!((generated.clip.rate() - spec.rate as f64).abs() < 1e-3, "{}", spec.name);
-        assert_eq!(generated.truth.frames, spec.frames, "{}", spec.name);
-        assert_eq!(generated.truth.rate, generated.clip.rate(), "{}", spec.name);
+        assert_eq!(generated.truth.header.frames, spec.frames, "{}", spec.name);
+        assert_eq!(generated.truth.header.rate, generated.clip.rate(), "{}", spec.name);
     }
 }
 
@@ -97,11 +97,14 @@ fn labels_are_within_the_clip_and_contact_covers_heel_and_toe() {
             let truth = generate(&spec, seed).truth;
             for side in Side::BOTH {
                 let [contact, toe, heel] = Part::ALL.map(|part| truth.labels(side, part).unwrap());
-                let spans = truth.foot(side).contact.as_deref().unwrap();
-                assert!(spans.iter().all(|span| span.start < span.end && span.end <= truth.frames));
+                let plants = truth.foot(side).contact.as_deref().unwrap();
+                assert!(
+                    plants.iter().all(|plant| plant.frames.start < plant.frames.end
+                        && plant.frames.end <= truth.header.frames)
+                );
                 let foot = format!("{} {}", spec.name, side.name());
                 assert_eq!(intervals(&toe).is_empty(), NEVER_PLANTED.contains(&foot.as_str()), "{foot}");
-                for frame in 0..truth.frames {
+                for frame in 0..truth.header.frames {
                     assert_eq!(contact[frame], toe[frame] || heel[frame], "{} {frame}", spec.name);
                 }
             }

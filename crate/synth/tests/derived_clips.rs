@@ -9,7 +9,7 @@ fn decimation_preserves_rows_and_labels() {
     let decimated = decimate(&original, 4);
     assert_eq!(decimated.clip.frame_count(), original.clip.frame_count().div_ceil(4));
     assert!((decimated.clip.rate() - original.clip.rate() / 4.0).abs() < 1e-9);
-    assert_eq!(decimated.truth.frames, decimated.clip.frame_count());
+    assert_eq!(decimated.truth.header.frames, decimated.clip.frame_count());
     let labels =
         [&original, &decimated].map(|generated| generated.truth.labels(Side::Left, Part::Toe).unwrap());
     for frame in 0..decimated.clip.frame_count() {
@@ -53,6 +53,6 @@ fn long_mix_has_the_requested_length() {
     for frames in [120, 36_000] {
         let generated = generate(&long_mix(frames, 1.0), 0);
         assert_eq!(generated.clip.frame_count(), frames);
-        assert_eq!(generated.truth.frames, frames);
+        assert_eq!(generated.truth.header.frames, frames);
     }
 }

@@ -111,9 +111,11 @@ fn sprint_has_short_contacts_without_heels() {
     let (_, generated) = case("sprint-120");
     for side in Side::BOTH {
         assert!(labels(&generated, side, Part::Heel).iter().all(|&planted| !planted));
-        let spans = generated.truth.foot(side).contact.as_deref().unwrap();
-        let inside = spans.iter().filter(|span| span.start > 0 && span.end < generated.truth.frames);
-        let lengths: Vec<f64> = inside.map(|span| span.end_s - span.start_s).collect();
+        let plants = generated.truth.foot(side).contact.as_deref().unwrap();
+        let inside = plants
+            .iter()
+            .filter(|plant| plant.frames.start > 0 && plant.frames.end < generated.truth.header.frames);
+        let lengths: Vec<f64> = inside.map(|plant| plant.frames.end_s - plant.frames.start_s).collect();
         assert!(lengths.len() > 4 && lengths.iter().all(|length| (0.08..0.13).contains(length)));
     }
 }

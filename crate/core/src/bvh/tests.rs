@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::bvh::motion_section::Rows;
+use crate::bvh::motion_section::MotionSection;
 use crate::bvh::number::Decimals;
 use crate::notice::Code;
 
@@ -131,7 +131,7 @@ fn memory_is_reserved_for_plausible_frame_counts() {
     let joints = read(HEAD).clip.joints().to_vec();
     let capacity = |stated: &str, expected_bytes| {
         let options = Options { expected_bytes, ..Options::default() };
-        let mut rows = Rows::new(options, &joints, Decimals::default());
+        let mut rows = MotionSection::new(options, &joints, Decimals::default());
         rows.line(1, format!("Frames: {stated}").as_bytes()).unwrap();
         rows.line(2, b"1 2 3").unwrap();
         rows.values.capacity()

@@ -1,6 +1,6 @@
 //! Calibration of the confidence of labels.
 
-use plantigrade::labels::{Part, Side};
+use plantigrade::foot::{Part, Side};
 use plantigrade::plants::Method;
 use plantigrade_synth::full_set;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};

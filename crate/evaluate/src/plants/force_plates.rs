@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use plantigrade::labels::Part;
+use plantigrade::foot::Part;
 use plantigrade::plants::Method;
 use plantigrade::score::{Events, Tally};
 

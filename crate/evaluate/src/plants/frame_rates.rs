@@ -1,6 +1,6 @@
 //! Independence of the frame rate.
 
-use plantigrade::labels::Part;
+use plantigrade::foot::Part;
 use plantigrade::plants::Method;
 use plantigrade::score::Tally;
 use plantigrade_synth::{ClipSpec, decimate, full_set, generate};

@@ -1,6 +1,6 @@
 //! The hard cases, one by one.
 
-use plantigrade::labels::Part;
+use plantigrade::foot::Part;
 use plantigrade::plants::Method;
 use plantigrade_synth::hard_cases;
 

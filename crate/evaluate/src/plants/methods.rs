@@ -1,7 +1,7 @@
 //! All methods on the generated set, the motions with the lowest accuracy, and the effect of noise.
 
-use plantigrade::labels::Part;
-use plantigrade::plants::{Detection, Family, Method, detect_along};
+use plantigrade::foot::Part;
+use plantigrade::plants::{Detection, Method, detect_with_standing};
 use plantigrade::score::{Events, Tally};
 use plantigrade_synth::{full_set, generate, hard_cases};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -24,11 +24,11 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
          has tuned thresholds.",
     );
     let mut rows = Vec::new();
-    for method in Method::ALL {
+    for &method in Method::ALL {
         for part in method.parts().iter().filter(|part| **part != Part::Heel) {
             let name = format!("{} ({})", method.title(), part.name());
             let detect = |trial: &Trial| trial.detect(default_params(method));
-            rows.push(row(&name, family(method), &trials, detect, *part));
+            rows.push(row(&name, method.family().name(), &trials, detect, *part));
         }
     }
     rows.push(row_with_standing_clip(&trials));
@@ -39,14 +39,6 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
     lowest(report, &trials);
     noise(report);
     Ok(())
-}
-
-fn family(method: Method) -> &'static str {
-    match method.family() {
-        Family::Spectral => "spectral",
-        Family::Mixture => "mixture",
-        Family::Threshold => "threshold",
-    }
 }
 
 /// Scores of one clip: lenient tallies by fuzzy period, strict tally at p = 0.3, and events.
@@ -85,7 +77,7 @@ fn row_with_standing_clip(trials: &[Trial]) -> Vec<String> {
     let detect = |trial: &Trial| {
         let params = default_params(Method::Paper).check().expect("valid defaults");
         match &still {
-            Some(still) => detect_along(&trial.feet, &still.feet, params),
+            Some(still) => detect_with_standing(&trial.feet, &still.feet, params),
             None => trial.detect(default_params(Method::Paper)),
         }
     };
@@ -163,7 +155,7 @@ mod tests {
     fn common_bandwidth_varies_more_between_clips() {
         let trials = generate_trials(&full_set(1.0), 10..12);
         let [adaptive] = accuracies(&trials, default_params(Method::Paper), Part::Toe, [0.3]);
-        let [common] = accuracies(&trials, default_params(Method::FixedScale), Part::Toe, [0.3]);
+        let [common] = accuracies(&trials, default_params(Method::FixedSigma), Part::Toe, [0.3]);
         let deviations = [adaptive, common].map(|accuracies| accuracies.standard_deviation());
         assert!(deviations[1] > deviations[0], "{deviations:?}");
     }

@@ -1,6 +1,6 @@
 //! The tables and figures of the paper (its section 3), published and reproduced.
 
-use plantigrade::labels::Part;
+use plantigrade::foot::Part;
 use plantigrade::plants::{Method, Params};
 use plantigrade_synth::full_set;
 
@@ -67,7 +67,7 @@ fn table_1(report: &mut Report, trials: &[Trial]) -> anyhow::Result<()> {
         ([94.33, 100.0, 0.014467], [87.82, 100.0, 0.028453]),
     ];
     let adaptive = accuracies(trials, default_params(Method::Paper), Part::Toe, FUZZY);
-    let common = accuracies(trials, default_params(Method::FixedScale), Part::Toe, FUZZY);
+    let common = accuracies(trials, default_params(Method::FixedSigma), Part::Toe, FUZZY);
     let cells = |ours: &Accuracies, published: [f64; 3]| {
         vec![
             format!("{:.2} *{:.2}*", ours.lowest(), published[0]),
@@ -198,7 +198,7 @@ fn figures_6_to_8(report: &mut Report, trials: &[Trial]) -> anyhow::Result<()> {
     let by_bandwidth: Vec<[Accuracies; 4]> = bandwidths
         .iter()
         .map(|&bandwidth| {
-            let params = Params { scale: Some(bandwidth), ..default_params(Method::FixedScale) };
+            let params = Params { sigma: Some(bandwidth), ..default_params(Method::FixedSigma) };
             accuracies(trials, params, Part::Toe, FUZZY)
         })
         .collect();

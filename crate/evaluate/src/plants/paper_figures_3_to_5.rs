@@ -25,7 +25,7 @@ fn figure_3(report: &mut Report, trial: &Trial) -> anyhow::Result<()> {
         let detection = trial.detect(Params { window, ..default_params(Method::Paper) });
         let toe = &detection.principal().feet[0];
         let plants =
-            |foot: usize| plantigrade::labels::intervals(&detection.principal().feet[foot].planted).len();
+            |foot: usize| plantigrade::intervals::intervals(&detection.principal().feet[foot].planted).len();
         plant_counts.push(plants(0) + plants(1));
         let points = |planted: bool| {
             (0..frames)

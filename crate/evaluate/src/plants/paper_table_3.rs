@@ -1,6 +1,6 @@
 //! Table 3 of the paper: thresholds tuned on the truth that they are scored on.
 
-use plantigrade::labels::Part;
+use plantigrade::foot::Part;
 use plantigrade::plants::Method;
 
 use super::threshold_search::{Kind, Signals, Thresholds, signals};

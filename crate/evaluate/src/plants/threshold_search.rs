@@ -1,6 +1,6 @@
 //! Threshold methods with thresholds tuned on the truth.
 
-use plantigrade::labels::Part;
+use plantigrade::foot::Part;
 use plantigrade::plants::Method;
 use plantigrade::score::Tally;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};

@@ -4,7 +4,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use plantigrade::bvh::{self, Clip};
-use plantigrade::labels::{self, Part, Side};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats;
 use plantigrade::plants::{self, Detection, Feet, Method, Params};
 use plantigrade::score::{self, Events, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -27,7 +28,7 @@ pub struct Trial {
 impl Trial {
     fn new(name: String, clip: &Clip, truth: Vec<(Part, [Truth; 2])>) -> Trial {
         let skeleton = Skeleton::main(clip, &Overrides::default());
-        let feet = Feet::of(clip, &skeleton).expect("a clip with feet in motion");
+        let feet = Feet::new(clip, &skeleton).expect("a clip with feet in motion");
         Trial { name, feet, truth }
     }
 
@@ -44,8 +45,8 @@ impl Trial {
     /// Reads a recorded clip, with measured contact in a JSON file of the same name.
     pub fn recorded(path: &Path) -> anyhow::Result<Trial> {
         let clip = bvh::parse(&std::fs::read(path)?, bvh::Options::default())?.clip;
-        let text = std::fs::read_to_string(path.with_extension("json"))?;
-        let truth = labels::read(&text, clip.frame_count())?;
+        let bytes = std::fs::read(path.with_extension("json"))?;
+        let truth = formats::read_plants(&bytes, clip.frame_count())?;
         let masked = truth.parts.into_iter().map(|(part, feet)| {
             (part, feet.map(|labels| score::mask_near_unknown(&labels, clip.frame_time())))
         });

@@ -94,9 +94,9 @@ fn introduction(report: &mut Report) {
          correct, R (recall) the fraction of true cuts that are detected, F1 their harmonic mean. The MVU \
          paper counts both inside. The methods:",
     );
-    let methods =
-        Method::ALL.map(|method| format!("- `{}`: {}. {}", method.name(), method.title(), method.about()));
-    report.text(&methods.join("\n"));
+    let description =
+        |method: &Method| format!("- `{}`: {}. {}", method.name(), method.title(), method.description());
+    report.text(&Method::ALL.iter().map(description).collect::<Vec<_>>().join("\n"));
     report.text(
         "*As published* follows the publication where the default differs from it. For `mvu` this is ten \
          dimensions, the residual as a ratio of the total, and a cut wherever the residual grows by more \
@@ -113,10 +113,11 @@ fn table(report: &mut Report, generated: &Generated) {
         .cuts
         .iter()
         .map(|(variant, _)| {
-            let [half, one, inside] = Tolerance::USUAL.map(|tolerance| generated.tally(variant, tolerance));
+            let [half, one, inside] =
+                Tolerance::REPORTED.map(|tolerance| generated.tally(variant, tolerance));
             let near_range = generated.tally_near_range(variant);
             let values = [one.precision(), one.recall(), one.f1(), half.f1(), inside.f1(), near_range.f1()];
-            let mut row = vec![variant.name.to_owned(), one.wanted.to_string(), one.found.to_string()];
+            let mut row = vec![variant.name.to_owned(), one.total.to_string(), one.found.to_string()];
             row.extend(values.map(two_decimals));
             row
         })

@@ -26,8 +26,8 @@ pub struct Variant {
 
 /// Returns all methods with default parameters, followed by their published variants.
 pub fn variants() -> Vec<Variant> {
-    let defaults =
-        Method::ALL.map(|method| Variant { name: method.name(), params: params_of(method, false) });
+    let default = |&method: &Method| Variant { name: method.name(), params: params_of(method, false) };
+    let defaults: Vec<Variant> = Method::ALL.iter().map(default).collect();
     let variant = |name, params| Variant { name, params };
     let published = [
         variant("lsd, as published", params_of(Method::Lsd, true)),
@@ -39,7 +39,7 @@ pub fn variants() -> Vec<Variant> {
         variant("mvu, d = 10, own rule, ratio", Params { published: false, ..MVU_PUBLISHED }),
         variant("ppca, as published", params_of(Method::Ppca, true)),
     ];
-    [defaults.to_vec(), published.to_vec()].concat()
+    defaults.into_iter().chain(published).collect()
 }
 
 /// Returns the default or the published parameters of a method.

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use plantigrade::bvh;
-use plantigrade::labels;
+use plantigrade::formats;
 use plantigrade::score::{Tolerance, TrueCut};
 use plantigrade::segments::{Method, Segment};
 
@@ -47,11 +47,11 @@ impl Recorded {
             let bytes = fs::read(folder.join(name).with_extension("bvh"))?;
             let clip = bvh::parse(&bytes, bvh::Options::default())?.clip;
             let text = fs::read_to_string(folder.join(truth))?;
-            let truth = labels::read_cuts(&text, name, clip.frame_count(), clip.rate())?;
+            let truth = formats::read_cuts(&text, name, clip.frame_count(), clip.rate())?;
             anyhow::Ok((Case { clip, truth }, text))
         };
         let (walk, text) = case("86_01", "segmentation.json")?;
-        let actions = labels::read_segments(&text, "86_01", walk.clip.frame_count(), walk.clip.rate())?;
+        let actions = formats::read_segments(&text, "86_01", walk.clip.frame_count(), walk.clip.rate())?;
         let (exercise, _) = case("13_30", "segmentation_mocap6.json")?;
         let (second, _) = case("86_01", "segmentation_second_annotator.json")?;
         Ok(Recorded { cases: vec![walk, exercise], actions, second })
@@ -135,7 +135,7 @@ fn first_trial(report: &mut Report, recorded: &Recorded, cuts: &[VariantCuts]) {
         .map(|(variant, cuts)| {
             let mut row = vec![variant.name.to_owned(), cuts[0].len().to_string()];
             row.extend(
-                Tolerance::USUAL.map(|tolerance| precision_recall_f1(first.tally(&cuts[0], tolerance))),
+                Tolerance::REPORTED.map(|tolerance| precision_recall_f1(first.tally(&cuts[0], tolerance))),
             );
             row.extend([HALF, ONE].map(|tolerance| two_decimals(second.tally(&cuts[0], tolerance).f1())));
             row
