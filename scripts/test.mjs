@@ -21,7 +21,7 @@ const checks = {
     () => cargo(["doc", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
   ],
   biome: ["Biome", () => node("@biomejs/biome/bin/biome", "ci", "--error-on-warnings", ".")],
-  types: ["TypeScript", () => node("typescript/bin/tsc", "--noEmit", "-p", ".")],
+  types: ["TypeScript", () => node("@typescript/native/bin/tsc", "--noEmit", "-p", ".")],
   core: [
     "Core, samples and command line",
     () => cargo(["test", "--locked", "--workspace", ...without("wasm", "bindgen")]),
