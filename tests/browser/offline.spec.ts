@@ -11,7 +11,11 @@ test.use({ serviceWorkers: "allow" });
 const kept = (page: Page) =>
   page.evaluate(async () => {
     await navigator.serviceWorker.ready;
-    while (!navigator.serviceWorker.controller) await new Promise((go) => setTimeout(go, 20));
+    const { serviceWorker } = navigator;
+    const controlled = new Promise((resolve) =>
+      serviceWorker.addEventListener("controllerchange", resolve, { once: true }),
+    );
+    if (!serviceWorker.controller) await controlled;
   });
 
 test("after one visit the app opens, labels and shares without a network", async ({

@@ -432,10 +432,15 @@ export function keyText({ key, mod, shift }: KeyBinding): string {
   return [mod && "Ctrl", shift && "Shift", name].filter(Boolean).join(" ");
 }
 
+/** Returns the display text of the first key of a command. */
+export function keyOf(id: CommandId): string {
+  const [key] = commandOf(id).keys;
+  return key ? keyText(key) : "";
+}
+
 /** Returns the tooltip of a button: its label and its key. */
 export function tooltip(id: CommandId, label = commandOf(id).label): string {
-  const [key] = commandOf(id).keys;
-  return key ? `${label} (${keyText(key)})` : label;
+  return `${label} (${keyOf(id)})`;
 }
 
 /** Rows of the key overlay by group: keys, and what they do. */

@@ -1,19 +1,11 @@
 import { useSignal } from "@preact/signals";
+import { type CommandId, commandOf, isEnabled, keyOf, tooltip } from "../actions/commands";
 import {
   addAtPlayhead,
-  canRedo,
-  canUndo,
-  endAtPlayhead,
-  mergeNext,
-  redo,
-  removeSelected,
   resizeSelected,
   revertAll,
   revertSelected,
   selection,
-  splitAtPlayhead,
-  startAtPlayhead,
-  undo,
 } from "../actions/edit";
 import type { FrameRange } from "../model/edits";
 import type { Part, Side } from "../model/types";
@@ -26,8 +18,8 @@ export function PlantEditor() {
     <div class="field edit">
       <div class="field-head">
         <h2>Edit</h2>
-        <Step name="undo" keys="Ctrl Z" enabled={canUndo.value} act={undo} />
-        <Step name="redo" keys="Ctrl Shift Z" enabled={canRedo.value} act={redo} />
+        <HistoryButton id="undo" />
+        <HistoryButton id="redo" />
       </div>
       {selection.value ? (
         <Selected />
@@ -44,28 +36,18 @@ export function PlantEditor() {
   );
 }
 
-function Step({
-  name,
-  keys,
-  enabled,
-  act,
-}: {
-  name: "undo" | "redo";
-  keys: string;
-  enabled: boolean;
-  act: () => void;
-}) {
-  const title = name === "undo" ? "Undo" : "Redo";
+function HistoryButton({ id }: { id: "undo" | "redo" }) {
+  const command = commandOf(id);
   return (
     <button
       type="button"
       class="button plain icon-only"
-      aria-label={title}
-      title={`${title} (${keys})`}
-      disabled={!enabled}
-      onClick={act}
+      aria-label={command.label}
+      title={tooltip(id)}
+      disabled={!isEnabled(command)}
+      onClick={command.run}
     >
-      <Icon name={name} />
+      <Icon name={id} />
     </button>
   );
 }
@@ -83,31 +65,21 @@ function Selected() {
         {isEdited && <span class="quiet"> · edited</span>}
       </p>
       <div class="rows edges">
-        <Edge
-          name="Start"
-          value={plantRef.start}
-          to={(start) => ({ start })}
-          here={startAtPlayhead}
-          keys="I"
-        />
-        <Edge
-          name="End"
-          value={plantRef.end}
-          to={(end) => ({ end })}
-          here={endAtPlayhead}
-          keys="O"
-        />
+        <Edge name="Start" value={plantRef.start} to={(start) => ({ start })} command="set-start" />
+        <Edge name="End" value={plantRef.end} to={(end) => ({ end })} command="set-end" />
       </div>
       <div class="edit-actions">
-        <button type="button" class="button" title="K" onClick={splitAtPlayhead}>
-          Split here
-        </button>
-        <button type="button" class="button" title="M" onClick={mergeNext}>
-          Merge with next
-        </button>
-        <button type="button" class="button" title="Delete" onClick={removeSelected}>
-          Delete
-        </button>
+        {(["split", "merge", "delete"] as const).map((id) => (
+          <button
+            key={id}
+            type="button"
+            class="button"
+            title={keyOf(id)}
+            onClick={commandOf(id).run}
+          >
+            {commandOf(id).label}
+          </button>
+        ))}
         <button type="button" class="button" disabled={!isEdited} onClick={revertSelected}>
           As detected
         </button>
@@ -121,14 +93,12 @@ function Edge({
   name,
   value,
   to,
-  here,
-  keys,
+  command,
 }: {
   name: string;
   value: number;
   to: (frame: number) => Partial<FrameRange>;
-  here: () => void;
-  keys: string;
+  command: CommandId;
 }) {
   return (
     <div class="edge">
@@ -152,8 +122,8 @@ function Edge({
         type="button"
         class="button"
         aria-label={`${name} here`}
-        title={`At the playhead (${keys})`}
-        onClick={here}
+        title={tooltip(command)}
+        onClick={commandOf(command).run}
       >
         Here
       </button>
@@ -199,7 +169,7 @@ function Add() {
       <button
         type="button"
         class="button"
-        title="A plant at the playhead (A)"
+        title={tooltip("add")}
         onClick={() => addAtPlayhead(side.value, chosen)}
       >
         Add here

@@ -1,5 +1,6 @@
 import { useComputed } from "@preact/signals";
-import { removeReference, stepDisagreement } from "../actions/compare";
+import { commandOf, tooltip } from "../actions/commands";
+import { removeReference } from "../actions/compare";
 import { adoptReference } from "../actions/edit";
 import { pause, seek } from "../actions/playback";
 import type { Disagreement, Score } from "../model/types";
@@ -137,18 +138,18 @@ function Disagreements({ of: { disagreements } }: { of: Score }) {
               <button
                 type="button"
                 class="button"
-                title="Previous (Shift N)"
+                title={tooltip("previous-difference")}
                 aria-label="Previous difference"
-                onClick={() => stepDisagreement(-1)}
+                onClick={commandOf("previous-difference").run}
               >
                 ←
               </button>
               <button
                 type="button"
                 class="button"
-                title="Next (N)"
+                title={tooltip("next-difference")}
                 aria-label="Next difference"
-                onClick={() => stepDisagreement(1)}
+                onClick={commandOf("next-difference").run}
               >
                 →
               </button>

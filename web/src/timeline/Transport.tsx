@@ -1,5 +1,6 @@
 import { useComputed } from "@preact/signals";
-import { cycleLoop, fitTimeline, speeds, togglePlay } from "../actions/playback";
+import { commandOf, keyOf, tooltip } from "../actions/commands";
+import { speeds } from "../actions/playback";
 import { frame, loop, loopedSegment, loopRegion, playing, speed } from "../store/playback";
 import { openClip, plants } from "../store/session";
 import { Icon } from "../ui/icons";
@@ -18,8 +19,8 @@ export function Transport() {
         class="play"
         disabled={still}
         aria-label={playing.value ? "Pause" : "Play"}
-        title={playing.value ? "Pause (Space)" : "Play (Space)"}
-        onClick={togglePlay}
+        title={tooltip("play", playing.value ? "Pause" : "Play")}
+        onClick={commandOf("play").run}
       >
         <Icon name={playing.value ? "pause" : "play"} />
       </button>
@@ -35,8 +36,8 @@ export function Transport() {
         type="button"
         class="button plain loop"
         aria-pressed={loop.value !== "off"}
-        title="Loop the clip, a plant, a segment, nothing (L)"
-        onClick={cycleLoop}
+        title={tooltip("loop")}
+        onClick={commandOf("loop").run}
         disabled={still}
       >
         <Icon name="loop" />
@@ -46,7 +47,7 @@ export function Transport() {
         <span class="hidden">Speed</span>
         <select
           class="select small"
-          title="Speed (, and .)"
+          title={`Speed (${keyOf("slower")} and ${keyOf("faster")})`}
           value={String(speed.value)}
           disabled={still}
           onChange={(event) => {
@@ -63,8 +64,8 @@ export function Transport() {
       <button
         type="button"
         class="button fit"
-        title="Show the whole clip (0)"
-        onClick={fitTimeline}
+        title={tooltip("fit")}
+        onClick={commandOf("fit").run}
         disabled={still}
       >
         Fit

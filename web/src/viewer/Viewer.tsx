@@ -1,5 +1,6 @@
 import { effect, signal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { commandOf, tooltip } from "../actions/commands";
 import { prefersReducedMotion } from "../actions/playback";
 import { characterSize, gridStep } from "../model/trajectory";
 import type { Clip } from "../model/types";
@@ -25,7 +26,6 @@ import {
   cameraView,
   followCamera,
   frameAllRequests,
-  lookFrom,
   stageHandle,
   trailsVisible,
 } from "../store/view";
@@ -36,12 +36,7 @@ import type { Stage } from "./stage";
 /** Why there is no picture; empty while there is one. */
 const trouble = signal<"" | "missing" | "lost">("");
 
-const views: readonly (readonly [CameraView, string])[] = [
-  ["perspective", "Perspective"],
-  ["front", "Front"],
-  ["side", "Side"],
-  ["top", "Top"],
-];
+const views: readonly CameraView[] = ["perspective", "front", "side", "top"];
 
 export function Viewer() {
   const host = useRef<HTMLDivElement>(null);
@@ -58,15 +53,15 @@ export function Viewer() {
           <div class="viewer-tools" hidden={trouble.value === "missing"}>
             <fieldset class="segmented">
               <legend class="hidden">Camera</legend>
-              {views.map(([view, name], i) => (
+              {views.map((view) => (
                 <button
                   key={view}
                   type="button"
                   aria-pressed={cameraView.value === view}
-                  title={`${name} (${i + 1})`}
-                  onClick={() => lookFrom(view)}
+                  title={tooltip(`view-${view}`)}
+                  onClick={commandOf(`view-${view}`).run}
                 >
-                  {name}
+                  {commandOf(`view-${view}`).label}
                 </button>
               ))}
             </fieldset>
@@ -74,7 +69,7 @@ export function Viewer() {
               type="button"
               class="chip"
               aria-pressed={followCamera.value}
-              title="The camera travels with the character"
+              title="Move the camera with the character"
               onClick={() => {
                 followCamera.value = !followCamera.value;
               }}
@@ -85,10 +80,8 @@ export function Viewer() {
               type="button"
               class="chip"
               aria-pressed={trailsVisible.value}
-              title="The ways of the toes and of the hips, a second back and ahead (T)"
-              onClick={() => {
-                trailsVisible.value = !trailsVisible.value;
-              }}
+              title={tooltip("paths")}
+              onClick={commandOf("paths").run}
             >
               Paths
             </button>
