@@ -80,7 +80,7 @@ function publishAnother(folder: string) {
   const assets = join(folder, "assets");
   for (const [kind, ending] of [
     ["index", "js"],
-    ["surveyor", "js"],
+    ["batch.worker", "js"],
   ] as const) {
     const name = readdirSync(assets).find(
       (file) => file.startsWith(`${kind}-`) && file.endsWith(`.${ending}`),

@@ -86,7 +86,7 @@ test("what a link says wrongly is left out, and told", async ({ app, page }) => 
   );
   await app.opened("bowling.bvh");
   await expect(app.remark).toContainText(
-    "The link says “method=magic”, “r=<img src=x onerror=alert(1)>”, which is not known here",
+    "The link contains “method=magic”, “r=<img src=x onerror=alert(1)>”, which is not valid",
   );
   expect(await app.frame()).toBe(60);
   await app.tab("Detect");

@@ -1,4 +1,4 @@
-/** Steps of a ruler in seconds or frames: a number at each major, a tick at each minor. */
+/** Steps of a ruler: a number at each major step, a tick at each minor one. */
 export interface AxisSteps {
   major: number;
   minor: number;
@@ -24,13 +24,13 @@ const secondSteps: readonly AxisSteps[] = [
   { major: 3600, minor: 600 },
 ];
 
-/** The finest steps whose numbers stay `room` pixels apart. */
-export function timeSteps(pixelsPerSecond: number, room = 72): AxisSteps {
-  const fit = secondSteps.find((step) => step.major * pixelsPerSecond >= room);
+/** Returns the finest steps whose numbers are at least `spacing` pixels apart. */
+export function timeSteps(pixelsPerSecond: number, spacing = 72): AxisSteps {
+  const fit = secondSteps.find((step) => step.major * pixelsPerSecond >= spacing);
   return fit ?? { major: 7200, minor: 1200 };
 }
 
-/** A second as the ruler writes it: `2.5`, `12`, `1:05`, `1:00:00`. */
+/** Formats a time on the ruler: `2.5 s`, `12 s`, `1:05`, `1:00:00`. */
 export function rulerLabel(seconds: number, major: number): string {
   const digits = major >= 1 ? 0 : major >= 0.1 ? 1 : 2;
   if (seconds < 60) return `${seconds.toFixed(digits)} s`;
@@ -40,7 +40,7 @@ export function rulerLabel(seconds: number, major: number): string {
   return h ? `${h}:${String(m).padStart(2, "0")}:${s}` : `${m}:${s}`;
 }
 
-/** A round number at or above `value`, for the top of a curve's scale. */
+/** Returns a round number at or above `value`, for the top of an axis. */
 export function niceCeiling(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));

@@ -1,13 +1,13 @@
-/** A file's name without the ending of clips. */
+/** Returns a file name without the extension `.bvh`. */
 export const stemOf = (name: string) => name.replace(/\.bvh$/i, "");
 
-/** The names, each followed by a number where one before is the same. */
+/** Makes names unique by appending numbers, ignoring case. */
 export function uniqueNames(names: readonly string[]): string[] {
-  const taken = new Set<string>();
+  const used = new Set<string>();
   return names.map((name) => {
-    let free = name;
-    for (let n = 2; taken.has(free.toLowerCase()); n++) free = `${name}-${n}`;
-    taken.add(free.toLowerCase());
-    return free;
+    let unique = name;
+    for (let n = 2; used.has(unique.toLowerCase()); n++) unique = `${name}-${n}`;
+    used.add(unique.toLowerCase());
+    return unique;
   });
 }

@@ -1,6 +1,6 @@
 /**
- * Runs one thing at a time and only the newest of what waits: a slider may call it
- * for every pixel without a queue forming behind the worker.
+ * Limits an async function to one call at a time. Of the calls made meanwhile, only the newest
+ * runs afterwards, so that a slider does not fill a queue.
  */
 export function latestOnly<T>(run: (value: T) => Promise<void>): (value: T) => void {
   let busy = false;

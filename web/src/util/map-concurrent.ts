@@ -1,16 +1,16 @@
-/** How many things are done at a time: more would keep the page busy with beginning them. */
+/** Maximum number of concurrent calls; starting more at once would block the page. */
 const maxConcurrent = 32;
 
-/** Does something with each of some things, a few at a time; what comes of them is in their order. */
+/** Maps items by an async function, several at a time. The results have the order of the items. */
 export async function mapConcurrent<In, Out>(
-  things: readonly In[],
-  work: (thing: In) => Promise<Out>,
+  items: readonly In[],
+  map: (item: In) => Promise<Out>,
 ): Promise<Out[]> {
   const results: Out[] = [];
-  const waiting = things.entries();
-  const lane = async () => {
-    for (const [at, thing] of waiting) results[at] = await work(thing);
+  const queue = items.entries();
+  const runQueue = async () => {
+    for (const [at, item] of queue) results[at] = await map(item);
   };
-  await Promise.all(Array.from({ length: maxConcurrent }, lane));
+  await Promise.all(Array.from({ length: maxConcurrent }, runQueue));
   return results;
 }

@@ -1,11 +1,11 @@
-/** Values whose extremes are known together. */
+/** Number of values per pair of extremes. */
 const blockSize = 32;
 
-/** What a series of any length is drawn by, found once. */
+/** Summary of a series, from which it is drawn at any zoom. */
 export interface CurveSummary {
-  /** Least and greatest value of every 32: min, max, min, max … */
+  /** Minimum and maximum of every block of values: min, max, min, max, …. */
   extremes: Float32Array;
-  /** All but one in 200 values lie below it: one spike must not flatten a curve. */
+  /** The 99.5th percentile, so that single spikes do not flatten the curve. */
   top: number;
 }
 
@@ -13,7 +13,7 @@ export function summarizeCurve(values: Float32Array): CurveSummary {
   return { extremes: extremesOf(values), top: quantile(values, 0.995) };
 }
 
-/** Least and greatest value of every 32 of a series: min, max, min, max … */
+/** Returns the minimum and maximum of every block of a series: min, max, min, max, …. */
 export function extremesOf(values: Float32Array): Float32Array {
   const extremes = new Float32Array(2 * Math.ceil(values.length / blockSize));
   for (let start = 0, entry = 0; start < values.length; start += blockSize) {
@@ -67,13 +67,13 @@ export function minMaxColumns(
   return out;
 }
 
-/** The value below which `share` of a series lies, from an even sample of it. */
-export function quantile(values: Float32Array, share: number): number {
+/** Returns an approximate quantile, from at most about 4000 evenly spaced values. */
+export function quantile(values: Float32Array, fraction: number): number {
   const stride = Math.max(1, Math.floor(values.length / 2000));
   const sample = new Float32Array(Math.ceil(values.length / stride));
   for (let i = 0; i < sample.length; i++) sample[i] = values[i * stride] as number;
   sample.sort();
-  return sample[Math.min(sample.length - 1, Math.floor(share * sample.length))] ?? 0;
+  return sample[Math.min(sample.length - 1, Math.floor(fraction * sample.length))] ?? 0;
 }
 
 function clamp(value: number, low: number, high: number) {
