@@ -55,12 +55,6 @@ impl WasmReader {
     }
 }
 
-/// Largest file that is read, in bytes.
-#[wasm_bindgen(js_name = maxBytes)]
-pub fn max_bytes() -> f64 {
-    plantigrade::bvh::Limits::default().bytes as f64
-}
-
 impl WasmClip {
     pub(crate) fn core(&self) -> &Clip {
         &self.clip

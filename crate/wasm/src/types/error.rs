@@ -56,8 +56,8 @@ impl fmt::Display for ArgumentError {
             Self::FrameRange { start, end, frames } => {
                 write!(f, "there are no frames {start} to {end}: the clip has {frames}")
             }
-            Self::NoEvidence => f.write_str("this method did not cluster the samples"),
-            Self::NoField => f.write_str("this method has no decision field"),
+            Self::NoEvidence => f.write_str("nothing was clustered"),
+            Self::NoField => f.write_str("this method has no field"),
             Self::Name(reason) | Self::Conversion(reason) => f.write_str(reason),
         }
     }

@@ -63,6 +63,8 @@ impl From<Error> for Failure {
 macro_rules! impl_from_display {
     ($($error:ty),+) => {$(
         impl From<$error> for Failure {
+            // Called in many places: inlined, it would enlarge the module.
+            #[inline(never)]
             fn from(error: $error) -> Failure {
                 Failure { message: error.to_string(), ..Failure::default() }
             }
