@@ -27,7 +27,7 @@ export async function buildPackage() {
   const options = ["--target", "es2023", "--module", "nodenext", "--lib", "es2023,dom,esnext"];
   const strict = ["--strict", "--declaration", "--types", "node", "--typeRoots"];
   await run(process.execPath, [
-    join(root, "node_modules/typescript/bin/tsc"),
+    join(root, "node_modules/@typescript/native/bin/tsc"),
     ...options,
     ...strict,
     join(root, "node_modules/@types"),

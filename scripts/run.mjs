@@ -1,24 +1,33 @@
-/** Running other programs, with messages that say what to do when they fail. */
+/** Runs other programs, and reports how to proceed when they fail. */
 
 import { spawn, spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 
-/** The project's folder. */
+/** The folder of the project. */
 export const root = fileURLToPath(new URL("..", import.meta.url));
 
-/** An end that has a reason a person can act on. */
-export class Stop extends Error {}
+/** An expected failure, whose message tells the user what to do. */
+export class Stop extends Error {
+  /**
+   * @param {string} message
+   * @param {string} [output] What the failed program printed.
+   */
+  constructor(message, output = "") {
+    super(message);
+    this.output = output;
+  }
+}
 
-/** The stem of a program's output that says the network failed it. */
+/** Matches the output of programs that failed because of the network. */
 const NETWORK =
   /ENOTFOUND|ECONNREFUSED|ECONNRESET|ETIMEDOUT|EAI_AGAIN|Could not resolve host|Couldn't resolve host|failed to download|could not download|spurious network error|Temporary failure|network failure/i;
 
 /**
- * Runs a program in the project's folder and shows its output; gives the output back.
+ * Runs a program in the folder of the project, shows its output and returns it.
  * @param {string} program
  * @param {string[]} args
  * @param {{ env?: Record<string, string>, hint?: string, source?: string, quiet?: boolean }} [options]
- *   `hint` says what to do when it fails; `source` names what it downloads from.
+ *   `hint` tells what to do on failure; `source` names the server that it downloads from.
  * @returns {Promise<string>}
  */
 export function run(program, args, options = {}) {
@@ -31,13 +40,13 @@ export function run(program, args, options = {}) {
       shell: process.platform === "win32" && program === "npm",
     });
     let output = "";
-    for (const [stream, to] of [
+    for (const [stream, target] of [
       [child.stdout, process.stdout],
       [child.stderr, process.stderr],
     ]) {
       stream.on("data", (chunk) => {
         output += chunk;
-        if (!quiet) to.write(chunk);
+        if (!quiet) target.write(chunk);
       });
     }
     child.on("error", (error) =>
@@ -46,25 +55,26 @@ export function run(program, args, options = {}) {
     child.on("close", (code) => {
       if (code === 0) return resolve(output);
       if (quiet) process.stderr.write(output);
-      const why =
+      const advice =
         source && NETWORK.test(output)
           ? `${source} cannot be reached: check the network, a proxy or a mirror, then try again.`
           : (hint ?? "See the messages above.");
-      reject(new Stop(`${[program, ...args.slice(0, 3)].join(" ")} failed. ${why}`));
+      const command = [program, ...args.slice(0, 3)].join(" ");
+      reject(new Stop(`${command} failed. ${advice}`, output));
     });
   });
 }
 
-/** What a program prints when it is given some input, or undefined if it is not there or fails. */
+/** Returns the output of a program, or undefined if it does not exist or fails. */
 export function ask(program, args, input = "") {
   const { status, stdout } = spawnSync(program, args, { cwd: root, encoding: "utf8", input });
   return status === 0 ? stdout.trim() : undefined;
 }
 
-/** Runs the main work of a script; a stop ends it with its reason alone. */
-export async function main(work) {
+/** Runs the body of a script; a `Stop` ends it with its message only. */
+export async function main(body) {
   try {
-    await work();
+    await body();
   } catch (error) {
     if (!(error instanceof Stop)) throw error;
     console.error(`\n✖ ${error.message}`);
@@ -72,7 +82,7 @@ export async function main(work) {
   }
 }
 
-/** Says what comes next. */
-export function step(what) {
-  console.log(`\n▸ ${what}`);
+/** Announces the next step. */
+export function step(title) {
+  console.log(`\n▸ ${title}`);
 }

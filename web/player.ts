@@ -7,7 +7,7 @@ import { createHash } from "node:crypto";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { build, type Plugin } from "vite";
-import { blocks } from "./src/lib/blocks.ts";
+import { blockIds } from "./src/model/player-html.ts";
 
 const name = "virtual:player";
 
@@ -108,7 +108,7 @@ function html(code: string, style: string): string {
     "form-action 'none'",
   ].join("; ");
   const icon = readFileSync(join(import.meta.dirname, "public/icon.svg")).toString("base64");
-  const rooms = blocks
+  const rooms = blockIds
     .filter((block) => block !== "title")
     .map((block) => `<script type="text/plain" id="${block}"></script>\n`);
   return `<!doctype html>

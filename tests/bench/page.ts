@@ -1,17 +1,21 @@
 /** What is measured in the browser: ours and the reference, in the same page. */
 
 import { BVHLoader } from "three/examples/jsm/loaders/BVHLoader.js";
-import init, { type DetectOptions, type RawClip, RawReader } from "../../web/src/wasm/plantigrade";
-import { pieces } from "../../web/src/worker/pieces";
+import init, {
+  type DetectOptions,
+  type WasmClip,
+  WasmReader,
+} from "../../web/src/wasm/plantigrade";
+import { readChunks } from "../../web/src/workers/read-blob";
 
 const { memory } = await init();
 
-let clip: RawClip | undefined;
+let clip: WasmClip | undefined;
 
 /** Reads a file as the app's worker does. */
-async function read(file: Blob): Promise<RawClip> {
-  const reader = new RawReader(false, file.size);
-  for await (const piece of pieces(file)) reader.push(piece);
+async function read(file: Blob): Promise<WasmClip> {
+  const reader = new WasmReader(false, file.size);
+  for await (const piece of readChunks(file)) reader.push(piece);
   return reader.finish();
 }
 
@@ -29,7 +33,7 @@ async function timed<T>(runs: number, work: () => T | Promise<T>): Promise<[numb
 /** Milliseconds that the middle one of some runs takes to label the clip, each with parameters of its own. */
 async function labelled(runs: number, params: () => DetectOptions) {
   // The browser's clock is coarse: of short clips, the mean of some times counts.
-  const times = (clip?.facts().frames ?? 0) > 2000 ? 1 : 20;
+  const times = (clip?.info().frames ?? 0) > 2000 ? 1 : 20;
   const means: number[] = [];
   for (let run = 0; run < runs; run++) {
     let sum = 0;
@@ -67,7 +71,7 @@ const bench = {
     const part = new Blob([clip.cut(0, frames) as Uint8Array<ArrayBuffer>]);
     clip.free();
     clip = await read(part);
-    return clip.facts().frames;
+    return clip.info().frames;
   },
 
   /** Milliseconds to label the clip, all parts of both feet, as if for the first time. */

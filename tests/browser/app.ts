@@ -152,6 +152,31 @@ export class App {
     );
   }
 
+  /** Waits until the page has drawn a number of animation frames. */
+  async animationFrames(count: number) {
+    await this.page.evaluate(async (frames) => {
+      for (let i = 0; i < frames; i++) await new Promise(requestAnimationFrame);
+    }, count);
+  }
+
+  /** Returns a screenshot of the 3D view, as text so that failures are short. */
+  async picture(): Promise<string> {
+    return (await this.stage.screenshot()).toString("base64");
+  }
+
+  /** Returns a screenshot of the 3D view once it no longer changes. */
+  async stillPicture(): Promise<string> {
+    let before = "";
+    await expect
+      .poll(async () => {
+        const last = before;
+        before = await this.picture();
+        return before === last;
+      })
+      .toBe(true);
+    return before;
+  }
+
   /** The frame under the playhead. */
   async frame(): Promise<number> {
     return Number(await this.playhead.getAttribute("aria-valuenow"));

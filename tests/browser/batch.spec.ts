@@ -172,7 +172,7 @@ test("labels dropped with many clips stand beside those that bear their names", 
     truth("nobody.json"),
   );
   await allLabelled(app);
-  await expect(row(app, "nobody.json")).toContainText("No clip of this drop bears the name");
+  await expect(row(app, "nobody.json")).toContainText("No clip of this drop has the name");
   await row(app, "curved-walk.bvh").getByRole("button", { name: "curved-walk.bvh" }).click();
   await app.opened("curved-walk.bvh");
   await app.tab("Score");

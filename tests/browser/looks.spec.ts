@@ -1,21 +1,26 @@
-/** Pictures of every clip for a person to look at; what the page says in them is checked. */
+/** The layout and colours of the page with every sample, on a desktop and a phone, light and dark. */
 
-import { join } from "node:path";
+import type { Locator } from "@playwright/test";
 import { type App, expect, test } from "./app";
-import { recorded, root, samples } from "./clips";
+import { recorded, samples } from "./clips";
 import { readTable, type Table } from "./labels";
 
-/** Places on the timeline, from its left edge to its right one. */
+/** Positions on the timeline, from its left edge (0) to its right one (1). */
 const moments = [0.35, 0.6, 0.85];
+
 const devices = {
   desktop: { width: 1440, height: 900 },
   phone: { width: 390, height: 844 },
 } as const;
 
+/** Least contrast of text, and of graphics, by WCAG 2.2 (1.4.3, 1.4.11). */
+const textContrast = 4.5;
+const graphicsContrast = 3;
+
 for (const [i, { name, title }] of samples.entries()) {
-  test(`${title} looks as its labels say`, async ({ app }) => {
+  test(`${title}: layout, colours and labels`, async ({ app }) => {
     await app.sample(name);
-    await takePictures(app, name, i);
+    await expectLooks(app, i);
   });
 }
 
@@ -29,46 +34,134 @@ const recordings = [
 ];
 
 for (const [i, path] of recordings.entries()) {
-  test(`the recording ${path} looks as its labels say`, async ({ app, page }) => {
+  test(`recording ${path}: layout, colours and labels`, async ({ app, page }) => {
     const file = recorded(`${path}.bvh`);
-    test.skip(!file, "No recorded motion here: PLANTIGRADE_CORPUS can name its folder.");
+    test.skip(!file, "There is no recorded motion: set PLANTIGRADE_CORPUS to its folder.");
     if (!file) return;
     await app.empty();
     await page.locator("input[type=file]").setInputFiles(file);
-    const name = path.replace(/^.*\//, "");
-    await app.opened(`${name}.bvh`);
-    await takePictures(app, name, i);
+    await app.opened(`${path.replace(/^.*\//, "")}.bvh`);
+    await expectLooks(app, i);
   });
 }
 
-/** Desktop and phone, one of them light and the other dark, turn about. */
-async function takePictures(app: App, name: string, turn: number) {
+/** Checks the page on both devices, one of them light and the other dark. */
+async function expectLooks(app: App, index: number) {
   const { page } = app;
   const table = readTable(await app.save("Every frame"));
   await app.tab("Detect");
-  for (const [j, [device, viewport]] of Object.entries(devices).entries()) {
+  for (const [j, viewport] of Object.values(devices).entries()) {
+    const theme = (index + j) % 2 ? "light" : "dark";
     await page.setViewportSize(viewport);
-    await page.emulateMedia({ colorScheme: (turn + j) % 2 ? "light" : "dark" });
-    // A tab that was chosen is a raised panel on a phone.
+    await page.emulateMedia({ colorScheme: theme });
+    await expect(page.locator("html")).toHaveAttribute("data-theme", theme);
+    // Choosing a tab raises the panel on a phone.
     const lower = page.getByRole("button", { name: "Lower the panel" });
     if (await lower.isVisible()) await lower.click();
+    await expectColours(app, theme);
     await page.keyboard.press("Home");
-    let before = 0;
-    for (const [k, moment] of moments.entries()) {
-      const now = await app.pressRuler(moment);
-      expect(now).toBeGreaterThan(before);
-      before = now;
+    let before = { frame: 0, picture: "", boxes: "" };
+    for (const moment of moments) {
+      const frame = await app.pressRuler(moment);
+      expect(frame).toBeGreaterThan(before.frame);
       await expectPills(app, table);
-      // The camera comes to rest.
-      await page.waitForTimeout(250);
-      await page.screenshot({
-        path: join(root, `test-results/looks/${name}-${device}-${k + 1}.png`),
-      });
+      const boxes = await expectLayout(app);
+      if (before.boxes) expect(boxes).toBe(before.boxes);
+      const picture = await app.stillPicture();
+      expect(picture === before.picture, "the picture shows another moment").toBe(false);
+      before = { frame, picture, boxes };
     }
   }
 }
 
-/** Words over the picture agree with the row of the frame in the table that the app saves. */
+/** Nothing overflows or overlaps. Returns the boxes of the regions, which must not change. */
+async function expectLayout(app: App): Promise<string> {
+  const { page } = app;
+  const overflow = await page.evaluate(() => {
+    const { scrollWidth, clientWidth, scrollHeight, clientHeight } = document.documentElement;
+    return [scrollWidth - clientWidth, scrollHeight - clientHeight];
+  });
+  expect(overflow).toEqual([0, 0]);
+  const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
+  const regions = await boxesOf([app.head, app.stage, app.timeline]);
+  for (const box of regions) {
+    expect(box.x).toBeGreaterThanOrEqual(0);
+    expect(box.y).toBeGreaterThanOrEqual(0);
+    expect(box.x + box.width).toBeLessThanOrEqual(width);
+    expect(box.y + box.height).toBeLessThanOrEqual(height);
+  }
+  expectDisjoint(regions);
+  const pills = await app.view.locator(".pill").all();
+  expectDisjoint(await boxesOf([app.view.getByRole("group", { name: "Camera" }), ...pills]));
+  expectDisjoint(await boxesOf(await app.timeline.locator(".transport > *:visible").all()));
+  return JSON.stringify(regions);
+}
+
+interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+async function boxesOf(elements: readonly Locator[]): Promise<Box[]> {
+  const boxes = await Promise.all(elements.map((element) => element.boundingBox()));
+  return boxes.filter((box) => box !== null);
+}
+
+/** Boxes may share an edge, and half a pixel of rounding. */
+function expectDisjoint(boxes: readonly Box[]) {
+  for (const [i, a] of boxes.entries()) {
+    for (const b of boxes.slice(i + 1)) {
+      const wide = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
+      const high = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
+      expect(Math.min(wide, high), `${JSON.stringify(a)} ${JSON.stringify(b)}`).toBeLessThan(0.5);
+    }
+  }
+}
+
+/** The theme is applied, and what is drawn on canvases, which axe cannot see, has contrast. */
+async function expectColours(app: App, theme: "light" | "dark") {
+  const contrast = await app.page.evaluate(() => {
+    const style = getComputedStyle(document.documentElement);
+    const luminance = (name: string) => {
+      const probe = document.createElement("canvas").getContext("2d");
+      if (!probe) return 0;
+      probe.fillStyle = style.getPropertyValue(name).trim();
+      probe.fillRect(0, 0, 1, 1);
+      const [r = 0, g = 0, b = 0] = [...probe.getImageData(0, 0, 1, 1).data].map((value) => {
+        const c = value / 255;
+        return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+      });
+      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const ratio = (a: string, b: string) => {
+      const [x, y] = [luminance(a), luminance(b)];
+      return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
+    };
+    return {
+      isDark: luminance("--panel") < 0.2,
+      text: [
+        ratio("--ink", "--panel"),
+        ratio("--muted", "--panel"),
+        ratio("--on-side", "--left"),
+        ratio("--on-side", "--right"),
+      ],
+      graphics: [
+        ratio("--left", "--lane"),
+        ratio("--right", "--lane"),
+        ratio("--why", "--lane"),
+        ratio("--edge", "--panel"),
+        ratio("--view-bone", "--view-ground"),
+      ],
+    };
+  });
+  expect(contrast.isDark).toBe(theme === "dark");
+  expect(Math.min(...contrast.text)).toBeGreaterThanOrEqual(textContrast);
+  expect(Math.min(...contrast.graphics)).toBeGreaterThanOrEqual(graphicsContrast);
+}
+
+/** The status of each foot agrees with the row of the frame in the saved table. */
 async function expectPills(app: App, { rows }: Table) {
   const row = rows[await app.frame()];
   for (const [side, name] of [

@@ -1,55 +1,52 @@
+/** The preview of the start page, and starting to play. */
+
 import { type App, expect, test } from "./app";
 
-/** Opens the page with its moving picture held back; gives back how to let it come. */
-async function openHeld(app: App): Promise<() => void> {
+/** Opens the page with the preview held back. Returns a function that lets it load. */
+async function openWithoutPreview(app: App): Promise<() => void> {
   let release = () => {};
-  const held = new Promise<void>((resolve) => {
+  const released = new Promise<void>((resolve) => {
     release = resolve;
   });
   await app.page.route("**/*.bvh", async (route) => {
-    await held;
+    await released;
     await route.continue();
   });
-  // A picture stands for it: nothing is drawn before it has come.
   await app.page.goto(app.site.home);
   await expect(app.state).toHaveAttribute("data-state", "empty");
   await app.page.mouse.move(2, 2);
   return release;
 }
 
-const picture = async (app: App) => (await app.stage.screenshot()).toString("base64");
-
-/** Waits until the walker of the empty page has come into the picture. */
-async function letCome(app: App) {
-  const release = await openHeld(app);
-  const without = await picture(app);
+/** Opens the page and waits until the preview is drawn. */
+async function openWithPreview(app: App) {
+  const release = await openWithoutPreview(app);
+  const without = await app.picture();
   release();
-  await expect.poll(() => picture(app)).not.toBe(without);
+  await expect.poll(async () => (await app.picture()) === without).toBe(false);
 }
 
-test("a person walks behind the empty page", async ({ app, page }) => {
+test("the preview plays on the start page", async ({ app, page }) => {
   await page.emulateMedia({ reducedMotion: "no-preference" });
-  await letCome(app);
-  const before = await picture(app);
-  await page.waitForTimeout(400);
-  expect(await picture(app)).not.toBe(before);
+  await openWithPreview(app);
+  const before = await app.picture();
+  await expect.poll(async () => (await app.picture()) === before).toBe(false);
 });
 
-test("who prefers less motion sees the empty page stand still", async ({ app, page }) => {
-  await letCome(app);
-  // What comes late, as the labels do, changes the picture once and for all.
-  let before = await picture(app);
+test("the preview stands still if reduced motion is preferred", async ({ app }) => {
+  await openWithPreview(app);
+  // The labels arrive later and change the picture once.
   await expect(async () => {
-    const now = await picture(app);
-    const same = now === before;
-    before = now;
-    expect(same).toBe(true);
-  }).toPass({ intervals: [400] });
-  await page.waitForTimeout(1000);
-  expect(await picture(app)).toBe(before);
+    const before = await app.picture();
+    await app.animationFrames(30);
+    expect((await app.picture()) === before).toBe(true);
+  }).toPass();
 });
 
-test("a clip plays as soon as it opens, unless less motion is preferred", async ({ app, page }) => {
+test("a clip plays when it is opened, unless reduced motion is preferred", async ({
+  app,
+  page,
+}) => {
   await app.sample("bowling");
   await expect(app.timeline.getByRole("button", { name: "Play" })).toBeVisible();
   await page.emulateMedia({ reducedMotion: "no-preference" });

@@ -11,7 +11,11 @@ test.use({ serviceWorkers: "allow" });
 const kept = (page: Page) =>
   page.evaluate(async () => {
     await navigator.serviceWorker.ready;
-    while (!navigator.serviceWorker.controller) await new Promise((go) => setTimeout(go, 20));
+    const { serviceWorker } = navigator;
+    const controlled = new Promise((resolve) =>
+      serviceWorker.addEventListener("controllerchange", resolve, { once: true }),
+    );
+    if (!serviceWorker.controller) await controlled;
   });
 
 test("after one visit the app opens, labels and shares without a network", async ({
@@ -76,7 +80,7 @@ function publishAnother(folder: string) {
   const assets = join(folder, "assets");
   for (const [kind, ending] of [
     ["index", "js"],
-    ["surveyor", "js"],
+    ["batch.worker", "js"],
   ] as const) {
     const name = readdirSync(assets).find(
       (file) => file.startsWith(`${kind}-`) && file.endsWith(`.${ending}`),

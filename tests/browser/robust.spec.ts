@@ -15,7 +15,7 @@ test("a fault in the core replaces the worker, and edits are kept", async ({ app
       WebAssembly.instantiate = async (module, imports) => {
         const instance = await real(module, imports);
         const trap = () => { throw new WebAssembly.RuntimeError("unreachable"); };
-        const exports = { ...instance.exports, rawclip_gait: trap };
+        const exports = { ...instance.exports, wasmclip_gait: trap };
         return { instance: { exports }, module };
       };`;
     let isFirst = true;

@@ -63,7 +63,7 @@ test("a link brings back where the camera was dragged, and how the file is read"
   await page.mouse.down();
   await page.mouse.move(box.x + 480, box.y + 330, { steps: 4 });
   await page.mouse.up();
-  await page.waitForTimeout(300);
+  await app.stillPicture();
   const before = await stateOf(app);
   expect(before.link).toMatch(/#t=[\d.]+&rate=60&eye=[-\d.,]+&at=[-\d.,]+&url=http.*limp-to-run/);
 
@@ -86,7 +86,7 @@ test("what a link says wrongly is left out, and told", async ({ app, page }) => 
   );
   await app.opened("bowling.bvh");
   await expect(app.remark).toContainText(
-    "The link says “method=magic”, “r=<img src=x onerror=alert(1)>”, which is not known here",
+    "The link contains “method=magic”, “r=<img src=x onerror=alert(1)>”, which is not valid",
   );
   expect(await app.frame()).toBe(60);
   await app.tab("Detect");
@@ -261,7 +261,7 @@ test("a page that takes long to make says how far it is, and can be stopped", as
   expect(Number(await bar.getAttribute("value"))).toBeGreaterThan(0);
   // At once: by the time a mouse has got there it might be made.
   await app.dialog.getByRole("button", { name: "Cancel" }).dispatchEvent("click");
-  await expect(bar).toBeHidden({ timeout: 500 });
+  await expect(bar).toBeHidden();
   await expect(save).toBeEnabled();
   await expect(app.alert).toBeHidden();
 });

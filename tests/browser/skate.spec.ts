@@ -3,10 +3,7 @@
 import { expect, test } from "./app";
 import { file } from "./clips";
 
-test("slides are measured, feet are held still, and the clean clip is saved", async ({
-  app,
-  page,
-}) => {
+test("slides are measured, feet are held still, and the clean clip is saved", async ({ app }) => {
   await app.sample("limp-to-run");
   await app.tab("Clip");
   const table = app.panel.getByRole("table", { name: "Foot skate" });
@@ -23,10 +20,9 @@ test("slides are measured, feet are held still, and the clean clip is saved", as
     "aria-pressed",
     "true",
   );
-  const both = await app.stage.screenshot();
+  const both = await app.stillPicture();
   await app.panel.getByRole("button", { name: "After" }).click();
-  await page.waitForTimeout(300);
-  expect(both.equals(await app.stage.screenshot())).toBe(false);
+  await expect.poll(async () => (await app.picture()) === both).toBe(false);
   const saved = await app.download(() =>
     app.panel.getByRole("button", { name: /^Save the cleaned clip/ }).click(),
   );

@@ -41,17 +41,17 @@ test("a clip is read, labelled, measured, cleaned and cut", () => {
       const plants = clip.detect();
       const table = new TextDecoder().decode(plants.save("csv", "walk.bvh"));
       const cleaned = Clip.read(new TextEncoder().encode(plants.clean()));
-      const worst = Math.max(...plants.skate().map(({ farthest }) => farthest));
+      const worst = Math.max(...plants.skate().map(({ maxDistance }) => maxDistance));
       const [start, end] = plants.intervals("contact", "left");
       plants.edit([{ side: "left", part: "contact", start, end, planted: false }]);
       console.log(JSON.stringify({
         methods: methods().length,
-        frames: clip.facts().frames,
+        frames: clip.info().frames,
         parts: plants.parts,
         left: plants.intervals("contact", "left").length / 2,
         cadence: plants.gait().cadence,
         rows: table.trim().split("\\n").length,
-        cleaned: cleaned.facts().frames,
+        cleaned: cleaned.info().frames,
         worst,
         segments: clip.segment().segments.length,
       }));
@@ -85,5 +85,5 @@ test("a bad file is an error that says where", () => {
 test("the types are those of the package", () => {
   const types = readFileSync(join(project, "node_modules/plantigrade/index.d.ts"), "utf8");
   assert.match(types, /static read\(bytes: Uint8Array/);
-  assert.doesNotMatch(types, /constructor\(clip: RawClip/);
+  assert.doesNotMatch(types, /constructor\(clip: WasmClip/);
 });

@@ -1,5 +1,6 @@
 import { render } from "preact";
 import { App } from "./app/App";
+import { start } from "./app/start";
 import "./styles/font.css";
 import "./styles/tokens.css";
 import "./styles/base.css";
@@ -18,5 +19,6 @@ import "./styles/share.css";
 import "uplot/dist/uPlot.min.css";
 import "./styles/why.css";
 
+start();
 const root = document.getElementById("app");
 if (root) render(<App />, root);

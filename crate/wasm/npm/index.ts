@@ -1,52 +1,52 @@
 /**
- * Foot plants in motion capture.
+ * Foot plant detection in motion capture.
  *
- * Positions are metres, Y up; times are seconds; frames count from 0 and stretches of them are
- * half-open. Whatever holds memory of the module has `free()`, and is freed by `using` too.
+ * Positions are in metres, Y up; times are in seconds; frames count from 0 and frame ranges are
+ * half-open. Objects that own memory of the module have `free()` and support `using`.
  */
 
 import load, {
-  type ClipFacts,
+  type ClipInfo,
   type DetectOptions,
-  type EditFacts,
+  type EditInfo,
   type Failure,
-  type GaitFacts,
+  type GaitInfo,
   methods as listMethods,
   segmentMethods as listSegmentMethods,
-  type MethodFacts,
-  type NoticeText,
+  type MethodInfo,
+  type NoticeInfo,
   type Overrides,
-  type RawClip,
-  type RawDetection,
-  RawReader,
-  type RawSegmentation,
-  type SegmentFacts,
-  type SegmentMethodFacts,
+  type SegmentInfo,
+  type SegmentMethodInfo,
   type SegmentOptions,
-  type SlideFacts,
+  type SlideInfo,
+  type WasmClip,
+  type WasmDetection,
+  WasmReader,
+  type WasmSegmentation,
 } from "./plantigrade.js";
 
 export type {
-  ClipFacts,
+  ClipInfo,
   DetectOptions,
-  EditFacts,
-  GaitFacts,
-  MethodFacts,
-  NoticeText,
+  EditInfo,
+  GaitInfo,
+  MethodInfo,
+  NoticeInfo,
   Overrides,
-  SegmentFacts,
-  SegmentMethodFacts,
+  SegmentInfo,
+  SegmentMethodInfo,
   SegmentOptions,
-  SlideFacts,
+  SlideInfo,
 };
 
 export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
-/** A document, tables per frame, plant and gait event, arrays for NumPy, or a script for Blender. */
+/** A JSON document; CSV tables of frames, plants or gait events; NumPy arrays; a Blender script. */
 export type LabelFormat = "json" | "csv" | "intervals" | "events" | "npz" | "blender";
 export type SegmentFormat = "json" | "csv" | "babel";
 
-/** Why something cannot be done; `line`, `column` and `hint` where there are any. */
+/** An operation that failed; `failure` has `line`, `column` and `hint` where known. */
 export class PlantigradeError extends Error {
   override name = "PlantigradeError";
   constructor(readonly failure: Failure) {
@@ -57,95 +57,95 @@ export class PlantigradeError extends Error {
 let loading: Promise<unknown> | undefined;
 
 /**
- * Loads the module; everything else waits for it. `source` is where it is to be had from:
- * an address, a response, its bytes or the compiled module; without, the file that comes with
- * the package.
+ * Loads the module; must have resolved before anything else is used.
+ *
+ * @param source URL, response, bytes or compiled module. Default: the file in the package.
  */
 export function init(source?: Parameters<typeof load>[0]): Promise<void> {
-  loading ??= (source === undefined ? own() : Promise.resolve(source)).then((from) =>
+  loading ??= (source === undefined ? packagedModule() : Promise.resolve(source)).then((from) =>
     load({ module_or_path: from as WebAssembly.Module }),
   );
   return loading.then(() => {});
 }
 
-/** Node cannot fetch a file. */
-async function own(): Promise<URL | BufferSource> {
+/** Returns the module in the package: its URL, or its bytes in Node, which cannot fetch files. */
+async function packagedModule(): Promise<URL | BufferSource> {
   const address = new URL("./plantigrade_bg.wasm", import.meta.url);
   if (address.protocol !== "file:") return address;
   const { readFile } = await import("node:fs/promises");
   return readFile(address);
 }
 
-/** All methods of detection, the default first. */
-export const methods = (): MethodFacts[] => attempt(listMethods);
+/** Returns all detection methods, the default first. */
+export const methods = (): MethodInfo[] => rethrow(listMethods);
 
-/** All methods of segmentation, the default first. */
-export const segmentMethods = (): SegmentMethodFacts[] => attempt(listSegmentMethods);
+/** Returns all segmentation methods, the default first. */
+export const segmentMethods = (): SegmentMethodInfo[] => rethrow(listSegmentMethods);
 
 /** A clip of motion capture. */
 export class Clip {
-  private constructor(private readonly raw: RawClip) {}
+  private constructor(private readonly inner: WasmClip) {}
 
   /**
-   * Reads a BVH file from its bytes, or from the chunks of them.
+   * Reads a BVH file from its bytes or from chunks of them.
    *
-   * @param lenient Hold the previous frame's value where one is no number. Default false.
-   * @throws PlantigradeError If it cannot be read.
+   * @param lenient Replace values that are not numbers by those of the previous frame. Default false.
+   * @throws PlantigradeError If the file cannot be read.
    */
   static read(bytes: Uint8Array | Iterable<Uint8Array>, lenient = false): Clip {
     const chunks = bytes instanceof Uint8Array ? [bytes] : [...bytes];
     const total = chunks.reduce((sum, { length }) => sum + length, 0);
-    return attempt(() => {
-      const reader = new RawReader(lenient, total);
+    return rethrow(() => {
+      const reader = new WasmReader(lenient, total);
       try {
         for (const chunk of chunks) reader.push(chunk);
-      } catch (refusal) {
+      } catch (error) {
         reader.free();
-        throw refusal;
+        throw error;
       }
       return new Clip(reader.finish());
     });
   }
 
-  /** Frames, rate, joints, which of them are feet, the reader's notices. */
-  facts(): ClipFacts {
-    return attempt(() => this.raw.facts());
+  /** Returns frames, rate, joints, roles, units and the notices of the reader. */
+  info(): ClipInfo {
+    return rethrow(() => this.inner.info());
   }
 
-  /** All poses: frames (or one rest pose) × joints × 3, in metres, Y up. */
+  /** Returns joint positions: frames (or one rest pose) × joints × 3, in metres, Y up. */
   positions(): Float32Array {
-    return this.raw.positions();
+    return this.inner.positions();
   }
 
   /**
-   * Reads the clip in another way: its rate, its up axis, its metres per unit, which joint is which.
-   * In place of what was overridden before; nothing given is as found.
+   * Overrides the rate, the up axis, the metres per unit or the roles of joints.
+   * Replaces all earlier overrides; absent fields stay as detected.
    */
   override(overrides: Overrides): void {
-    attempt(() => this.raw.override(overrides));
+    rethrow(() => this.inner.override(overrides));
   }
 
   /**
-   * Finds when each foot is planted. Default: method `robust`, r 0.001, w 1.
+   * Detects when each foot is planted. Default: method `robust`, r 0.001, w 1.
    *
-   * @throws PlantigradeError If there is no motion, or there are no feet.
+   * @throws PlantigradeError If the clip has no motion or no feet.
    */
   detect(options: Partial<DetectOptions> = {}): Plants {
-    const asked = { method: "robust", r: 0.001, w: 1, ...options };
-    return attempt(() => new Plants(this.raw, this.raw.detect(asked)));
+    const allOptions = { method: "robust", r: 0.001, w: 1, ...options };
+    return rethrow(() => new Plants(this.inner, this.inner.detect(allOptions)));
   }
 
-  /** Cuts the motion into actions. Default: method `auto`. `onProgress` gets the share done, 0 … 1. */
+  /** Segments the motion into actions. Default: method `auto`. `onProgress` receives 0 to 1. */
   segment(
     options: Partial<SegmentOptions> = {},
-    onProgress: (share: number) => void = () => {},
+    onProgress: (fraction: number) => void = () => {},
   ): Segmentation {
-    const asked = { method: "auto", ...options };
-    return attempt(() => new Segmentation(this.raw, this.raw.segment(asked, onProgress)));
+    const allOptions = { method: "auto", ...options };
+    return rethrow(() => new Segmentation(this.inner, this.inner.segment(allOptions, onProgress)));
   }
 
   free(): void {
-    this.raw.free();
+    this.inner.free();
   }
 
   [Symbol.dispose](): void {
@@ -153,63 +153,63 @@ export class Clip {
   }
 }
 
-/** The plants of a clip; it needs the clip as long as it is used. */
+/** The plants of a clip. Requires that the clip is not freed. */
 export class Plants {
   /** @internal */
   constructor(
-    private readonly clip: RawClip,
-    private readonly raw: RawDetection,
+    private readonly clip: WasmClip,
+    private readonly inner: WasmDetection,
   ) {}
 
-  /** The parts that are labelled, the one that says best when a foot is down first. */
+  /** Labelled parts, the principal part first. */
   get parts(): Part[] {
-    return this.raw.parts() as Part[];
+    return this.inner.parts() as Part[];
   }
 
-  /** Height of the ground in the clip's positions, in metres. */
+  /** Height of the ground in the positions of the clip, in metres. */
   get floor(): number {
-    return this.raw.floor;
+    return this.inner.floor;
   }
 
-  /** What was assumed or is doubtful. */
-  get notices(): NoticeText[] {
-    return attempt(() => this.raw.notices());
+  /** Assumptions and doubts of the method. */
+  get notices(): NoticeInfo[] {
+    return rethrow(() => this.inner.notices());
   }
 
-  /** 1 where the part of the foot is planted, per frame. */
+  /** Returns labels per frame: 1 planted, 0 not planted. */
   planted(part: Part, side: Side): Uint8Array {
-    return attempt(() => this.raw.planted(part, side));
+    return rethrow(() => this.inner.planted(part, side));
   }
 
-  /** Probability that the label is right, per frame, 0.5 … 1. */
+  /** Returns the probability that the label is correct, per frame, 0.5 to 1. */
   confidence(part: Part, side: Side): Float32Array {
-    return attempt(() => this.raw.confidence(part, side));
+    return rethrow(() => this.inner.confidence(part, side));
   }
 
-  /** Plants as frames: start, end, start, end …; half-open. */
+  /** Returns plants as half-open frame ranges: start, end, start, end, …. */
   intervals(part: Part, side: Side): Uint32Array {
-    return attempt(() => this.raw.intervals(part, side));
+    return rethrow(() => this.inner.intervals(part, side));
   }
 
-  /** Lays a person's edits over what was found, in place of those before; later ones count more. */
-  edit(edits: EditFacts[]): void {
-    attempt(() => this.raw.edit(edits));
+  /** Applies edits, replacing earlier ones; later entries take precedence. */
+  edit(edits: EditInfo[]): void {
+    rethrow(() => this.inner.edit(edits));
   }
 
-  /** How the person walks: cadence, times, lengths, symmetry. */
-  gait(): GaitFacts {
-    return attempt(() => this.clip.gait(this.raw));
+  /** Returns gait measures: cadence, times, lengths, symmetry. */
+  gait(): GaitInfo {
+    return rethrow(() => this.clip.gait(this.inner));
   }
 
-  /** How far each plant slides, in metres: the left foot's, then the right's. */
-  skate(): SlideFacts[] {
-    return attempt(() => this.clip.skate(this.raw));
+  /** Returns the slide of each plant: those of the left foot, then those of the right. */
+  skate(): SlideInfo[] {
+    return rethrow(() => this.clip.skate(this.inner));
   }
 
-  /** The clip with its planted feet held still, as a BVH file. */
+  /** Returns the clip without foot skate, as the text of a BVH file. */
   clean(): string {
-    return attempt(() => {
-      const cleaned = this.clip.clean(this.raw);
+    return rethrow(() => {
+      const cleaned = this.clip.clean(this.inner);
       try {
         return new TextDecoder().decode(cleaned.bvh());
       } finally {
@@ -218,13 +218,18 @@ export class Plants {
     });
   }
 
-  /** The labels as a file; `name` is that of the clip's, `sha256` of its bytes where it is known. */
+  /**
+   * Returns the labels as a file.
+   *
+   * @param name File name of the clip.
+   * @param sha256 Hash of the bytes of the clip, if known.
+   */
   save(format: LabelFormat, name: string, sha256?: string): Uint8Array {
-    return attempt(() => this.clip.save(this.raw, format, name, sha256));
+    return rethrow(() => this.clip.save(this.inner, format, name, sha256));
   }
 
   free(): void {
-    this.raw.free();
+    this.inner.free();
   }
 
   [Symbol.dispose](): void {
@@ -232,32 +237,32 @@ export class Plants {
   }
 }
 
-/** The actions of a clip; it needs the clip as long as it is used. */
+/** The segments of a clip. Requires that the clip is not freed. */
 export class Segmentation {
   /** @internal */
   constructor(
-    private readonly clip: RawClip,
-    private readonly raw: RawSegmentation,
+    private readonly clip: WasmClip,
+    private readonly inner: WasmSegmentation,
   ) {}
 
-  /** The actions in order; they tile the clip. */
-  get segments(): SegmentFacts[] {
-    return attempt(() => this.raw.segments());
+  /** The segments in order; they cover the clip without gaps. */
+  get segments(): SegmentInfo[] {
+    return rethrow(() => this.inner.segments());
   }
 
-  /** What was assumed or is doubtful. */
-  get notices(): NoticeText[] {
-    return attempt(() => this.raw.notices());
+  /** Assumptions and doubts of the method. */
+  get notices(): NoticeInfo[] {
+    return rethrow(() => this.inner.notices());
   }
 
-  /** The actions as a file, under `names` in their order; without, under the method's own. */
+  /** Returns the segments as a file, under `names` in order. Default: the method's labels. */
   save(format: SegmentFormat, name: string, names?: string[]): string {
-    const shown = names ?? this.segments.map(({ label }) => label);
-    return attempt(() => this.clip.saveSegments(this.raw, shown, format, name));
+    const labels = names ?? this.segments.map(({ label }) => label);
+    return rethrow(() => this.clip.saveSegments(this.inner, labels, format, name));
   }
 
   free(): void {
-    this.raw.free();
+    this.inner.free();
   }
 
   [Symbol.dispose](): void {
@@ -265,12 +270,12 @@ export class Segmentation {
   }
 }
 
-/** What the core refuses comes as a plain object: here it is an error. */
-function attempt<T>(work: () => T): T {
+/** Runs a call to the core and rethrows its failures, which are plain objects, as errors. */
+function rethrow<T>(call: () => T): T {
   try {
-    return work();
-  } catch (refusal) {
-    if (refusal instanceof Error) throw refusal;
-    throw new PlantigradeError(refusal as Failure);
+    return call();
+  } catch (error) {
+    if (error instanceof Error) throw error;
+    throw new PlantigradeError(error as Failure);
   }
 }

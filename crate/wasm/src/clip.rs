@@ -1,4 +1,4 @@
-//! Reading a clip and holding it.
+//! Clips and their reader.
 
 use std::cell::OnceCell;
 
@@ -10,43 +10,43 @@ use plantigrade::skeleton::{self, Role, Skeleton};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::detection::RawDetection;
+use crate::detection::WasmDetection;
 use crate::positions;
-use crate::records::{ClipFacts, DetectOptions, Failure, Overrides, from_js, to_js};
+use crate::types::{ClipInfo, DetectOptions, Failure, Overrides, from_js, to_js};
 
-/// Feet of longer clips are not kept for another detection: those of so many frames take 24 MB.
-const MOST_KEPT: usize = 100_000;
+/// Longest clip whose foot tracks are cached between detections, in frames; they occupy 24 MB.
+const MAX_CACHED_FRAMES: usize = 100_000;
 
 /// Reads a file chunk by chunk.
 #[wasm_bindgen]
-pub struct RawReader(Reader);
+pub struct WasmReader(Reader);
 
 #[wasm_bindgen]
-impl RawReader {
-    /// A reader at the beginning of a file of so many bytes; a lenient one holds values over
-    /// what is no number.
+impl WasmReader {
+    /// Creates a reader for a file of `bytes` bytes. If `lenient`, a value that is not a number is
+    /// replaced by that of the previous frame.
     #[wasm_bindgen(constructor)]
-    pub fn new(lenient: bool, bytes: f64) -> RawReader {
-        RawReader(Reader::new(Options { lenient, expected_bytes: bytes as u64, ..Options::default() }))
+    pub fn new(lenient: bool, bytes: f64) -> WasmReader {
+        WasmReader(Reader::new(Options { lenient, expected_bytes: bytes as u64, ..Options::default() }))
     }
 
-    /// Takes the next chunk.
+    /// Reads the next chunk.
     ///
     /// # Errors
-    /// If the file cannot be read; free the reader then.
+    /// If the file cannot be read; free the reader in that case.
     pub fn push(&mut self, chunk: &[u8]) -> Result<(), Failure> {
         Ok(self.0.push(chunk)?)
     }
 
-    /// Ends the file and uses up the reader.
+    /// Finishes the file and consumes the reader.
     ///
     /// # Errors
     /// If the file as a whole cannot be read.
-    pub fn finish(self) -> Result<RawClip, Failure> {
+    pub fn finish(self) -> Result<WasmClip, Failure> {
         let Parsed { clip, notices } = self.0.finish()?;
         let skeleton = Skeleton::main(&clip, &skeleton::Overrides::default());
-        Ok(RawClip {
-            found_frame_time: clip.frame_time(),
+        Ok(WasmClip {
+            original_frame_time: clip.frame_time(),
             clip,
             notices,
             skeleton,
@@ -55,13 +55,7 @@ impl RawReader {
     }
 }
 
-/// The largest file that is read, in bytes.
-#[wasm_bindgen(js_name = mostBytes)]
-pub fn most_bytes() -> f64 {
-    plantigrade::bvh::Limits::default().bytes as f64
-}
-
-impl RawClip {
+impl WasmClip {
     pub(crate) fn core(&self) -> &Clip {
         &self.clip
     }
@@ -77,24 +71,24 @@ impl RawClip {
 
 /// A clip with its skeleton.
 #[wasm_bindgen]
-pub struct RawClip {
+pub struct WasmClip {
     clip: Clip,
-    found_frame_time: f64,
+    original_frame_time: f64,
     notices: Vec<Notice>,
     skeleton: Skeleton,
-    /// What detection keeps for the next time, as the skeleton stands.
+    /// Foot tracks and intermediate results, valid for the current skeleton.
     detector: OnceCell<Detector>,
 }
 
 #[wasm_bindgen]
-impl RawClip {
-    /// What is known of it.
+impl WasmClip {
+    /// Frames, rate, joints, roles, units and notices.
     ///
     /// # Errors
-    /// None that a clip can cause.
-    pub fn facts(&self) -> Result<Ts<ClipFacts>, Failure> {
+    /// Only if the conversion to JavaScript fails.
+    pub fn info(&self) -> Result<Ts<ClipInfo>, Failure> {
         let Skeleton { roles, up, leg, metres_per_unit, .. } = &self.skeleton;
-        to_js(&ClipFacts {
+        to_js(&ClipInfo {
             frames: self.clip.frame_count(),
             rate: self.clip.rate(),
             joints: self.clip.joints().iter().map(Into::into).collect(),
@@ -108,53 +102,53 @@ impl RawClip {
         })
     }
 
-    /// All poses: frames (or one rest pose) × joints × 3 in metres, Y up.
+    /// Joint positions of all poses: frames (or one rest pose) × joints × 3, in metres, Y up.
     pub fn positions(&self) -> Float32Array {
         positions::all(&self.skeleton, &self.clip)
     }
 
-    /// Puts overrides in place of those before.
+    /// Replaces all overrides.
     ///
     /// # Errors
-    /// If they name what does not exist; nothing has changed then.
+    /// If an override names something that does not exist; the clip is then unchanged.
     #[wasm_bindgen(js_name = override)]
     pub fn apply(&mut self, overrides: Ts<Overrides>) -> Result<(), Failure> {
         let overrides = from_js(&overrides)?;
         let checked = overrides.check(self.clip.joints().len())?;
-        let frame_time = overrides.rate.map_or(self.found_frame_time, |rate| 1.0 / rate);
+        let frame_time = overrides.rate.map_or(self.original_frame_time, |rate| 1.0 / rate);
         self.clip.set_frame_time(frame_time);
         self.skeleton = Skeleton::main(&self.clip, &checked);
         self.detector = OnceCell::new();
         Ok(())
     }
 
-    /// Finds the plants.
+    /// Detects the plants.
     ///
     /// # Errors
-    /// If there is no motion, there are no feet, or an option breaks its rule.
-    pub fn detect(&self, options: Ts<DetectOptions>) -> Result<RawDetection, Failure> {
+    /// If the clip has no motion or no feet, or an option is invalid.
+    pub fn detect(&self, options: Ts<DetectOptions>) -> Result<WasmDetection, Failure> {
         let params = Params::try_from(&from_js(&options)?)?.check()?;
-        let found = match self.detector.get() {
+        let detection = match self.detector.get() {
             Some(detector) => detector.detect(params),
             None => {
                 let feet = Feet::of(&self.clip, &self.skeleton)?;
-                if feet.frame_count() > MOST_KEPT {
+                if feet.frame_count() > MAX_CACHED_FRAMES {
                     plants::detect_once(feet, params)
                 } else {
                     self.detector.get_or_init(|| Detector::new(feet)).detect(params)
                 }
             }
         };
-        Ok(RawDetection::new(found, self.skeleton.metres_per_unit, self.clip.frame_time()))
+        Ok(WasmDetection::new(detection, self.skeleton.metres_per_unit, self.clip.frame_time()))
     }
 
     /// The labels of a detection as a file: `json`, `csv`, `intervals`, `events`, `npz` or `blender`.
     ///
     /// # Errors
-    /// If there is no such format.
+    /// If the format does not exist.
     pub fn save(
         &self,
-        detection: &RawDetection,
+        detection: &WasmDetection,
         format: &str,
         name: String,
         sha256: Option<String>,

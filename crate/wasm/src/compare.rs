@@ -1,4 +1,4 @@
-//! Labels from elsewhere, beside ours.
+//! Annotations read from files, and the agreement of a detection with them.
 
 use plantigrade::labels::{self, Labelling};
 use plantigrade::score::{self, DisagreementKind, PartScore};
@@ -6,105 +6,105 @@ use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::records::{EditFacts, Failure, side, to_js};
-use crate::{RawClip, RawDetection};
+use crate::types::{ArgumentError, EditInfo, Failure, parse_side, to_js};
+use crate::{WasmClip, WasmDetection};
 
-/// Labels of the clip by someone else.
+/// Labels of the clip read from a file.
 #[wasm_bindgen]
-pub struct RawLabelling(Labelling);
+pub struct WasmAnnotation(Labelling);
 
 #[wasm_bindgen]
-impl RawLabelling {
+impl WasmAnnotation {
     /// Reads a labels document, a truth file, a table per frame or an NPZ archive, for a clip of
-    /// so many frames.
+    /// `frames` frames.
     ///
     /// # Errors
-    /// If the file is none of these, or is of another clip.
+    /// If the file has none of these formats, or belongs to another clip.
     #[wasm_bindgen(constructor)]
-    pub fn new(file: &[u8], frames: usize) -> Result<RawLabelling, Failure> {
-        Ok(RawLabelling(labels::read_bytes(file, frames)?))
+    pub fn new(file: &[u8], frames: usize) -> Result<WasmAnnotation, Failure> {
+        Ok(WasmAnnotation(labels::read_bytes(file, frames)?))
     }
 
-    /// The parts that were labelled.
+    /// Names of the labelled parts.
     pub fn parts(&self) -> Vec<String> {
         self.0.parts.iter().map(|(part, _)| part.name().into()).collect()
     }
 
-    /// 1 where the foot is planted, 0 where not, −1 where that is not known, per frame.
+    /// Labels per frame: 1 planted, 0 not planted, −1 unknown.
     ///
     /// # Errors
-    /// If there is no such part or side.
-    pub fn planted(&self, part: &str, of: &str) -> Result<Vec<i8>, Failure> {
-        let found = self.0.parts.iter().find(|(other, _)| other.name() == part);
-        let (_, feet) = found.ok_or_else(|| Failure::from(format!("there are no labels of {part:?}")))?;
-        Ok(feet[side(of)? as usize].iter().map(|label| label.map_or(-1, i8::from)).collect())
+    /// If the part or the side does not exist.
+    pub fn planted(&self, part: &str, side: &str) -> Result<Vec<i8>, Failure> {
+        let labels = self.0.parts.iter().find(|(other, _)| other.name() == part);
+        let (_, feet) = labels.ok_or_else(|| ArgumentError::MissingPart(part.into()))?;
+        Ok(feet[parse_side(side)? as usize].iter().map(|label| label.map_or(-1, i8::from)).collect())
     }
 
-    /// The labels as edits that make them one's own, wherever they are known.
+    /// The edits that give a detection these labels in all frames in which they are known.
     ///
     /// # Errors
-    /// None that labels can cause.
-    pub fn edits(&self) -> Result<Vec<Ts<EditFacts>>, Failure> {
-        self.0.edits().into_iter().map(|edit| to_js(&EditFacts::from(edit))).collect()
+    /// Only if the conversion to JavaScript fails.
+    pub fn edits(&self) -> Result<Vec<Ts<EditInfo>>, Failure> {
+        self.0.edits().into_iter().map(|edit| to_js(&EditInfo::from(edit))).collect()
     }
 
-    /// How well a detection in the clip agrees, for each part that both have.
+    /// Agreement of a detection with these labels, for each part that both label.
     ///
     /// # Errors
-    /// None that labels can cause.
-    pub fn score(&self, clip: &RawClip, detection: &RawDetection) -> Result<Vec<Ts<ScoreFacts>>, Failure> {
+    /// Only if the conversion to JavaScript fails.
+    pub fn score(&self, clip: &WasmClip, detection: &WasmDetection) -> Result<Vec<Ts<ScoreInfo>>, Failure> {
         let scores = score::compare(detection.core(), &self.0, clip.core().frame_time());
-        scores.into_iter().map(|score| to_js(&ScoreFacts::from(score))).collect()
+        scores.into_iter().map(|score| to_js(&ScoreInfo::from(score))).collect()
     }
 }
 
-/// How well one part agrees.
+/// Agreement of one part.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
-pub struct ScoreFacts {
+pub struct ScoreInfo {
     /// The part.
     #[tsify(type = "\"contact\" | \"toe\" | \"heel\"")]
     pub part: String,
     /// Accuracy for each fuzzy period.
     pub rows: Vec<ScoreRow>,
-    /// Plants as events.
-    pub events: EventFacts,
-    /// Where the labels differ, in order.
-    pub disagreements: Vec<DisagreementFacts>,
+    /// Agreement of plants as events.
+    pub events: EventScoreInfo,
+    /// Frame ranges in which the labels differ, in order.
+    pub disagreements: Vec<DisagreementInfo>,
 }
 
-/// Accuracy for one fuzzy period; shares from 0 to 1.
+/// Accuracy for one fuzzy period; fractions from 0 to 1.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 pub struct ScoreRow {
-    /// The period in seconds.
+    /// Fuzzy period, in seconds.
     pub fuzzy: f64,
-    /// Labels near a boundary are right.
+    /// Accuracy if labels within the period around a boundary count as correct.
     pub lenient: f64,
-    /// Boundaries move to where they agree best.
+    /// Accuracy after each boundary was moved by at most the period to agree best.
     pub strict: f64,
-    /// Lenient, of the left foot.
+    /// Lenient accuracy of the left foot.
     pub left: f64,
-    /// Lenient, of the right foot.
+    /// Lenient accuracy of the right foot.
     pub right: f64,
 }
 
-/// Plants as events; times in seconds, positive is late.
+/// Agreement of plants as events; errors in seconds, positive if late.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
-pub struct EventFacts {
-    /// Share of the plants found that there are.
+pub struct EventScoreInfo {
+    /// Fraction of the detected plants that are annotated.
     pub precision: f64,
-    /// Share of the plants that were found.
+    /// Fraction of the annotated plants that were detected.
     pub recall: f64,
-    /// Harmonic mean of both.
+    /// Harmonic mean of precision and recall.
     pub f1: f64,
-    /// Median error of the beginnings.
+    /// Median error of the foot strikes.
     pub onset: f64,
-    /// Median error of the ends.
+    /// Median error of the foot offs.
     pub offset: f64,
 }
 
-/// A run of frames in which the labels differ.
+/// A range of frames in which the labels differ.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
-pub struct DisagreementFacts {
+pub struct DisagreementInfo {
     /// The foot.
     #[tsify(type = "\"left\" | \"right\"")]
     pub side: String,
@@ -113,15 +113,15 @@ pub struct DisagreementFacts {
     pub part: String,
     /// First frame.
     pub start: usize,
-    /// First frame after.
+    /// First frame after the range.
     pub end: usize,
-    /// Whether the plant was missed or is too much.
+    /// `missed`: only the annotation is planted; `extra`: only the detection is.
     #[tsify(type = "\"missed\" | \"extra\"")]
     pub kind: String,
 }
 
-impl From<PartScore> for ScoreFacts {
-    fn from(score: PartScore) -> ScoreFacts {
+impl From<PartScore> for ScoreInfo {
+    fn from(score: PartScore) -> ScoreInfo {
         let row = |row: &score::Row| ScoreRow {
             fuzzy: row.fuzzy,
             lenient: row.lenient,
@@ -129,7 +129,7 @@ impl From<PartScore> for ScoreFacts {
             left: row.left,
             right: row.right,
         };
-        let disagreement = |run: &score::Disagreement| DisagreementFacts {
+        let disagreement = |run: &score::Disagreement| DisagreementInfo {
             side: run.side.name().into(),
             part: run.part.name().into(),
             start: run.start,
@@ -140,10 +140,10 @@ impl From<PartScore> for ScoreFacts {
             },
         };
         let score::EventScore { precision, recall, f1, onset, offset, .. } = score.events;
-        ScoreFacts {
+        ScoreInfo {
             part: score.part.name().into(),
             rows: score.rows.iter().map(row).collect(),
-            events: EventFacts { precision, recall, f1, onset, offset },
+            events: EventScoreInfo { precision, recall, f1, onset, offset },
             disagreements: score.disagreements.iter().map(disagreement).collect(),
         }
     }

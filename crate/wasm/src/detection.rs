@@ -1,4 +1,4 @@
-//! The labels of a clip.
+//! The detected plants of a clip.
 
 use plantigrade::bvh::Clip;
 use plantigrade::labels::{self, Document, Edit, Labelled, Source};
@@ -8,25 +8,25 @@ use plantigrade::skeleton::Skeleton;
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::records::{EditFacts, Failure, NoticeText, from_js, side, to_js};
+use crate::types::{ArgumentError, EditInfo, Failure, NoticeInfo, from_js, parse_side, to_js};
 
-/// The labels of a clip; series are given by part and side.
+/// The detected plants of a clip; series are addressed by part and side.
 #[wasm_bindgen]
-pub struct RawDetection {
-    found: Detection,
-    /// What was found under the edits of a person, where there are any.
+pub struct WasmDetection {
+    detected: Detection,
+    /// The detection with edits applied, if there are any.
     edited: Option<Detection>,
     metres_per_unit: f64,
     frame_time: f64,
 }
 
-impl RawDetection {
-    pub(crate) fn new(found: Detection, metres_per_unit: f64, frame_time: f64) -> RawDetection {
-        RawDetection { found, edited: None, metres_per_unit, frame_time }
+impl WasmDetection {
+    pub(crate) fn new(detected: Detection, metres_per_unit: f64, frame_time: f64) -> WasmDetection {
+        WasmDetection { detected, edited: None, metres_per_unit, frame_time }
     }
 
     pub(crate) fn core(&self) -> &Detection {
-        self.edited.as_ref().unwrap_or(&self.found)
+        self.edited.as_ref().unwrap_or(&self.detected)
     }
 
     pub(crate) fn save(
@@ -49,7 +49,7 @@ impl RawDetection {
             "events" => labels::events_csv(&labelled, frame_time),
             "blender" => labels::blender_script(&labelled, &name, frame_time),
             "npz" => return Ok(labels::npz(&labelled, &name, frame_time)),
-            _ => return Err(Failure::from(format!("there is no format {format:?}"))),
+            _ => return Err(ArgumentError::Format(format.into()).into()),
         };
         Ok(text.into_bytes())
     }
@@ -59,16 +59,16 @@ impl RawDetection {
     }
 
     pub(crate) fn part(&self, part: &str) -> Result<&PartLabels, Failure> {
-        part_of(self.core(), part)
+        part_labels(self.core(), part)
     }
 
-    /// The same as it was found, whatever a person says.
-    pub(crate) fn part_found(&self, part: &str) -> Result<&PartLabels, Failure> {
-        part_of(&self.found, part)
+    /// The labels of a part without edits.
+    pub(crate) fn unedited_part(&self, part: &str) -> Result<&PartLabels, Failure> {
+        part_labels(&self.detected, part)
     }
 
-    pub(crate) fn foot(&self, part: &str, of: &str) -> Result<&FootLabels, Failure> {
-        Ok(self.part(part)?.foot(side(of)?))
+    pub(crate) fn foot(&self, part: &str, side: &str) -> Result<&FootLabels, Failure> {
+        Ok(self.part(part)?.foot(parse_side(side)?))
     }
 
     fn metres(&self, values: &[f32]) -> Vec<f32> {
@@ -77,19 +77,19 @@ impl RawDetection {
 }
 
 #[wasm_bindgen]
-impl RawDetection {
-    /// Lays a person's edits over what was found, in place of those before; later ones count more.
+impl WasmDetection {
+    /// Applies edits to the detected labels, replacing earlier edits; later entries take precedence.
     ///
     /// # Errors
-    /// If one of them is none.
-    pub fn edit(&mut self, edits: Vec<Ts<EditFacts>>) -> Result<(), Failure> {
+    /// If an entry is not a valid edit.
+    pub fn edit(&mut self, edits: Vec<Ts<EditInfo>>) -> Result<(), Failure> {
         let edits =
             edits.iter().map(|edit| Ok(from_js(edit)?.into())).collect::<Result<Vec<Edit>, Failure>>()?;
-        self.edited = (!edits.is_empty()).then(|| labels::edited(&self.found, &edits, self.frame_time));
+        self.edited = (!edits.is_empty()).then(|| labels::edited(&self.detected, &edits, self.frame_time));
         Ok(())
     }
 
-    /// The parts that were labelled, the one that says best when a foot is down first.
+    /// Names of the labelled parts, the principal part first.
     pub fn parts(&self) -> Vec<String> {
         self.core().parts.iter().map(|labels| labels.part.name().into()).collect()
     }
@@ -100,23 +100,23 @@ impl RawDetection {
         self.core().floor * self.metres_per_unit
     }
 
-    /// What was assumed or is doubtful.
+    /// Assumptions and doubts of the detector.
     ///
     /// # Errors
-    /// None that a clip can cause.
-    pub fn notices(&self) -> Result<Vec<Ts<NoticeText>>, Failure> {
-        self.core().notices.iter().map(|notice| to_js(&NoticeText::from(notice))).collect()
+    /// Only if the conversion to JavaScript fails.
+    pub fn notices(&self) -> Result<Vec<Ts<NoticeInfo>>, Failure> {
+        self.core().notices.iter().map(|notice| to_js(&NoticeInfo::from(notice))).collect()
     }
 
-    /// 1 where the foot is planted, per frame.
+    /// Labels per frame: 1 planted, 0 not planted.
     ///
     /// # Errors
-    /// If there is no such part or side; so for all series.
+    /// If the part or the side does not exist; the same holds for all series.
     pub fn planted(&self, part: &str, side: &str) -> Result<Vec<u8>, Failure> {
         Ok(self.foot(part, side)?.planted.iter().map(|&planted| u8::from(planted)).collect())
     }
 
-    /// Probability that the label is right, per frame.
+    /// Probability that the label is correct, per frame.
     pub fn confidence(&self, part: &str, side: &str) -> Result<Vec<f32>, Failure> {
         Ok(self.foot(part, side)?.confidence.clone())
     }
@@ -131,21 +131,21 @@ impl RawDetection {
         Ok(self.metres(&self.foot(part, side)?.speed))
     }
 
-    /// Plants as frames: start, end, start, end, ...; half-open.
+    /// Plants as half-open frame ranges: start, end, start, end, ….
     pub fn intervals(&self, part: &str, side: &str) -> Result<Vec<u32>, Failure> {
         let ranges = labels::intervals(&self.foot(part, side)?.planted);
         Ok(ranges.into_iter().flat_map(|range| [range.start as u32, range.end as u32]).collect())
     }
 
-    /// For each of those plants 1 where it is as a person wants it, else 0.
-    pub fn edited(&self, part: &str, of: &str) -> Result<Vec<u8>, Failure> {
-        let (shown, labels, side) = (self.core(), self.part(part)?, side(of)?);
+    /// For each of these plants 1 if an edit determines it, else 0.
+    pub fn edited(&self, part: &str, side: &str) -> Result<Vec<u8>, Failure> {
+        let (detection, labels, side) = (self.core(), self.part(part)?, parse_side(side)?);
         let ranges = labels::intervals(&labels.foot(side).planted);
-        Ok(ranges.iter().map(|range| u8::from(shown.is_edited(side, labels.part, range))).collect())
+        Ok(ranges.iter().map(|range| u8::from(detection.is_edited(side, labels.part, range))).collect())
     }
 }
 
-fn part_of<'a>(detection: &'a Detection, part: &str) -> Result<&'a PartLabels, Failure> {
+fn part_labels<'a>(detection: &'a Detection, part: &str) -> Result<&'a PartLabels, Failure> {
     let labels = detection.parts.iter().find(|labels| labels.part.name() == part);
-    labels.ok_or_else(|| Failure::from(format!("this method does not label {part:?}")))
+    labels.ok_or_else(|| ArgumentError::UnlabelledPart(part.into()).into())
 }

@@ -6,14 +6,14 @@ use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::records::{Failure, to_js};
-use crate::{RawClip, RawDetection};
+use crate::types::{Failure, to_js};
+use crate::{WasmClip, WasmDetection};
 
-/// How a person walks or runs; what the clip has nothing to take from is absent.
+/// Gait measures; measures that the clip does not allow are absent.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
-pub struct GaitFacts {
-    /// Whole strides of both feet that the measures are taken from.
+pub struct GaitInfo {
+    /// Number of complete strides of both feet.
     pub strides: usize,
     /// Steps per minute.
     #[tsify(optional)]
@@ -23,46 +23,46 @@ pub struct GaitFacts {
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,
-    /// What each foot has: `stance_s`, `swing_s`, `stride_time_s`, `stride_length_m`, `step_time_s`,
-    /// `step_length_m` and `step_width_m`, the unit behind the last underscore.
-    pub sides: Vec<SidesFacts>,
-    /// Time of a stride in which both feet are down, in seconds.
+    /// Measures per side: `stance_s`, `swing_s`, `stride_time_s`, `stride_length_m`, `step_time_s`,
+    /// `step_length_m` and `step_width_m`, with the unit after the last underscore.
+    pub sides: Vec<BilateralMeasure>,
+    /// Double support per stride, in seconds.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub double_support: Option<SpreadFacts>,
-    /// The same as a share of the stride, 0 … 1.
+    pub double_support: Option<MeanSd>,
+    /// Double support as a fraction of the stride, 0 to 1.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub double_support_share: Option<SpreadFacts>,
-    /// Share of a stride in which neither foot is down, 0 … 1.
+    pub double_support_share: Option<MeanSd>,
+    /// Flight as a fraction of the stride, 0 to 1.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub flight_share: Option<SpreadFacts>,
-    /// Right against left in percent, positive where the right side has more.
-    pub symmetry: SymmetryFacts,
+    pub flight_share: Option<MeanSd>,
+    /// Right relative to left in percent; positive if the right side is larger.
+    pub symmetry: SymmetryInfo,
 }
 
-/// A measure of each foot.
+/// A measure per side.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
-pub struct SidesFacts {
-    /// Its name with its unit.
+pub struct BilateralMeasure {
+    /// Name of the measure, with its unit.
     pub name: String,
-    /// The left foot's.
+    /// Left side.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub left: Option<SpreadFacts>,
-    /// The right foot's.
+    pub left: Option<MeanSd>,
+    /// Right side.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub right: Option<SpreadFacts>,
+    pub right: Option<MeanSd>,
 }
 
-/// Mean and spread of a measure.
+/// Mean and standard deviation of a measure.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
-pub struct SpreadFacts {
+pub struct MeanSd {
     /// Arithmetic mean.
     pub mean: f64,
-    /// Standard deviation; absent of a single value.
+    /// Standard deviation; absent for a single value.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sd: Option<f64>,
@@ -70,10 +70,10 @@ pub struct SpreadFacts {
     pub count: usize,
 }
 
-/// Robinson's symmetry indices in percent.
+/// Symmetry indices after Robinson, in percent.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
-pub struct SymmetryFacts {
+pub struct SymmetryInfo {
     /// Of stance times.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -93,34 +93,34 @@ pub struct SymmetryFacts {
 }
 
 #[wasm_bindgen]
-impl RawClip {
-    /// The gait measures by the labels of a detection, as a person has edited them.
+impl WasmClip {
+    /// Gait measures from the labels of a detection, with edits applied.
     ///
     /// # Errors
     /// If the clip has no motion or no feet.
-    pub fn gait(&self, detection: &RawDetection) -> Result<Ts<GaitFacts>, Failure> {
+    pub fn gait(&self, detection: &WasmDetection) -> Result<Ts<GaitInfo>, Failure> {
         let feet = Feet::of(self.core(), self.skeleton())?;
-        to_js(&GaitFacts::from(Gait::of(&feet, detection.core())))
+        to_js(&GaitInfo::from(Gait::of(&feet, detection.core())))
     }
 }
 
-impl From<Gait> for GaitFacts {
-    fn from(gait: Gait) -> GaitFacts {
-        let spread = |spread: Option<Spread>| spread.map(SpreadFacts::from);
-        let sides = gait.by_side().map(|(name, measure)| SidesFacts {
+impl From<Gait> for GaitInfo {
+    fn from(gait: Gait) -> GaitInfo {
+        let mean_sd = |spread: Option<Spread>| spread.map(MeanSd::from);
+        let sides = gait.by_side().map(|(name, measure)| BilateralMeasure {
             name: name.into(),
-            left: spread(measure.left),
-            right: spread(measure.right),
+            left: mean_sd(measure.left),
+            right: mean_sd(measure.right),
         });
-        GaitFacts {
+        GaitInfo {
             strides: gait.strides,
             cadence: gait.cadence_steps_per_min,
             speed: gait.speed_m_per_s,
             sides: sides.into(),
-            double_support: spread(gait.double_support_s),
-            double_support_share: spread(gait.double_support_share),
-            flight_share: spread(gait.flight_share),
-            symmetry: SymmetryFacts {
+            double_support: mean_sd(gait.double_support_s),
+            double_support_share: mean_sd(gait.double_support_share),
+            flight_share: mean_sd(gait.flight_share),
+            symmetry: SymmetryInfo {
                 stance: gait.symmetry.stance_percent,
                 swing: gait.symmetry.swing_percent,
                 step_time: gait.symmetry.step_time_percent,
@@ -130,8 +130,8 @@ impl From<Gait> for GaitFacts {
     }
 }
 
-impl From<Spread> for SpreadFacts {
-    fn from(Spread { mean, sd, count }: Spread) -> SpreadFacts {
-        SpreadFacts { mean, sd, count }
+impl From<Spread> for MeanSd {
+    fn from(Spread { mean, sd, count }: Spread) -> MeanSd {
+        MeanSd { mean, sd, count }
     }
 }

@@ -1,7 +1,7 @@
 //! Plantigrade for the browser: thin bindings to the core.
 //!
-//! Each `Raw…` class owns memory of the module: call its `free()` when done.
-//! Small records cross as plain objects, long series as typed arrays.
+//! Each `Wasm…` class owns memory of the module: call its `free()` when done.
+//! Small structs are passed as plain objects, long series as typed arrays.
 
 mod clip;
 mod compare;
@@ -9,36 +9,36 @@ mod detection;
 mod evidence;
 mod gait;
 mod positions;
-mod records;
 mod segmentation;
 mod skate;
+mod types;
 
-pub use clip::{RawClip, RawReader};
-pub use compare::{DisagreementFacts, EventFacts, RawLabelling, ScoreFacts, ScoreRow};
-pub use detection::RawDetection;
-pub use evidence::{EvidenceFacts, LimitFacts};
-pub use gait::{GaitFacts, SidesFacts, SpreadFacts, SymmetryFacts};
-pub use records::{
-    ClipFacts, DetectOptions, EditFacts, Failure, JointFacts, MethodFacts, NoticeText, Overrides,
-    SegmentFacts, SegmentMethodFacts, SegmentOptions,
+pub use clip::{WasmClip, WasmReader};
+pub use compare::{DisagreementInfo, EventScoreInfo, ScoreInfo, ScoreRow, WasmAnnotation};
+pub use detection::WasmDetection;
+pub use evidence::{EvidenceInfo, ThresholdInfo};
+pub use gait::{BilateralMeasure, GaitInfo, MeanSd, SymmetryInfo};
+pub use segmentation::{CutScore, WasmSegmentAnnotation, WasmSegmentation, has_segments, segment_methods};
+pub use skate::{CleanedPlantInfo, SlideInfo, WasmCleanedClip};
+pub use types::{
+    ArgumentError, ClipInfo, DetectOptions, EditInfo, Failure, JointInfo, MethodInfo, NoticeInfo, Overrides,
+    SegmentInfo, SegmentMethodInfo, SegmentOptions,
 };
-pub use segmentation::{CutScore, RawSegmentation, RawSegments, has_segments, segment_methods};
-pub use skate::{CleanedPlantFacts, RawCleaned, SlideFacts};
 
 use plantigrade::plants::Method;
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// All methods of detection, the default first.
+/// All detection methods, the default first.
 ///
 /// # Errors
-/// None.
+/// Only if the conversion to JavaScript fails.
 #[wasm_bindgen]
-pub fn methods() -> Result<Vec<Ts<MethodFacts>>, Failure> {
-    Method::ALL.into_iter().map(|method| records::to_js(&MethodFacts::from(method))).collect()
+pub fn methods() -> Result<Vec<Ts<MethodInfo>>, Failure> {
+    Method::ALL.into_iter().map(|method| types::to_js(&MethodInfo::from(method))).collect()
 }
 
-/// Lets a panic say what happened in the console before the module traps.
+/// Reports panics in the console before the module traps.
 #[wasm_bindgen(start)]
 pub fn start() {
     console_error_panic_hook::set_once();

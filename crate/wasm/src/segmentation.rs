@@ -1,4 +1,4 @@
-//! The segments of a clip.
+//! Segmentation of a clip into actions.
 
 use std::ops::Range;
 
@@ -11,50 +11,52 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::RawClip;
-use crate::records::{Failure, NoticeText, SegmentFacts, SegmentMethodFacts, SegmentOptions, from_js, to_js};
+use crate::WasmClip;
+use crate::types::{
+    ArgumentError, Failure, NoticeInfo, SegmentInfo, SegmentMethodInfo, SegmentOptions, from_js, to_js,
+};
 
-/// All methods of segmentation, the default first.
+/// All segmentation methods, the default first.
 ///
 /// # Errors
-/// None.
+/// Only if the conversion to JavaScript fails.
 #[wasm_bindgen(js_name = segmentMethods)]
-pub fn segment_methods() -> Result<Vec<Ts<SegmentMethodFacts>>, Failure> {
-    Method::ALL.into_iter().map(|method| to_js(&SegmentMethodFacts::from(method))).collect()
+pub fn segment_methods() -> Result<Vec<Ts<SegmentMethodInfo>>, Failure> {
+    Method::ALL.into_iter().map(|method| to_js(&SegmentMethodInfo::from(method))).collect()
 }
 
 /// The segments of a clip.
 #[wasm_bindgen]
-pub struct RawSegmentation(Segmentation);
+pub struct WasmSegmentation(Segmentation);
 
 #[wasm_bindgen]
-impl RawClip {
-    /// Cuts the clip into actions; `progress` is called with the share done, from 0 to 1.
+impl WasmClip {
+    /// Segments the clip into actions; `progress` is called with the completed fraction, 0 to 1.
     ///
     /// # Errors
-    /// If there is no motion, the method's joints are not known, or an option breaks its rule.
+    /// If the clip has no motion, the joints of the method are unknown, or an option is invalid.
     pub fn segment(
         &self,
         options: Ts<SegmentOptions>,
         progress: &Function,
-    ) -> Result<RawSegmentation, Failure> {
+    ) -> Result<WasmSegmentation, Failure> {
         let params = segments::Params::try_from(&from_js(&options)?)?.check()?;
-        let mut report = |share: f64| {
-            // Whoever listens may fail: that is theirs to tell.
-            let _ = progress.call1(&JsValue::NULL, &share.into());
+        let mut report = |fraction: f64| {
+            // An error in the callback does not stop the segmentation.
+            let _ = progress.call1(&JsValue::NULL, &fraction.into());
             Ok(())
         };
-        Ok(RawSegmentation(segments::segment(self.core(), self.skeleton(), params, &mut report)?))
+        Ok(WasmSegmentation(segments::segment(self.core(), self.skeleton(), params, &mut report)?))
     }
 
-    /// The segments as a document, with a person's names for them: `json`, `csv` or `babel`.
+    /// The segments under the given names as a file: `json`, `csv` or `babel`.
     ///
     /// # Errors
-    /// If there is no such format.
+    /// If the format does not exist.
     #[wasm_bindgen(js_name = saveSegments)]
     pub fn save_segments(
         &self,
-        segmentation: &RawSegmentation,
+        segmentation: &WasmSegmentation,
         names: Vec<String>,
         format: &str,
         name: String,
@@ -68,132 +70,136 @@ impl RawClip {
             "json" => document.to_json(),
             "csv" => labels::segments_csv(&[document]),
             "babel" => labels::babel_json(&[document]),
-            _ => return Err(Failure::from(format!("there is no format {format:?}"))),
+            _ => return Err(ArgumentError::Format(format.into()).into()),
         })
     }
 
-    /// The frames from `start` to before `end` as the bytes of a BVH file of their own.
+    /// The frames `start..end` as the bytes of a BVH file.
     ///
     /// # Errors
-    /// If there are no such frames.
+    /// If the range is empty or extends beyond the clip.
     pub fn cut(&self, start: usize, end: usize) -> Result<Vec<u8>, Failure> {
         let frames = self.core().frame_count();
         if start >= end || end > frames {
-            return Err(format!("there are no frames {start} to {end}: the clip has {frames}").into());
+            return Err(ArgumentError::FrameRange { start, end, frames }.into());
         }
         Ok(plantigrade::bvh::write(&self.core().part(start..end)).into_bytes())
     }
 }
 
 #[wasm_bindgen]
-impl RawSegmentation {
-    /// The segments in order; they tile the clip.
+impl WasmSegmentation {
+    /// The segments in order; they cover the clip without gaps.
     ///
     /// # Errors
-    /// None that a clip can cause.
-    pub fn segments(&self) -> Result<Vec<Ts<SegmentFacts>>, Failure> {
-        self.0.segments.iter().map(|segment| to_js(&SegmentFacts::from(segment))).collect()
+    /// Only if the conversion to JavaScript fails.
+    pub fn segments(&self) -> Result<Vec<Ts<SegmentInfo>>, Failure> {
+        self.0.segments.iter().map(|segment| to_js(&SegmentInfo::from(segment))).collect()
     }
 
-    /// Frames in which one action goes over into the next: start, end, start, end, ...; half-open.
+    /// Transitions between actions, as half-open frame ranges: start, end, start, end, ….
     pub fn transitions(&self) -> Vec<u32> {
-        self.0.transitions.iter().flat_map(ends).collect()
+        self.0.transitions.iter().flat_map(bounds).collect()
     }
 
-    /// The pieces of motion between turning points: start, end, start, end, ...; half-open.
+    /// Motifs, the intervals between turning points, as half-open frame ranges: start, end, ….
     pub fn motifs(&self) -> Vec<u32> {
-        self.0.motifs.iter().flat_map(|motif| ends(&motif.frames)).collect()
+        self.0.motifs.iter().flat_map(|motif| bounds(&motif.frames)).collect()
     }
 
-    /// The class of each motif, from 1: those that are alike have the same.
+    /// Class of each motif, from 1; similar motifs share a class.
     #[wasm_bindgen(js_name = motifClasses)]
     pub fn motif_classes(&self) -> Vec<u32> {
         self.0.motifs.iter().map(|motif| motif.class as u32).collect()
     }
 
-    /// What the method's curve shows.
+    /// Title of the method's curve.
     #[wasm_bindgen(js_name = curveTitle)]
     pub fn curve_title(&self) -> String {
         self.0.curve.title.into()
     }
 
-    /// Where the values of the curve lie: frames with fractions, ascending.
+    /// Positions of the curve's values, in fractional frames, ascending.
     #[wasm_bindgen(js_name = curveFrames)]
     pub fn curve_frames(&self) -> Vec<f32> {
-        single(&self.0.curve.frames)
+        to_f32(&self.0.curve.frames)
     }
 
     /// The values of the curve.
     #[wasm_bindgen(js_name = curveValues)]
     pub fn curve_values(&self) -> Vec<f32> {
-        single(&self.0.curve.values)
+        to_f32(&self.0.curve.values)
     }
 
-    /// What each value was compared with; empty where there is no such threshold.
+    /// Threshold at each value of the curve; empty if the method has none.
     #[wasm_bindgen(js_name = curveThreshold)]
     pub fn curve_threshold(&self) -> Vec<f32> {
-        single(&self.0.curve.threshold)
+        to_f32(&self.0.curve.threshold)
     }
 
-    /// Indices of the values at which the curve turns, where that matters.
+    /// Indices of the extrema of the curve, if the method uses them.
     pub fn extrema(&self) -> Vec<u32> {
         self.0.curve.extrema.iter().map(|&index| index as u32).collect()
     }
 
-    /// What was assumed or left out.
+    /// Assumptions and omissions of the method.
     ///
     /// # Errors
-    /// None that a clip can cause.
-    pub fn notices(&self) -> Result<Vec<Ts<NoticeText>>, Failure> {
-        self.0.notices.iter().map(|notice| to_js(&NoticeText::from(notice))).collect()
+    /// Only if the conversion to JavaScript fails.
+    pub fn notices(&self) -> Result<Vec<Ts<NoticeInfo>>, Failure> {
+        self.0.notices.iter().map(|notice| to_js(&NoticeInfo::from(notice))).collect()
     }
 }
 
-/// Whether a text holds segments of the clip of that name (without its ending), right or wrong.
+/// True if a text contains segments, valid or not, of the clip with that name (without extension).
 #[wasm_bindgen(js_name = hasSegments)]
 pub fn has_segments(text: &str, clip: &str) -> bool {
     labels::has_segments(text, clip)
 }
 
-/// Segments of the clip by someone else.
+/// Segments of the clip read from a file.
 #[wasm_bindgen]
-pub struct RawSegments {
+pub struct WasmSegmentAnnotation {
     segments: Vec<Segment>,
     cuts: Vec<TrueCut>,
 }
 
 #[wasm_bindgen]
-impl RawSegments {
-    /// Reads a segments document, a table, BABEL's JSON or a truth file, for a clip of that name
-    /// (without its ending).
+impl WasmSegmentAnnotation {
+    /// Reads a segments document, a table, BABEL JSON or a truth file, for the clip with that name
+    /// (without extension).
     ///
     /// # Errors
-    /// If the text is none of these, or is of another clip.
+    /// If the text has none of these formats, or belongs to another clip.
     #[wasm_bindgen(constructor)]
-    pub fn new(text: &str, name: &str, clip: &RawClip) -> Result<RawSegments, Failure> {
+    pub fn new(text: &str, name: &str, clip: &WasmClip) -> Result<WasmSegmentAnnotation, Failure> {
         let (frames, rate) = (clip.core().frame_count(), clip.core().rate());
-        Ok(RawSegments {
+        Ok(WasmSegmentAnnotation {
             segments: labels::read_segments(text, name, frames, rate)?,
             cuts: labels::read_cuts(text, name, frames, rate)?,
         })
     }
 
-    /// The segments in order; they tile the clip.
+    /// The segments in order; they cover the clip without gaps.
     ///
     /// # Errors
-    /// None that segments can cause.
-    pub fn segments(&self) -> Result<Vec<Ts<SegmentFacts>>, Failure> {
-        self.segments.iter().map(|segment| to_js(&SegmentFacts::from(segment))).collect()
+    /// Only if the conversion to JavaScript fails.
+    pub fn segments(&self) -> Result<Vec<Ts<SegmentInfo>>, Failure> {
+        self.segments.iter().map(|segment| to_js(&SegmentInfo::from(segment))).collect()
     }
 
-    /// How well the cuts of a segmentation of the clip agree, within half a second and within one.
+    /// Agreement of the cuts of a segmentation with these, within 0.5 s and within 1 s.
     ///
     /// # Errors
-    /// None that segments can cause.
-    pub fn score(&self, clip: &RawClip, found: &RawSegmentation) -> Result<Vec<Ts<CutScore>>, Failure> {
+    /// Only if the conversion to JavaScript fails.
+    pub fn score(
+        &self,
+        clip: &WasmClip,
+        segmentation: &WasmSegmentation,
+    ) -> Result<Vec<Ts<CutScore>>, Failure> {
         let score = |within: f64| {
             let tolerance = Tolerance::Seconds(within);
-            let tally = score::cuts(&found.0.cuts(), &self.cuts, clip.core().frame_time(), tolerance);
+            let tally = score::cuts(&segmentation.0.cuts(), &self.cuts, clip.core().frame_time(), tolerance);
             let (precision, recall, f1) = (tally.precision(), tally.recall(), tally.f1());
             to_js(&CutScore { within, precision, recall, f1 })
         };
@@ -201,23 +207,23 @@ impl RawSegments {
     }
 }
 
-/// How well cuts agree; shares from 0 to 1.
+/// Agreement of cuts; fractions from 0 to 1.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 pub struct CutScore {
-    /// Seconds by which a cut may miss.
+    /// Tolerance, in seconds.
     pub within: f64,
-    /// Share of the cuts found that there are.
+    /// Fraction of the found cuts that are annotated.
     pub precision: f64,
-    /// Share of the cuts that were found.
+    /// Fraction of the annotated cuts that were found.
     pub recall: f64,
-    /// Harmonic mean of both.
+    /// Harmonic mean of precision and recall.
     pub f1: f64,
 }
 
-fn ends(frames: &Range<usize>) -> [u32; 2] {
+fn bounds(frames: &Range<usize>) -> [u32; 2] {
     [frames.start as u32, frames.end as u32]
 }
 
-fn single(values: &[f64]) -> Vec<f32> {
+fn to_f32(values: &[f64]) -> Vec<f32> {
     values.iter().map(|&value| value as f32).collect()
 }

@@ -1,4 +1,4 @@
-//! Foot skate, measured and removed.
+//! Measurement and clean-up of foot skate.
 
 use js_sys::Float32Array;
 use plantigrade::bvh::{self, Clip};
@@ -9,102 +9,103 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::positions;
-use crate::records::{Failure, NoticeText, to_js};
-use crate::{RawClip, RawDetection};
+use crate::types::{Failure, NoticeInfo, to_js};
+use crate::{WasmClip, WasmDetection};
 
-/// How far one plant slides; frames half-open.
-#[derive(Debug, Serialize, Deserialize, Tsify)]
-pub struct SlideFacts {
-    /// The foot.
-    #[tsify(type = r#""left" | "right""#)]
-    pub side: String,
-    /// First frame in which heel or toe stands.
-    pub start: usize,
-    /// First frame after.
-    pub end: usize,
-    /// Greatest distance of what stands from its mean position, level with the ground, in metres.
-    pub farthest: f64,
-}
-
-/// What became of one plant in a clip without foot skate; frames half-open.
+/// The slide of one plant, over half-open frames.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
-pub struct CleanedPlantFacts {
+pub struct SlideInfo {
     /// The foot.
     #[tsify(type = r#""left" | "right""#)]
     pub side: String,
-    /// First frame in which heel or toe stands.
+    /// First frame in which heel or toe is in contact.
     pub start: usize,
-    /// First frame after.
+    /// First frame after the plant.
     pub end: usize,
-    /// How far it slid, in metres.
-    pub before: f64,
-    /// How far it still does, in metres.
-    pub after: f64,
-    /// Why the foot is not held, where it is not.
-    #[tsify(optional)]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub why_not: Option<String>,
+    /// Largest horizontal distance of the contact point from its mean position, in metres.
+    pub max_distance: f64,
 }
 
-/// A clip whose planted feet stand still.
+/// Result of the clean-up for one plant, over half-open frames.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct CleanedPlantInfo {
+    /// The foot.
+    #[tsify(type = r#""left" | "right""#)]
+    pub side: String,
+    /// First frame in which heel or toe is in contact.
+    pub start: usize,
+    /// First frame after the plant.
+    pub end: usize,
+    /// Slide before the clean-up, in metres.
+    pub before: f64,
+    /// Slide after the clean-up, in metres.
+    pub after: f64,
+    /// Reason why the foot was not constrained, if it was not.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub skip_reason: Option<String>,
+}
+
+/// A clip with its foot skate removed.
 #[wasm_bindgen]
-pub struct RawCleaned {
+pub struct WasmCleanedClip {
     cleaned: Cleaned,
     skeleton: Skeleton,
 }
 
 #[wasm_bindgen]
-impl RawClip {
-    /// How far every plant of a detection slides: the left foot's, then the right's.
+impl WasmClip {
+    /// Slide of every plant of a detection: those of the left foot, then those of the right.
     ///
     /// # Errors
     /// If the clip has no motion or no feet.
-    pub fn skate(&self, detection: &RawDetection) -> Result<Vec<Ts<SlideFacts>>, Failure> {
+    pub fn skate(&self, detection: &WasmDetection) -> Result<Vec<Ts<SlideInfo>>, Failure> {
         let skate = skate::measure(self.core(), self.skeleton(), &Contacts::from(detection.core()))?;
-        skate.plants.iter().map(|slide| to_js(&SlideFacts::from(slide))).collect()
+        skate.plants.iter().map(|slide| to_js(&SlideInfo::from(slide))).collect()
     }
 
-    /// Holds every planted foot still where it stands.
+    /// Removes foot skate: constrains every planted foot to one position.
     ///
     /// # Errors
     /// If the clip has no motion or no feet.
-    pub fn clean(&self, detection: &RawDetection) -> Result<RawCleaned, Failure> {
+    pub fn clean(&self, detection: &WasmDetection) -> Result<WasmCleanedClip, Failure> {
         let contacts = Contacts::from(detection.core());
         let cleaned = skate::clean(self.core(), self.skeleton(), &contacts, &Options::default())?;
-        Ok(RawCleaned { cleaned, skeleton: self.skeleton().clone() })
+        Ok(WasmCleanedClip { cleaned, skeleton: self.skeleton().clone() })
     }
 }
 
 #[wasm_bindgen]
-impl RawCleaned {
-    /// What became of every plant: the left foot's, then the right's.
+impl WasmCleanedClip {
+    /// Result for every plant: those of the left foot, then those of the right.
     ///
     /// # Errors
-    /// None that a clip can cause; so for the notices.
-    pub fn plants(&self) -> Result<Vec<Ts<CleanedPlantFacts>>, Failure> {
-        let facts = self.cleaned.plants.iter().map(|plant| CleanedPlantFacts {
+    /// Only if the conversion to JavaScript fails; the same holds for the notices.
+    pub fn plants(&self) -> Result<Vec<Ts<CleanedPlantInfo>>, Failure> {
+        let plants = self.cleaned.plants.iter().map(|plant| CleanedPlantInfo {
             side: plant.side.name().into(),
             start: plant.frames.start,
             end: plant.frames.end,
             before: plant.before,
             after: plant.after,
-            why_not: plant.why_not.map(|why| why.to_string()),
+            skip_reason: plant.why_not.map(|reason| reason.to_string()),
         });
-        facts.map(|facts| to_js(&facts)).collect()
+        plants.map(|plant| to_js(&plant)).collect()
     }
 
-    /// What was left out or assumed.
-    pub fn notices(&self) -> Result<Vec<Ts<NoticeText>>, Failure> {
-        self.cleaned.notices.iter().map(|notice| to_js(&NoticeText::from(notice))).collect()
+    /// Omissions and assumptions of the clean-up.
+    pub fn notices(&self) -> Result<Vec<Ts<NoticeInfo>>, Failure> {
+        self.cleaned.notices.iter().map(|notice| to_js(&NoticeInfo::from(notice))).collect()
     }
 
-    /// All poses: frames × joints × 3 in metres, Y up.
+    /// Joint positions of all poses: frames × joints × 3, in metres, Y up.
     pub fn positions(&self) -> Float32Array {
         positions::all(&self.skeleton, self.clip())
     }
 
-    /// The bytes of the clip as a BVH file: those of an hour take seconds to make a string of.
+    /// The clip as the bytes of a BVH file; converting those of an hour to a string takes seconds.
     pub fn bvh(&self) -> Vec<u8> {
         bvh::write(self.clip()).into_bytes()
     }
@@ -114,13 +115,13 @@ impl RawCleaned {
     }
 }
 
-impl From<&Slide> for SlideFacts {
-    fn from(slide: &Slide) -> SlideFacts {
-        SlideFacts {
+impl From<&Slide> for SlideInfo {
+    fn from(slide: &Slide) -> SlideInfo {
+        SlideInfo {
             side: slide.side.name().into(),
             start: slide.frames.start,
             end: slide.frames.end,
-            farthest: slide.farthest,
+            max_distance: slide.farthest,
         }
     }
 }

@@ -1,86 +1,74 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
+import { openFromAddress } from "../actions/open-address";
+import { openPickedFiles, setFileInput } from "../actions/pick-files";
 import { Batch } from "../batch/Batch";
-import { Panel } from "../panels/Panel";
+import { tableVisible } from "../store/batch";
+import { phase } from "../store/phase";
+import { openClip } from "../store/session";
+import { announcement, dialog, filesDragged } from "../store/view";
 import { Timeline } from "../timeline/Timeline";
+import { Progress } from "../ui/Progress";
 import { Viewer } from "../viewer/Viewer";
-import { tableShown } from "./batch";
 import { Dialogs } from "./Dialogs";
 import { listenForDrops } from "./drop";
-import { Empty } from "./Empty";
-import { FailureCard } from "./FailureCard";
-import { releaseFocus } from "./focus";
+import { ErrorCard } from "./ErrorCard";
 import { Head } from "./Head";
-import { onKey } from "./keys";
+import { onKey } from "./key-handler";
 import { keepOffline } from "./offline";
-import { openFiles, openFromAddress } from "./open";
-import { Progress } from "./Progress";
-import { Remarks } from "./RemarkList";
-import { announcement, dialog, dragging, openClip, phase } from "./state";
+import { releaseFocus } from "./release-focus";
+import { SidePanel } from "./SidePanel";
+import { StartPage } from "./StartPage";
+import { Toasts } from "./Toasts";
 import { hinted, Tour } from "./Tour";
 
 export function App() {
-  const picker = useRef<HTMLInputElement>(null);
-  const pick = () => picker.current?.click();
   useEffect(() => {
     const off = new AbortController();
-    const quiet = { signal: off.signal };
-    addEventListener("keydown", (event) => onKey(event, pick), quiet);
-    addEventListener("hashchange", () => void openFromAddress(), quiet);
+    const options = { signal: off.signal };
+    addEventListener("keydown", onKey, options);
+    addEventListener("hashchange", () => void openFromAddress(), options);
     listenForDrops(off.signal);
     releaseFocus(off.signal);
     void openFromAddress();
     keepOffline();
     return () => off.abort();
   }, []);
-  const held = openClip.value;
+  const clip = openClip.value;
   useEffect(() => {
-    document.title = held ? `${held.name} – Plantigrade` : "Plantigrade";
-  }, [held]);
+    document.title = clip ? `${clip.name} – Plantigrade` : "Plantigrade";
+  }, [clip]);
   return (
     <div
       class="shell"
       data-state={phase.value}
-      data-clip={held ? "open" : "none"}
+      data-clip={clip ? "open" : "none"}
       data-hint={hinted()}
     >
-      <Head pick={pick} />
+      <Head />
       <main>
         <Viewer />
-        {held ? <Timeline /> : <Empty pick={pick} />}
+        {clip ? <Timeline /> : <StartPage />}
         <input
-          ref={picker}
+          ref={setFileInput}
           hidden
           type="file"
           accept=".bvh,.json,.csv,.npz,.zip,text/plain"
           multiple
-          onChange={(event) => {
-            const input = event.currentTarget;
-            void openFiles({ files: [...(input.files ?? [])] });
-            // The same file may be chosen again after it was changed.
-            input.value = "";
-          }}
+          onChange={(event) => openPickedFiles(event.currentTarget)}
         />
-        <FailureCard />
-        {/* An open dialog has it, as nothing else can be pressed then. */}
+        <ErrorCard />
+        {/* An open dialog shows it, as nothing else can be clicked then. */}
         {!dialog.value && <Progress />}
       </main>
-      {held && (
-        <Panel
-          open={
-            <button type="button" class="button open-low" onClick={pick}>
-              Open
-            </button>
-          }
-        />
-      )}
+      {clip && <SidePanel />}
       <Tour />
-      {tableShown.value && <Batch />}
+      {tableVisible.value && <Batch />}
       <Dialogs />
-      <Remarks />
+      <Toasts />
       <p class="hidden" role="status">
         {announcement}
       </p>
-      {dragging.value && (
+      {filesDragged.value && (
         <div class="drop">
           <p>Drop to open</p>
         </div>

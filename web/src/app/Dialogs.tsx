@@ -1,8 +1,9 @@
-import { place } from "../lib/report";
-import { Dialog } from "./Dialog";
-import { keyTable } from "./keys";
+import { keyTable } from "../actions/commands";
+import { locationText } from "../model/report";
+import { clip, notices } from "../store/session";
+import { dialog } from "../store/view";
+import { Dialog } from "../ui/Dialog";
 import { ShareDialog } from "./ShareDialog";
-import { clip, dialog, notices } from "./state";
 import { startTour } from "./Tour";
 
 export function Dialogs() {
@@ -16,18 +17,18 @@ function KeysDialog() {
   return (
     <Dialog title="Keys">
       <div class="key-groups">
-        {keyTable.map(([group, rows]) => (
+        {keyTable.map(({ group, rows }) => (
           <section key={group}>
             <h3>{group}</h3>
             <dl>
-              {rows.map(([keys, what]) => (
-                <div key={keys}>
+              {rows.map(({ keys, help }) => (
+                <div key={help}>
                   <dt>
-                    {keys.split(" ").map((key) => (
+                    {keys.map((key) => (
                       <kbd key={key}>{key}</kbd>
                     ))}
                   </dt>
-                  <dd>{what}</dd>
+                  <dd>{help}</dd>
                 </div>
               ))}
             </dl>
@@ -35,8 +36,9 @@ function KeysDialog() {
         ))}
       </div>
       <p class="note">
-        On the timeline: wheel zooms, Shift and wheel or a middle drag pans, a click on a bar goes
-        to its start, a drag of its end moves it, a double click on a segment names it.
+        On the timeline: the wheel zooms, Shift and wheel or a middle drag pans, a click on a bar
+        goes to its start, a drag of its end moves it, a double click on a segment names it. In a
+        plot: ← and → move by frames, Enter goes to the frame.
       </p>
       <button
         type="button"
@@ -61,7 +63,7 @@ function NoticesDialog() {
             <p>{notice.text}</p>
             <p class="quiet">
               <code>{notice.code}</code>
-              {place(notice) && ` ${place(notice)}`}
+              {locationText(notice) && ` ${locationText(notice)}`}
             </p>
           </li>
         ))}

@@ -1,32 +1,35 @@
-import { count, hertz, span } from "../lib/time";
-import { rows, tableShown } from "./batch";
-import { enclosed } from "./enclosed";
-import { Icon, Mark } from "./icons";
+import { commandOf, tooltip } from "../actions/commands";
+import { pickFiles } from "../actions/pick-files";
+import { openShareDialog } from "../actions/share";
+import { batchRows, tableVisible } from "../store/batch";
+import { embedded } from "../store/embedded";
+import { notices, openClip } from "../store/session";
+import { nextTheme, themeChoice } from "../store/theme";
+import { dialog } from "../store/view";
+import { Icon, Mark } from "../ui/icons";
+import { formatCount, formatDuration, formatRate } from "../util/format";
 import { MadeWith } from "./MadeWith";
-import { askToShare } from "./share";
-import { dialog, notices, openClip } from "./state";
-import { nextTheme, themeChoice } from "./theme";
 
-export function Head({ pick }: { pick: () => void }) {
+export function Head() {
   return (
     <header class="head">
       <h1 class="brand">
         <Mark />
-        {enclosed ? "Shared clip" : "Plantigrade"}
+        {embedded ? "Shared clip" : "Plantigrade"}
       </h1>
       <About />
       <span class="spring" />
-      {enclosed && <MadeWith />}
-      {rows.value.length > 0 && (
+      {embedded && <MadeWith />}
+      {batchRows.value.length > 0 && (
         <button
           type="button"
           class="button"
-          aria-pressed={tableShown.value}
+          aria-pressed={tableVisible.value}
           onClick={() => {
-            tableShown.value = !tableShown.value;
+            tableVisible.value = !tableVisible.value;
           }}
         >
-          {rows.value.length} clips
+          {batchRows.value.length} clips
         </button>
       )}
       <button
@@ -42,15 +45,13 @@ export function Head({ pick }: { pick: () => void }) {
         type="button"
         class="button icon-only keys"
         aria-label="Keys"
-        title="Keys (?)"
-        onClick={() => {
-          dialog.value = "keys";
-        }}
+        title={tooltip("keys")}
+        onClick={commandOf("keys").run}
       >
         ?
       </button>
-      {(openClip.value || tableShown.value) && (
-        <button type="button" class="button open-high" title="Open (Ctrl O)" onClick={pick}>
+      {(openClip.value || tableVisible.value) && (
+        <button type="button" class="button open-high" title={tooltip("open")} onClick={pickFiles}>
           Open
         </button>
       )}
@@ -59,7 +60,7 @@ export function Head({ pick }: { pick: () => void }) {
           type="button"
           class="button strong share"
           aria-haspopup="dialog"
-          onClick={askToShare}
+          onClick={openShareDialog}
         >
           Share
         </button>
@@ -73,7 +74,11 @@ function About() {
   const held = openClip.value;
   if (!held) return null;
   const facts = held.frames
-    ? [`${count(held.frames)} frames`, hertz(held.rate), span(held.frames / held.rate)]
+    ? [
+        `${formatCount(held.frames)} frames`,
+        formatRate(held.rate),
+        formatDuration(held.frames / held.rate),
+      ]
     : ["rest pose only"];
   facts.push(`${held.unit ? `${held.unit}, ` : ""}${held.up.replace("-", "−").toUpperCase()} up`);
   const heard = notices.value.length;

@@ -1,9 +1,9 @@
-import { enclosed } from "./enclosed";
+import { embedded } from "../store/embedded";
 
 /** Whoever was sent a clip may want to open one too. */
 export function MadeWith() {
   const words = "Made with Plantigrade";
-  const { home = "" } = enclosed ?? {};
+  const { home = "" } = embedded ?? {};
   // Nothing but a web address: a page may have been tampered with.
   if (!/^https?:/.test(home)) return <span class="made quiet">{words}</span>;
   return (

@@ -1,15 +1,16 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { clock } from "../lib/time";
-import { staged } from "../viewer/staged";
-import { Dialog } from "./Dialog";
-import { enclosed } from "./enclosed";
+import { currentLink, savePage, savePicture } from "../actions/share";
+import { embedded } from "../store/embedded";
+import { playhead } from "../store/playback";
+import { clip, edits, segmentNames } from "../store/session";
+import { announcement, stageHandle } from "../store/view";
+import { Dialog } from "../ui/Dialog";
+import { formatClock } from "../util/format";
 import { MadeWith } from "./MadeWith";
-import { linkNow, savePage, savePicture } from "./share";
-import { announcement, clip, edits, playhead, segmentNames } from "./state";
 
 export function ShareDialog() {
-  const link = useComputed(linkNow).value;
+  const link = useComputed(currentLink).value;
   const isMaking = useSignal(false);
   const makePage = async () => {
     isMaking.value = true;
@@ -37,13 +38,13 @@ export function ShareDialog() {
         </section>
         <section>
           <h3>Picture</h3>
-          <p>The view at {clock(playhead.value / (clip.value?.rate ?? 1))}, as PNG.</p>
-          <button type="button" class="button" disabled={!staged.value} onClick={savePicture}>
+          <p>The view at {formatClock(playhead.value / (clip.value?.rate ?? 1))}, as PNG.</p>
+          <button type="button" class="button" disabled={!stageHandle.value} onClick={savePicture}>
             Save picture
           </button>
         </section>
       </div>
-      {enclosed && <MadeWith />}
+      {embedded && <MadeWith />}
     </Dialog>
   );
 }
@@ -92,7 +93,7 @@ function NoLink() {
     <section>
       <h3>Link</h3>
       <p>
-        {enclosed
+        {embedded
           ? "This page is a file, and no link leads to it: send it as it is, or save it with your changes."
           : "A link cannot carry a file of your own: nothing of it has left your computer. Send the page instead, which holds the clip."}
       </p>

@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
-import { Icon } from "./icons";
-import { openClip } from "./state";
+import { openClip } from "../store/session";
+import { Icon } from "../ui/icons";
 
 /** What a new person is shown, and beside which part of the page. */
 const hints = [

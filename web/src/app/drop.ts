@@ -1,7 +1,7 @@
-import { fail, messageOf } from "./failing";
-import { filesOf } from "./gather";
-import { openFiles } from "./open";
-import { dragging } from "./state";
+import { filesOfTransfer } from "../actions/collect-files";
+import { openFiles } from "../actions/open-files";
+import { messageOf, reportOpenFailure } from "../store/errors";
+import { filesDragged } from "../store/view";
 
 /** Files dropped anywhere on the page, or pasted into it. */
 export function listenForDrops(signal: AbortSignal) {
@@ -14,7 +14,7 @@ export function listenForDrops(signal: AbortSignal) {
     if (event.dataTransfer) event.dataTransfer.dropEffect = "copy";
   };
   const settle = () => {
-    dragging.value = inside.size > 0;
+    filesDragged.value = inside.size > 0;
   };
   addEventListener(
     "dragenter",
@@ -45,8 +45,8 @@ export function listenForDrops(signal: AbortSignal) {
       inside.clear();
       settle();
       if (!event.dataTransfer) return;
-      void filesOf(event.dataTransfer).then(openFiles, (error) =>
-        fail("What was dropped", { message: messageOf(error) }),
+      void filesOfTransfer(event.dataTransfer).then(openFiles, (error) =>
+        reportOpenFailure("What was dropped", { message: messageOf(error) }),
       );
     },
     { signal },

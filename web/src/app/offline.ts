@@ -1,10 +1,10 @@
 /** The app once visited opens without a network: a service worker keeps its files. */
 
-import { enclosed } from "./enclosed";
-import { remark } from "./remarks";
+import { embedded } from "../store/embedded";
+import { showToast } from "../store/toasts";
 
 export function keepOffline() {
-  if (!import.meta.env.PROD || enclosed || !("serviceWorker" in navigator)) return;
+  if (!import.meta.env.PROD || embedded || !("serviceWorker" in navigator)) return;
   // The page comes first; its files are kept when it has nothing left to load.
   if (document.readyState === "complete") void register();
   else addEventListener("load", () => void register(), { once: true });
@@ -28,8 +28,8 @@ async function tellIfOld() {
     .then((response) => response.text())
     .catch(() => own);
   if (!own || newest?.includes(own)) return;
-  remark({
+  showToast({
     text: "A new version is ready.",
-    action: { name: "Reload", act: () => location.reload() },
+    action: { name: "Reload", run: () => location.reload() },
   });
 }

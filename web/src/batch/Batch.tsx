@@ -1,25 +1,18 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import {
-  asked,
-  finished,
-  goOn,
-  labelAgain,
-  rows,
-  saveAll,
-  stopSurvey,
-  tableShown,
-} from "../app/batch";
-import { Icon } from "../app/icons";
-import { methods, openClip, options } from "../app/state";
-import { columns, matching, sorted } from "../lib/table";
+import { exportAll, rerunBatch, resumeBatch, stopBatch } from "../actions/batch";
+import { columns, filterRows, sortRows } from "../model/table";
+import { batchRequest, batchRows, finishedCount, tableVisible } from "../store/batch";
+import { openClip } from "../store/session";
+import { detectMethods, detectOptions } from "../store/settings";
+import { Icon } from "../ui/icons";
 import { Rows } from "./Rows";
 
 const words = signal("");
 const order = signal<{ key: string; direction: 1 | -1 }>({ key: "", direction: 1 });
 
 const listed = computed(() =>
-  sorted(matching(rows.value, words.value), order.value.key, order.value.direction),
+  sortRows(filterRows(batchRows.value, words.value), order.value.key, order.value.direction),
 );
 
 /** All clips of a drop in one table that fills as they are labelled. */
@@ -41,13 +34,13 @@ export function Batch() {
 }
 
 function Head() {
-  const all = rows.value.length;
-  const done = finished.value;
-  const isRunning = rows.value.some(({ status }) => status === "running");
+  const all = batchRows.value.length;
+  const done = finishedCount.value;
+  const isRunning = batchRows.value.some(({ status }) => status === "running");
   const isStopped = done < all && !isRunning;
-  const method = methods.value.find(({ name }) => name === asked.value?.detect.method);
+  const method = detectMethods.value.find(({ name }) => name === batchRequest.value?.detect.method);
   const back = openClip.value ? `Back to ${openClip.value.name}` : "Back to the start";
-  const isStale = asked.value?.detect !== options.value;
+  const isStale = batchRequest.value?.detect !== detectOptions.value;
   return (
     <div class="batch-head">
       <h2 id="batch-title">{all} clips</h2>
@@ -57,17 +50,17 @@ function Head() {
       </p>
       {done < all && <progress aria-label="Clips labelled" value={done} max={all} />}
       {isRunning && (
-        <button type="button" class="button" onClick={stopSurvey}>
+        <button type="button" class="button" onClick={stopBatch}>
           Stop
         </button>
       )}
       {isStopped && (
-        <button type="button" class="button" onClick={goOn}>
+        <button type="button" class="button" onClick={resumeBatch}>
           Go on
         </button>
       )}
       {!isRunning && !isStopped && isStale && (
-        <button type="button" class="button" onClick={labelAgain}>
+        <button type="button" class="button" onClick={rerunBatch}>
           Label again
         </button>
       )}
@@ -82,7 +75,7 @@ function Head() {
           words.value = event.currentTarget.value;
         }}
       />
-      <button type="button" class="button" disabled={done === 0} onClick={saveAll}>
+      <button type="button" class="button" disabled={done === 0} onClick={exportAll}>
         Save all <span class="quiet">zip</span>
       </button>
       <button
@@ -91,7 +84,7 @@ function Head() {
         aria-label={back}
         title={back}
         onClick={() => {
-          tableShown.value = false;
+          tableVisible.value = false;
         }}
       >
         <Icon name="close" />

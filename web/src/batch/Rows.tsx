@@ -1,19 +1,21 @@
 import { useRef } from "preact/hooks";
-import { openRow, type Row } from "../app/batch";
-import { mostBesides, putBeside, takeAway } from "../app/beside";
-import { besides, openClip, source } from "../app/state";
-import { sentence } from "../lib/report";
-import { columns } from "../lib/table";
-import { useSight } from "../lib/useSight";
+import { openRow } from "../actions/batch";
+import { addCompanion, removeCompanion } from "../actions/companions";
+import { toSentence } from "../model/report";
+import { columns } from "../model/table";
+import type { BatchRow } from "../store/batch";
+import { companions, maxCompanions } from "../store/companions";
+import { openClip, source } from "../store/session";
+import { useVisibleRows } from "../ui/use-visible-rows";
 
 const rowHeight = 40;
 
 const minor = columns.filter((column) => column.minor).length;
 
 /** The rows in sight; the style sheet keeps the room of those above and below. */
-export function Rows({ rows }: { rows: readonly Row[] }) {
+export function Rows({ rows }: { rows: readonly BatchRow[] }) {
   const body = useRef<HTMLTableSectionElement>(null);
-  const { from, to } = useSight(body, rowHeight, rows.length);
+  const { from, to } = useVisibleRows(body, rowHeight, rows.length);
   return (
     <tbody
       ref={(element) => {
@@ -36,32 +38,32 @@ export function Rows({ rows }: { rows: readonly Row[] }) {
   );
 }
 
-function Cells({ row }: { row: Row }) {
+function Cells({ row }: { row: BatchRow }) {
   const [name, ...others] = columns;
-  const why = row.failure?.message ?? row.survey?.missing[0];
+  const why = row.failure?.message ?? row.summary?.missing[0];
   return (
     <>
       <th scope="row">
         <button type="button" title={row.source.name} onClick={() => openRow(row)}>
           {name?.text(row)}
         </button>
-        {row.survey?.edited && <span class="quiet"> edited</span>}
-        {row.survey && openClip.value && row.source !== source.value && <BesideButton row={row} />}
+        {row.summary?.edited && <span class="quiet"> edited</span>}
+        {row.summary && openClip.value && row.source !== source.value && <BesideButton row={row} />}
       </th>
-      {row.survey ? (
+      {row.summary ? (
         others.map((column) => (
           <td
             key={column.key}
             data-minor={column.minor}
-            title={column.text(row) === "–" ? sentence(why ?? "") : undefined}
+            title={column.text(row) === "–" ? toSentence(why ?? "") : undefined}
           >
             {column.text(row)}
           </td>
         ))
       ) : (
         <>
-          <td class="batch-why" colSpan={others.length - minor} title={why && sentence(why)}>
-            {row.status === "failed" && sentence(why ?? "")}
+          <td class="batch-why" colSpan={others.length - minor} title={why && toSentence(why)}>
+            {row.status === "failed" && toSentence(why ?? "")}
             {row.status === "running" && "Labelling…"}
             {row.status === "waiting" && "Waiting"}
           </td>
@@ -73,23 +75,23 @@ function Cells({ row }: { row: Row }) {
 }
 
 /** Puts a clip at the side of the one that is open, or takes it away. */
-function BesideButton({ row: { source } }: { row: Row }) {
-  const isBeside = besides.value.some((other) => other.source === source);
+function BesideButton({ row: { source } }: { row: BatchRow }) {
+  const isBeside = companions.value.some((other) => other.source === source);
   return (
     <button
       type="button"
       class="beside"
       aria-label={`${source.name} beside ${openClip.value?.name}`}
       aria-pressed={isBeside}
-      disabled={!isBeside && besides.value.length >= mostBesides}
+      disabled={!isBeside && companions.value.length >= maxCompanions}
       title={
         isBeside
           ? "Take it away"
-          : besides.value.length < mostBesides
+          : companions.value.length < maxCompanions
             ? `Put it beside ${openClip.value?.name}`
-            : `No more than ${mostBesides} stand beside it`
+            : `No more than ${maxCompanions} stand beside it`
       }
-      onClick={() => (isBeside ? takeAway(source) : putBeside(source))}
+      onClick={() => (isBeside ? removeCompanion(source) : addCompanion(source))}
     >
       Beside
     </button>

@@ -1,10 +1,10 @@
-import { setOverrides } from "../app/detect";
-import { clip, openClip, overrides, source } from "../app/state";
-import { bytes, count, hertz, span } from "../lib/time";
-import type { Clip, Overrides, Up } from "../worker/types";
-import { Facts } from "./Facts";
-import { GaitFacts } from "./GaitFacts";
-import { SkateFacts } from "./SkateFacts";
+import { setOverrides } from "../actions/detect";
+import type { Clip, Overrides, Up } from "../model/types";
+import { clip, openClip, overrides, source } from "../store/session";
+import { Facts } from "../ui/Facts";
+import { formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
+import { FootSkateSection } from "./FootSkateSection";
+import { GaitSection } from "./GaitSection";
 
 const ups: readonly Up[] = ["y", "z", "x", "-y", "-z", "-x"];
 const footRole = /^(hips|(left|right)_(thigh|shank|ankle|toe|tip))$/;
@@ -18,8 +18,8 @@ export function ClipPanel() {
         <h2>Clip</h2>
         <Facts facts={factsOf(held)} />
       </div>
-      <SkateFacts />
-      <GaitFacts />
+      <FootSkateSection />
+      <GaitSection />
       <div class="field">
         <h2>Read it as</h2>
         <Reading clip={held} />
@@ -35,11 +35,11 @@ export function ClipPanel() {
 function factsOf(held: Clip) {
   return [
     ["File", held.name],
-    ["Size", bytes(source.value?.data.size ?? 0)],
-    ["Frames", count(held.frames)],
-    ["Duration", span(held.frames / held.rate)],
-    ["Rate", hertz(held.rate)],
-    ["Joints", count(held.joints.filter((joint) => joint.kind !== "end-site").length)],
+    ["Size", formatBytes(source.value?.data.size ?? 0)],
+    ["Frames", formatCount(held.frames)],
+    ["Duration", formatDuration(held.frames / held.rate)],
+    ["Rate", formatRate(held.rate)],
+    ["Joints", formatCount(held.joints.filter((joint) => joint.kind !== "end-site").length)],
     ["Up axis", axis(held.up)],
     ["Unit", held.unit ?? `${Number(held.metresPerUnit.toPrecision(3))} m`],
     ["Leg", held.leg !== undefined && `${(100 * held.leg).toFixed(0)} cm`],

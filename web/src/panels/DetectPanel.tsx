@@ -1,10 +1,11 @@
-import { detecting, setOptions } from "../app/detect";
-import { detectFailure, detection, methods, options, plants } from "../app/state";
-import { plantedShare, principal } from "../lib/plants";
-import { sentence } from "../lib/report";
-import type { Side } from "../worker/types";
-import { Sensitivity, Window } from "./Sensitivity";
-import { Slider } from "./Slider";
+import { detecting, setDetectOptions } from "../actions/detect";
+import { plantedFraction, principalTracks } from "../model/plants";
+import { toSentence } from "../model/report";
+import type { Side } from "../model/types";
+import { detectFailure, detection, plants } from "../store/session";
+import { detectMethods, detectOptions } from "../store/settings";
+import { SensitivitySlider, WindowSlider } from "../ui/DetectionSliders";
+import { Slider } from "../ui/Slider";
 
 /** Methods that compare with a height or a speed that can be set. */
 const byHeight = ["height", "dual"];
@@ -12,15 +13,15 @@ const bySpeed = ["speed", "dual", "min-speed"];
 const thresholds = { height: 0.05, speed: 0.5 };
 
 export function DetectPanel() {
-  const { method, height = thresholds.height, speed = thresholds.speed } = options.value;
-  const chosen = methods.value.find(({ name }) => name === method);
+  const { method, height = thresholds.height, speed = thresholds.speed } = detectOptions.value;
+  const chosen = detectMethods.value.find(({ name }) => name === method);
   return (
     <>
       <Method name={method} />
       {chosen?.family !== "mixture" && chosen?.family !== "threshold" && (
         <>
-          <Sensitivity />
-          <Window />
+          <SensitivitySlider />
+          <WindowSlider />
         </>
       )}
       {byHeight.includes(method) && (
@@ -32,7 +33,7 @@ export function DetectPanel() {
           text={(at) => `${(100 * at).toFixed(1)} cm`}
           range={{ min: 0.005, max: 0.3, step: 0.005 }}
           ends={["Low", "High"]}
-          set={(to) => setOptions({ height: to })}
+          set={(to) => setDetectOptions({ height: to })}
         />
       )}
       {bySpeed.includes(method) && (
@@ -44,7 +45,7 @@ export function DetectPanel() {
           text={(at) => `${at.toFixed(2)} m/s`}
           range={{ min: 0.05, max: 3, step: 0.05 }}
           ends={["Slow", "Fast"]}
-          set={(to) => setOptions({ speed: to })}
+          set={(to) => setDetectOptions({ speed: to })}
         />
       )}
       <Result />
@@ -54,8 +55,8 @@ export function DetectPanel() {
 
 function Method({ name }: { name: string }) {
   const groups = [
-    ["Spectral", methods.value.filter(({ family }) => family === "spectral")],
-    ["Other", methods.value.filter(({ family }) => family !== "spectral")],
+    ["Spectral", detectMethods.value.filter(({ family }) => family === "spectral")],
+    ["Other", detectMethods.value.filter(({ family }) => family !== "spectral")],
   ] as const;
   return (
     <div class="field">
@@ -67,7 +68,7 @@ function Method({ name }: { name: string }) {
         class="select"
         value={name}
         aria-describedby="method-line"
-        onChange={(event) => setOptions({ method: event.currentTarget.value })}
+        onChange={(event) => setDetectOptions({ method: event.currentTarget.value })}
       >
         {groups.map(([title, listed]) => (
           <optgroup key={title} label={title}>
@@ -80,25 +81,25 @@ function Method({ name }: { name: string }) {
         ))}
       </select>
       <p class="note" id="method-line">
-        {methods.value.find((method) => method.name === name)?.about}
+        {detectMethods.value.find((method) => method.name === name)?.description}
       </p>
     </div>
   );
 }
 
 function Result() {
-  const found = detection.value && principal(detection.value.parts);
+  const found = detection.value && principalTracks(detection.value.parts);
   return (
     <div class="field">
       <h2>Result</h2>
       {found ? (
         <dl class="result" aria-busy={detecting.value}>
-          <Foot side="left" share={plantedShare(found.left)} />
-          <Foot side="right" share={plantedShare(found.right)} />
+          <Foot side="left" share={plantedFraction(found.left)} />
+          <Foot side="right" share={plantedFraction(found.right)} />
         </dl>
       ) : (
         <p class="note">
-          {detectFailure.value ? sentence(detectFailure.value.message) : "Looking for plants…"}
+          {detectFailure.value ? toSentence(detectFailure.value.message) : "Looking for plants…"}
         </p>
       )}
     </div>

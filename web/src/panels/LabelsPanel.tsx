@@ -1,13 +1,15 @@
 import { useComputed } from "@preact/signals";
-import { compareWithTruth } from "../app/compare";
-import { select, selection } from "../app/edit";
-import { seekPlant } from "../app/playback";
-import { type SaveFormat, save } from "../app/save";
-import { detection, frame, openClip, other, plants, source } from "../app/state";
-import { certainPlant, type Plant, principalPart } from "../lib/plants";
-import { EditBox } from "./EditBox";
-import { ListHead } from "./ListHead";
-import { VirtualList } from "./VirtualList";
+import { compareWithTruth } from "../actions/compare";
+import { select, selection } from "../actions/edit";
+import { exportLabels } from "../actions/export";
+import { seekPlant } from "../actions/playback";
+import { certainPlant, type Plant, principalPart } from "../model/plants";
+import type { SaveFormat } from "../model/types";
+import { frame } from "../store/playback";
+import { detection, openClip, plants, reference, source } from "../store/session";
+import { ListHead } from "../ui/ListHead";
+import { VirtualList } from "../ui/VirtualList";
+import { PlantEditor } from "./PlantEditor";
 
 const formats: readonly (readonly [SaveFormat, string, string])[] = [
   ["json", "Labels", "JSON"],
@@ -22,11 +24,11 @@ export function LabelsPanel() {
   if (!detection.value) return <p class="note">No labels, so nothing to list or to save.</p>;
   return (
     <div class="labels">
-      <EditBox />
+      <PlantEditor />
       <Listed />
       <div class="field">
         <h2>Compare</h2>
-        {source.value?.truth && !other.value && (
+        {source.value?.truthUrl && !reference.value && (
           <button type="button" class="button" onClick={compareWithTruth}>
             Compare with the truth
           </button>
@@ -43,7 +45,7 @@ function Listed() {
     <div class="field">
       <ListHead title="Plants" count={plants.value.length}>
         {formats.map(([format, name, kind]) => (
-          <button key={format} type="button" class="button" onClick={() => save(format)}>
+          <button key={format} type="button" class="button" onClick={() => exportLabels(format)}>
             {name} <span class="quiet">{kind}</span>
           </button>
         ))}

@@ -1,15 +1,17 @@
 import { useComputed } from "@preact/signals";
-import { dropComparison, stepDisagreement } from "../app/compare";
-import { takeTheirs } from "../app/edit";
-import { pause, seek } from "../app/playback";
-import { frame, openClip, other, score, scorePart, scores } from "../app/state";
-import type { Disagreement, Score } from "../worker/types";
-import { Facts } from "./Facts";
-import { VirtualList } from "./VirtualList";
+import { commandOf, tooltip } from "../actions/commands";
+import { removeReference } from "../actions/compare";
+import { adoptReference } from "../actions/edit";
+import { pause, seek } from "../actions/playback";
+import type { Disagreement, Score } from "../model/types";
+import { frame } from "../store/playback";
+import { openClip, reference, score, scorePart, scores } from "../store/session";
+import { Facts } from "../ui/Facts";
+import { VirtualList } from "../ui/VirtualList";
 
 /** How our labels agree with someone else's. */
 export function ScorePanel() {
-  const theirs = other.value;
+  const theirs = reference.value;
   if (!theirs) return null;
   const shown = score.value;
   return (
@@ -18,11 +20,11 @@ export function ScorePanel() {
         <h2>Compared with</h2>
         <p class="compared">
           <span>{theirs.name}</span>
-          <button type="button" class="button" onClick={dropComparison}>
+          <button type="button" class="button" onClick={removeReference}>
             Remove
           </button>
         </p>
-        <button type="button" class="button" onClick={takeTheirs}>
+        <button type="button" class="button" onClick={adoptReference}>
           Make these labels mine
         </button>
       </div>
@@ -136,18 +138,18 @@ function Disagreements({ of: { disagreements } }: { of: Score }) {
               <button
                 type="button"
                 class="button"
-                title="Previous (Shift N)"
+                title={tooltip("previous-difference")}
                 aria-label="Previous difference"
-                onClick={() => stepDisagreement(-1)}
+                onClick={commandOf("previous-difference").run}
               >
                 ←
               </button>
               <button
                 type="button"
                 class="button"
-                title="Next (N)"
+                title={tooltip("next-difference")}
                 aria-label="Next difference"
-                onClick={() => stepDisagreement(1)}
+                onClick={commandOf("next-difference").run}
               >
                 →
               </button>

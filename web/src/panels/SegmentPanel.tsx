@@ -1,28 +1,26 @@
 import { useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { dropOtherSegments } from "../app/compare";
-import { Icon } from "../app/icons";
-import { loopSegment } from "../app/playback";
-import { saveClips, saveSegments } from "../app/save";
-import { rename, setSegmentOptions } from "../app/segment";
+import { removeReferenceSegments } from "../actions/compare";
+import { exportClips, exportSegments } from "../actions/export";
+import { loopSegment } from "../actions/playback";
+import { setSegmentName, setSegmentOptions } from "../actions/segment";
+import { toSentence } from "../model/report";
+import { type NamedSegment, segmentKind } from "../model/segments";
+import { frame, loopedSegment } from "../store/playback";
 import {
-  actions,
-  chosen,
   cutScores,
-  frame,
+  namedSegments,
   openClip,
-  otherSegments,
-  renaming,
+  referenceSegments,
+  renamedSegment,
   segmentation,
   segmentFailure,
-  segmentMethods,
-  segmentOptions,
-} from "../app/state";
-import { sentence } from "../lib/report";
-import { type Action, kindText } from "../lib/segments";
-import { count } from "../lib/time";
-import { ListHead } from "./ListHead";
-import { VirtualList } from "./VirtualList";
+} from "../store/session";
+import { segmentMethods, segmentOptions } from "../store/settings";
+import { Icon } from "../ui/icons";
+import { ListHead } from "../ui/ListHead";
+import { VirtualList } from "../ui/VirtualList";
+import { formatCount } from "../util/format";
 
 /** The actions that a clip is made of: how they are found, what they are called, and saved as. */
 export function SegmentPanel() {
@@ -61,7 +59,7 @@ function Method() {
         ))}
       </select>
       <p class="note" id="segment-method-line">
-        {chosenMethod()?.about}
+        {chosenMethod()?.description}
       </p>
     </div>
   );
@@ -128,7 +126,7 @@ function Options() {
             <option value="tpose">T-pose</option>
             {byFrame && (
               <option value={template} selected>
-                Frame {count(Number(template))}
+                Frame {formatCount(Number(template))}
               </option>
             )}
             <option value="this">This frame</option>
@@ -158,7 +156,7 @@ function Notices() {
     return (
       <div class="field" role="status">
         <h2>No segments</h2>
-        <p>{sentence(failure.message)}</p>
+        <p>{toSentence(failure.message)}</p>
         {failure.hint && <p class="note">{failure.hint}</p>}
       </div>
     );
@@ -179,14 +177,14 @@ const percent = (share: number) => (100 * share).toFixed(0);
 
 /** How our cuts agree with someone else's. */
 function Comparison() {
-  const theirs = otherSegments.value;
+  const theirs = referenceSegments.value;
   if (!theirs) return null;
   return (
     <div class="field">
       <h2 id="cut-scores">Cuts compared, %</h2>
       <p class="compared">
         <span>{theirs.name}</span>
-        <button type="button" class="button" onClick={dropOtherSegments}>
+        <button type="button" class="button" onClick={removeReferenceSegments}>
           Remove
         </button>
       </p>
@@ -228,10 +226,10 @@ function Comparison() {
 
 function Listed() {
   const rate = openClip.value?.rate ?? 1;
-  if (!actions.value.length) return null;
+  if (!namedSegments.value.length) return null;
   return (
     <div class="field">
-      <ListHead title="Segments" count={actions.value.length}>
+      <ListHead title="Segments" count={namedSegments.value.length}>
         <Save />
       </ListHead>
       <p class="columns segment-columns" aria-hidden="true">
@@ -240,11 +238,11 @@ function Listed() {
         <span>Name</span>
       </p>
       <VirtualList
-        items={actions.value}
-        shown={renaming.value ? renaming.value.number - 1 : undefined}
+        items={namedSegments.value}
+        shown={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
         row={(action) => <Row key={action.start} action={action} rate={rate} />}
       />
-      {!otherSegments.value && (
+      {!referenceSegments.value && (
         <p class="note">Drop segments as JSON or CSV to see them below these.</p>
       )}
     </div>
@@ -261,38 +259,38 @@ function Save() {
   return (
     <>
       {formats.map(([format, name, kind]) => (
-        <button key={format} type="button" class="button" onClick={() => saveSegments(format)}>
+        <button key={format} type="button" class="button" onClick={() => exportSegments(format)}>
           {name} <span class="quiet">{kind}</span>
         </button>
       ))}
-      <button type="button" class="button" onClick={saveClips}>
+      <button type="button" class="button" onClick={exportClips}>
         Clips <span class="quiet">BVH, zip</span>
       </button>
     </>
   );
 }
 
-function Row({ action, rate }: { action: Action; rate: number }) {
+function Row({ action, rate }: { action: NamedSegment; rate: number }) {
   const { number, start, end, kind, label, name } = action;
   const field = useRef<HTMLInputElement>(null);
   const before = useRef(name);
   const now = useComputed(() => frame.value >= start && frame.value < end);
-  const isAsked = renaming.value?.start === start;
+  const isAsked = renamedSegment.value?.start === start;
   useEffect(() => {
     if (!isAsked) return;
-    renaming.value = null;
+    renamedSegment.value = null;
     field.current?.focus();
     field.current?.select();
   }, [isAsked]);
   const seconds = (frames: number) => (frames / rate).toFixed(2);
-  const words = [`segment ${number}`, kindText(action)].filter(Boolean).join(", ");
+  const words = [`segment ${number}`, segmentKind(action)].filter(Boolean).join(", ");
   return (
-    <div class="segment" data-now={now.value} data-chosen={chosen.value?.start === start}>
+    <div class="segment" data-now={now.value} data-chosen={loopedSegment.value?.start === start}>
       <button
         type="button"
         aria-label={`Loop ${words}, from ${seconds(start)} s, ${seconds(end - start)} s long`}
-        aria-pressed={chosen.value?.start === start}
-        title={kindText(action) || undefined}
+        aria-pressed={loopedSegment.value?.start === start}
+        title={segmentKind(action) || undefined}
         onClick={() => loopSegment(action)}
       >
         <span class="number">
@@ -311,12 +309,12 @@ function Row({ action, rate }: { action: Action; rate: number }) {
         value={name}
         maxLength={200}
         autocomplete="off"
-        onInput={(event) => rename(action, event.currentTarget.value)}
+        onInput={(event) => setSegmentName(action, event.currentTarget.value)}
         onFocus={() => {
           before.current = name;
         }}
         onKeyDown={(event) => {
-          if (event.key === "Escape") rename(action, before.current);
+          if (event.key === "Escape") setSegmentName(action, before.current);
           if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
         }}
       />

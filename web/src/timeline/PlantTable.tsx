@@ -1,6 +1,6 @@
-import { seekPlant } from "../app/playback";
-import { openClip, plants } from "../app/state";
-import { useSettled } from "./settled";
+import { seekPlant } from "../actions/playback";
+import { openClip, plants } from "../store/session";
+import { useSettled } from "./use-settled";
 
 /** More rows than this help nobody who listens; the Labels panel lists them all. */
 const most = 100;

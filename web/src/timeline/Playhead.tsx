@@ -1,25 +1,26 @@
 import { useComputed } from "@preact/signals";
-import { pause, seek, segmentHere } from "../app/playback";
-import { clip, detection, frame, plants, playhead, timeView } from "../app/state";
-import { plantAt } from "../lib/plants";
-import { titleOf } from "../lib/segments";
-import { toFrame } from "../lib/timeView";
-import { type Room, useMark } from "./mark";
+import { pause, seek, segmentAtPlayhead } from "../actions/playback";
+import { plantAt } from "../model/plants";
+import { segmentTitle } from "../model/segments";
+import { toFrame } from "../model/time-view";
+import { frame, playhead, timeView } from "../store/playback";
+import { clip, detection, plants } from "../store/session";
 import { margin } from "./scene";
+import { type MarkerArea, useMarker } from "./use-marker";
 
 /** The line over everything, and what is to be heard of its moment. */
-export function Playhead(room: Room) {
+export function Playhead(room: MarkerArea) {
   const { layout, width } = room;
-  const mark = useMark(room, () => playhead.value);
+  const mark = useMarker(room, () => playhead.value);
   const text = useComputed(() => {
     const at = frame.value;
     const rate = clip.value?.rate ?? 1;
     const foot = (side: "left" | "right") =>
       plantAt(plants.value, at, side) ? `${side} planted` : `${side} in the air`;
     const feet = detection.value ? `, ${foot("left")}, ${foot("right")}` : "";
-    const action = segmentHere();
+    const action = segmentAtPlayhead();
     const segment = action
-      ? `, ${[`segment ${action.number}`, titleOf(action)].join(" ").trim()}`
+      ? `, ${[`segment ${action.number}`, segmentTitle(action)].join(" ").trim()}`
       : "";
     return `${(at / rate).toFixed(3)} s, frame ${at}${feet}${segment}`;
   });

@@ -1,8 +1,8 @@
-import { pointed } from "../app/why";
-import { type Room, useMark } from "./mark";
+import { pointedFrame } from "../store/evidence";
+import { type MarkerArea, useMarker } from "./use-marker";
 
 /** The frame whose point a pointer or a key rests on, with its number. */
-export function PointedLine(room: Room) {
-  const mark = useMark(room, () => pointed.value?.frame);
+export function PointedLine(room: MarkerArea) {
+  const mark = useMarker(room, () => pointedFrame.value?.frame);
   return <div class="pointed-line" ref={mark} aria-hidden="true" />;
 }

@@ -1,7 +1,7 @@
-import { loopSegment } from "../app/playback";
-import { actions, openClip } from "../app/state";
-import { kindText, titleOf } from "../lib/segments";
-import { useSettled } from "./settled";
+import { loopSegment } from "../actions/playback";
+import { segmentKind, segmentTitle } from "../model/segments";
+import { namedSegments, openClip } from "../store/session";
+import { useSettled } from "./use-settled";
 
 /** More rows than this help nobody who listens; the Segment panel lists them all. */
 const most = 100;
@@ -9,7 +9,7 @@ const most = 100;
 /** The lane of segments in words, for screen readers: reached by browsing, not in the way of Tab. */
 export function SegmentTable() {
   const rate = openClip.value?.rate ?? 1;
-  const all = useSettled(actions);
+  const all = useSettled(namedSegments);
   const listed = all.slice(0, most);
   if (!listed.length) return null;
   return (
@@ -35,8 +35,8 @@ export function SegmentTable() {
                 Go to segment {action.number}
               </button>
             </td>
-            <td>{titleOf(action)}</td>
-            <td>{kindText(action)}</td>
+            <td>{segmentTitle(action)}</td>
+            <td>{segmentKind(action)}</td>
             <td>{(action.start / rate).toFixed(2)} s</td>
             <td>{((action.end - action.start) / rate).toFixed(2)} s</td>
           </tr>

@@ -1,32 +1,29 @@
 import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { principalTracks } from "../model/plants";
+import { toSentence } from "../model/report";
+import type { Failure } from "../model/types";
+import { companions } from "../store/companions";
+import { opening } from "../store/jobs";
+import { loopedRange, loopedSegment, timeView } from "../store/playback";
 import {
-  actions,
-  besides,
-  chosen,
   clip,
   detectFailure,
   detection,
-  looped,
+  dragPreview,
+  namedSegments,
   openClip,
-  other,
-  otherSegments,
   plants,
-  reach,
+  reference,
+  referenceSegments,
   segmentation,
   selected,
-  sheetOpen,
-  tab,
-  task,
-  timeView,
-} from "../app/state";
-import { theme } from "../app/theme";
-import { principal } from "../lib/plants";
-import { sentence } from "../lib/report";
-import type { Failure } from "../worker/types";
-import { listen } from "./gestures";
-import { type Ink, readInk } from "./ink";
-import { layOut } from "./layout";
+} from "../store/session";
+import { theme } from "../store/theme";
+import { activeTab, sheetOpen } from "../store/view";
+import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
+import { listenToCanvas } from "./gestures";
+import { layoutTimeline } from "./layout";
 import { PlantTable } from "./PlantTable";
 import { Playhead } from "./Playhead";
 import { PointedLine } from "./PointedLine";
@@ -42,15 +39,15 @@ export function Timeline() {
   const layout = useComputed(() => {
     const shown = {
       detection: detection.value,
-      other: other.value,
+      reference: reference.value,
       segmentation: segmentation.value,
-      otherSegments: otherSegments.value,
-      besides: openClip.value ? besides.value : [],
+      referenceSegments: referenceSegments.value,
+      companions: openClip.value ? companions.value : [],
     };
-    return layOut(shown, box.value.width, box.value.height);
+    return layoutTimeline(shown, box.value.width, box.value.height);
   });
 
-  const shape = useComputed(() => selected.value && { ...selected.value, ...reach.value });
+  const shape = useComputed(() => selected.value && { ...selected.value, ...dragPreview.value });
 
   useEffect(() => {
     const host = room.current;
@@ -66,7 +63,7 @@ export function Timeline() {
     const surface = canvas.current;
     const pen = surface?.getContext("2d", { alpha: false });
     if (!surface || !pen) return;
-    let ink: Ink | undefined;
+    let ink: CanvasTheme | undefined;
     let due = 0;
     const draw = () => {
       due = 0;
@@ -80,7 +77,7 @@ export function Timeline() {
         [surface.width, surface.height] = dots;
         surface.style.height = `${high}px`;
       }
-      ink ??= readInk(surface, pen, ratio);
+      ink ??= readCanvasTheme(surface, pen, ratio);
       pen.setTransform(ratio, 0, 0, ratio, 0, 0);
       paint(pen, {
         layout: layout.peek(),
@@ -90,12 +87,12 @@ export function Timeline() {
         rate: held.rate,
         width: wide,
         plants: plants.peek(),
-        tracks: principal(detection.peek()?.parts ?? {}),
+        tracks: principalTracks(detection.peek()?.parts ?? {}),
         segmentation: segmentation.peek(),
-        actions: actions.peek(),
-        chosen: chosen.peek(),
-        otherSegments: otherSegments.peek(),
-        loop: looped.peek(),
+        namedSegments: namedSegments.peek(),
+        loopedSegment: loopedSegment.peek(),
+        referenceSegments: referenceSegments.peek(),
+        loop: loopedRange.peek(),
         selected: shape.peek(),
       });
     };
@@ -109,11 +106,18 @@ export function Timeline() {
         ask();
       }),
       effect(() => {
-        void [layout.value, clip.value, timeView.value, plants.value, actions.value, looped.value];
+        void [
+          layout.value,
+          clip.value,
+          timeView.value,
+          plants.value,
+          namedSegments.value,
+          loopedRange.value,
+        ];
         void shape.value;
         ask();
       }),
-      listen(surface, () => layout.peek()),
+      listenToCanvas(surface, () => layout.peek()),
     ];
     // What was measured before the typeface came would be cut.
     void document.fonts?.ready.then(() => {
@@ -129,7 +133,7 @@ export function Timeline() {
   const held = openClip.value;
   const still = !held || held.frames === 0;
   return (
-    <section class="timeline" aria-label="Timeline" data-compared={other.value !== null}>
+    <section class="timeline" aria-label="Timeline" data-compared={reference.value !== null}>
       <Transport />
       <div class="tracks" ref={room}>
         <canvas ref={canvas} class={still ? "gone" : undefined} />
@@ -144,7 +148,7 @@ export function Timeline() {
           />
         ) : (
           detectFailure.value &&
-          !task.value && (
+          !opening.value && (
             <Why
               failure={detectFailure.value}
               toJoints
@@ -174,14 +178,14 @@ function Why({
 }) {
   return (
     <div class="why" ref={(element) => element?.style.setProperty("--below", `${below}px`)}>
-      <p>{sentence(failure.message)}</p>
+      <p>{toSentence(failure.message)}</p>
       {failure.hint && <p class="quiet">{failure.hint}</p>}
       {toJoints && (
         <button
           type="button"
           class="button"
           onClick={() => {
-            tab.value = "clip";
+            activeTab.value = "clip";
             sheetOpen.value = true;
           }}
         >

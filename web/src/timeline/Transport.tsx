@@ -1,14 +1,16 @@
 import { useComputed } from "@preact/signals";
-import { Icon } from "../app/icons";
-import { cycleLoop, fitTimeline, speeds, togglePlay } from "../app/playback";
-import { chosen, frame, loop, loopRegion, openClip, plants, playing, speed } from "../app/state";
-import { clock, count } from "../lib/time";
+import { commandOf, keyOf, tooltip } from "../actions/commands";
+import { speeds } from "../actions/playback";
+import { frame, loop, loopedSegment, loopRegion, playing, speed } from "../store/playback";
+import { openClip, plants } from "../store/session";
+import { Icon } from "../ui/icons";
+import { formatClock, formatCount } from "../util/format";
 
 export function Transport() {
   const held = openClip.value;
   const rate = held?.rate ?? 1;
-  const time = useComputed(() => clock(frame.value / (openClip.value?.rate ?? 1)));
-  const number = useComputed(() => count(frame.value));
+  const time = useComputed(() => formatClock(frame.value / (openClip.value?.rate ?? 1)));
+  const number = useComputed(() => formatCount(frame.value));
   const still = (held?.frames ?? 0) < 2;
   return (
     <div class="transport">
@@ -17,25 +19,25 @@ export function Transport() {
         class="play"
         disabled={still}
         aria-label={playing.value ? "Pause" : "Play"}
-        title={playing.value ? "Pause (Space)" : "Play (Space)"}
-        onClick={togglePlay}
+        title={tooltip("play", playing.value ? "Pause" : "Play")}
+        onClick={commandOf("play").run}
       >
         <Icon name={playing.value ? "pause" : "play"} />
       </button>
-      <p class="clock" title={`${clock((held?.frames ?? 0) / rate)} in all`}>
+      <p class="clock" title={`${formatClock((held?.frames ?? 0) / rate)} in all`}>
         {time}
       </p>
       <p class="frame-count">
         <span class="quiet">frame</span> {number}{" "}
-        <span class="quiet">/ {count(held?.frames ?? 0)}</span>
+        <span class="quiet">/ {formatCount(held?.frames ?? 0)}</span>
       </p>
       <span class="spring" />
       <button
         type="button"
         class="button plain loop"
         aria-pressed={loop.value !== "off"}
-        title="Loop the clip, a plant, a segment, nothing (L)"
-        onClick={cycleLoop}
+        title={tooltip("loop")}
+        onClick={commandOf("loop").run}
         disabled={still}
       >
         <Icon name="loop" />
@@ -45,7 +47,7 @@ export function Transport() {
         <span class="hidden">Speed</span>
         <select
           class="select small"
-          title="Speed (, and .)"
+          title={`Speed (${keyOf("slower")} and ${keyOf("faster")})`}
           value={String(speed.value)}
           disabled={still}
           onChange={(event) => {
@@ -62,8 +64,8 @@ export function Transport() {
       <button
         type="button"
         class="button fit"
-        title="Show the whole clip (0)"
-        onClick={fitTimeline}
+        title={tooltip("fit")}
+        onClick={commandOf("fit").run}
         disabled={still}
       >
         Fit
@@ -75,7 +77,7 @@ export function Transport() {
 function LoopName() {
   if (loop.value === "off") return <span>Loop off</span>;
   if (loop.value === "clip") return <span>Loop clip</span>;
-  if (loop.value === "segment") return <span>Loop segment {chosen.value?.number}</span>;
+  if (loop.value === "segment") return <span>Loop segment {loopedSegment.value?.number}</span>;
   const plant = plants.value.find((p) => p.start === loopRegion.value?.start);
   return <span>Loop plant {plant?.number}</span>;
 }

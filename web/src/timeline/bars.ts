@@ -1,10 +1,10 @@
-import { eachInSight } from "../lib/crowd";
-import { type Plant, plantsWithin } from "../lib/plants";
-import { toX } from "../lib/timeView";
-import type { Track } from "../worker/types";
-import type { Ink } from "./ink";
+import { type Plant, plantsWithin } from "../model/plants";
+import { toX } from "../model/time-view";
+import type { Track } from "../model/types";
+import type { CanvasTheme } from "../ui/canvas-theme";
 import type { Bars } from "./layout";
 import { font, type Scene } from "./scene";
+import { forEachVisible } from "./visible-intervals";
 
 /** Pixels that the shortest number takes with what is left free around it. */
 const leastRoom = 20;
@@ -29,7 +29,7 @@ export function bracket(
 
 export function bar(
   pen: CanvasRenderingContext2D,
-  ink: Ink,
+  ink: CanvasTheme,
   lane: Bars,
   from: number,
   to: number,
@@ -71,9 +71,10 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
     pen.fillStyle = ink.lane;
     pen.fillRect(0, lane.y, inner, lane.height);
   }
-  eachInSight(lane.track.intervals, view, inner, (from, to, isCrowd) => {
+  forEachVisible(lane.track.intervals, view, inner, (from, to, isCrowd) => {
     const inset = lane.kind === "contact" ? 2 : 0;
-    if (isCrowd) crowd(pen, ink[lane.side], from, to, lane.y + inset, lane.height - 2 * inset);
+    if (isCrowd)
+      paintMerged(pen, ink[lane.side], from, to, lane.y + inset, lane.height - 2 * inset);
     else if (inset)
       bracket(pen, ink[lane.side], from, to - 1, lane.y + lane.height / 2, lane.height - 4);
     else bar(pen, ink, lane, from, to, lane.y, lane.height);
@@ -82,7 +83,7 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
   if (lane.kind === "contact") numberPlants(pen, scene, lane, inner);
   else {
     pen.fillStyle = ink.erode;
-    eachInSight(lane.track.doubts, view, inner, (from, to, isCrowd) => {
+    forEachVisible(lane.track.uncertain, view, inner, (from, to, isCrowd) => {
       // From afar there is some doubt in every pixel.
       if (!isCrowd) pen.fillRect(from, lane.y + 2, Math.max(1, to - from), lane.height - 4);
     });
@@ -96,7 +97,7 @@ export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bar
 /** Bars as a person wants them have a line along their foot. */
 function markEdited(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
   pen.fillStyle = scene.ink.text;
-  eachInSight(editedOf(lane.track), scene.view, inner, (from, to, isCrowd) => {
+  forEachVisible(editedOf(lane.track), scene.view, inner, (from, to, isCrowd) => {
     // From afar one could not tell which.
     if (!isCrowd) pen.fillRect(from, lane.y + lane.height - 1.5, Math.max(2, to - from - 1), 2);
   });
@@ -121,7 +122,7 @@ function outlineSelected(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars
 }
 
 /** Plants from too far to be told apart: paler than one that is as long. */
-export function crowd(
+export function paintMerged(
   pen: CanvasRenderingContext2D,
   color: string,
   from: number,

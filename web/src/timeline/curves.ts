@@ -1,6 +1,6 @@
-import { minMaxColumns } from "../lib/reduce";
-import { niceTop } from "../lib/ruler";
-import { toX } from "../lib/timeView";
+import { toX } from "../model/time-view";
+import { niceCeiling } from "../util/axis-steps";
+import { minMaxColumns } from "../util/min-max-pyramid";
 import type { Curves } from "./layout";
 import type { Scene } from "./scene";
 
@@ -10,7 +10,7 @@ const thickness = 1.5;
 let columns = new Float32Array(0);
 
 function laneTop({ left, right, kind }: Curves): number {
-  return niceTop(Math.max(left.digests[kind].top, right.digests[kind].top));
+  return niceCeiling(Math.max(left.summaries[kind].top, right.summaries[kind].top));
 }
 
 /** What the curves of a lane show: `Toe height`. */
@@ -55,8 +55,8 @@ export function paintCurves(
       pen.lineJoin = "round";
       pen.stroke();
     } else {
-      const { [lane.kind]: values, digests } = lane[side];
-      minMaxColumns(values, digests[lane.kind].extremes, view.start, view.end, n, columns);
+      const { [lane.kind]: values, summaries } = lane[side];
+      minMaxColumns(values, summaries[lane.kind].extremes, view.start, view.end, n, columns);
       traceColumns(pen, n, low, scale, top);
       pen.fillStyle = ink[side];
       pen.fill();

@@ -1,14 +1,14 @@
 import { batch } from "@preact/signals";
-import { askForEdges, resize, select, selection } from "../app/edit";
-import { loopSegment, pause, seek, seekPlant } from "../app/playback";
-import { askForName } from "../app/segment";
-import { actions, clip, plants, reach, selected, timeView } from "../app/state";
-import { point, whyOpen } from "../app/why";
-import { firstAfter } from "../lib/crowd";
-import type { Stay } from "../lib/edits";
-import { intervalAt } from "../lib/plants";
-import { actionAt, titleOf } from "../lib/segments";
-import { moveEdge, pan, toFrame, toX, zoomAt } from "../lib/timeView";
+import { editEdges, resizeSelected, select, selection } from "../actions/edit";
+import { loopSegment, pause, seek, seekPlant } from "../actions/playback";
+import { editSegmentName } from "../actions/segment";
+import type { PlantRef } from "../model/edits";
+import { firstIntervalAfter, intervalAt } from "../model/intervals";
+import { segmentAt, segmentTitle } from "../model/segments";
+import { moveEdge, pan, toFrame, toX, zoomAt } from "../model/time-view";
+import { evidenceOpen, pointAt } from "../store/evidence";
+import { timeView } from "../store/playback";
+import { clip, dragPreview, namedSegments, plants, selected } from "../store/session";
 import { isBars, type Layout } from "./layout";
 import { margin } from "./scene";
 
@@ -24,7 +24,7 @@ const leastWidth = 28;
 type Drag = "scrub" | "pan" | "map" | "map-start" | "map-end" | "pinch" | "start" | "end";
 
 /** Wheel, mouse and fingers on the canvas; returns how to let go. */
-export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () => void {
+export function listenToCanvas(canvas: HTMLCanvasElement, layoutNow: () => Layout): () => void {
   const frames = () => clip.value?.frames ?? 1;
   const fingers = new Map<number, { x: number; y: number }>();
   let drag: Drag | null = null;
@@ -136,12 +136,12 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
           ? "ew-resize"
           : part === "map"
             ? "grab"
-            : barAt(x, y, inner) || segmentAt(x, y, inner)
+            : barAt(x, y, inner) || segmentUnder(x, y, inner)
               ? "pointer"
               : "default";
-      if (whyOpen.value) point(frameAt(x, y, inner));
-      const segment = segmentAt(x, y, inner);
-      canvas.title = segment ? titleOf(segment) : "";
+      if (evidenceOpen.value) pointAt(frameAt(x, y, inner));
+      const segment = segmentUnder(x, y, inner);
+      canvas.title = segment ? segmentTitle(segment) : "";
       return;
     }
     const dx = event.clientX - finger.x;
@@ -166,16 +166,16 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   const stretch = (edge: "start" | "end", x: number, inner: number) => {
     const held = selection.value;
     if (!held) return;
-    const { stay, lane } = held;
+    const { plantRef, track } = held;
     const to = Math.round(toFrame(timeView.value, x, inner));
-    const { start, end } = stay;
+    const { start, end } = plantRef;
     batch(() => {
-      reach.value =
+      dragPreview.value =
         edge === "start"
           ? { start: Math.min(Math.max(to, 0), end - 1), end }
-          : { start, end: Math.min(Math.max(to, start + 1), lane.frames) };
+          : { start, end: Math.min(Math.max(to, start + 1), track.frames) };
       pause();
-      seek(edge === "start" ? reach.value.start : reach.value.end - 1);
+      seek(edge === "start" ? dragPreview.value.start : dragPreview.value.end - 1);
     });
   };
 
@@ -195,7 +195,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   };
 
   /** The edge of a bar that a press would hold; a finger holds those of the selected bar alone. */
-  const edgeAt = (event: PointerEvent): { stay: Stay; edge: "start" | "end" } | undefined => {
+  const edgeAt = (event: PointerEvent): { stay: PlantRef; edge: "start" | "end" } | undefined => {
     const { x, y, inner } = place(event);
     const lane = laneAt(y);
     if (!lane || !isBars(lane) || y < layoutNow().ruler.height) return undefined;
@@ -204,7 +204,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
     const view = timeView.value;
     const perPixel = (view.end - view.start) / inner;
     const { intervals } = lane.track;
-    const at = firstAfter(intervals, toFrame(view, x, inner) - within * perPixel);
+    const at = firstIntervalAfter(intervals, toFrame(view, x, inner) - within * perPixel);
     const [start, end] = [intervals[at], intervals[at + 1]];
     if (start === undefined || end === undefined) return undefined;
     const stay = { side: lane.side, part: lane.kind, start, end };
@@ -227,9 +227,9 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
       : { lane, start: lane.track.intervals[at] ?? 0, end: lane.track.intervals[at + 1] ?? 0 };
   };
 
-  const segmentAt = (x: number, y: number, inner: number) =>
+  const segmentUnder = (x: number, y: number, inner: number) =>
     laneAt(y)?.kind === "segments"
-      ? actionAt(actions.value, toFrame(timeView.value, x, inner))
+      ? segmentAt(namedSegments.value, toFrame(timeView.value, x, inner))
       : undefined;
 
   const up = (event: PointerEvent) => {
@@ -241,14 +241,14 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
 
   /** The edge stays where it was dragged to; until then the bar is drawn as it would be. */
   const letGo = (event: PointerEvent) => {
-    const to = reach.value;
+    const to = dragPreview.value;
     if (!to || event.type !== "pointerup") {
-      reach.value = null;
+      dragPreview.value = null;
       if (!moved) click(event);
       return;
     }
-    void Promise.resolve(resize(to)).then(() => {
-      reach.value = null;
+    void Promise.resolve(resizeSelected(to)).then(() => {
+      dragPreview.value = null;
     });
   };
 
@@ -265,9 +265,9 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
       before = { what: "", at: 0 };
       return;
     }
-    const segment = segmentAt(x, y, inner);
+    const segment = segmentUnder(x, y, inner);
     if (segment) {
-      if (isAgain(event, `segment ${segment.number}`)) askForName(segment);
+      if (isAgain(event, `segment ${segment.number}`)) editSegmentName(segment);
       else loopSegment(segment);
       return;
     }
@@ -280,7 +280,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
     const { side, kind: part } = bar.lane;
     const stay = { side, part, start: bar.start, end: bar.end };
     if (isAgain(event, `${side} ${part} ${bar.start}`)) {
-      askForEdges(stay);
+      editEdges(stay);
       return;
     }
     select(stay);
@@ -297,7 +297,7 @@ export function listen(canvas: HTMLCanvasElement, layoutNow: () => Layout): () =
   canvas.addEventListener("wheel", wheel, { passive: false, ...quiet });
   canvas.addEventListener("pointerdown", down, quiet);
   canvas.addEventListener("pointermove", move, quiet);
-  canvas.addEventListener("pointerleave", () => point(undefined), quiet);
+  canvas.addEventListener("pointerleave", () => pointAt(undefined), quiet);
   canvas.addEventListener("pointerup", up, quiet);
   canvas.addEventListener("pointercancel", up, quiet);
   return () => off.abort();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { walker, walkerTrack } from "../lib/testing/walker";
-import type { Detection, Labelling, Segmentation } from "../worker/types";
-import { layOut, type Shown } from "./layout";
+import type { Annotation, Detection, Segmentation } from "../model/types";
+import { walker, walkerTrack } from "../testing/walker";
+import { type LayoutInput, layoutTimeline } from "./layout";
 
 const clip = walker("walk.bvh", 2);
 const tracks = {
@@ -14,15 +14,15 @@ const robust: Detection = {
   floor: 0,
   notices: [],
 };
-const nothing: Shown = {
+const nothing: LayoutInput = {
   detection: null,
-  other: null,
+  reference: null,
   segmentation: null,
-  otherSegments: null,
-  besides: [],
+  referenceSegments: null,
+  companions: [],
 };
 const kinds = (detection: Detection | null, width: number, room: number) =>
-  layOut({ ...nothing, detection }, width, room).lanes.map((lane) => lane.kind);
+  layoutTimeline({ ...nothing, detection }, width, room).lanes.map((lane) => lane.kind);
 
 it("shows per foot what the method knows, then the curves", () => {
   const foot = ["contact", "heel", "toe"];
@@ -44,10 +44,13 @@ it("copes with any subset of parts", () => {
 
 describe("someone else's labels", () => {
   const labels = { left: new Int8Array(9), right: new Int8Array(9) };
-  const other: Labelling = { name: "truth", parts: { contact: labels, toe: labels, heel: labels } };
-  const foot = ["contact", "other", "heel", "other", "toe", "other"];
+  const other: Annotation = {
+    name: "truth",
+    parts: { contact: labels, toe: labels, heel: labels },
+  };
+  const foot = ["contact", "reference", "heel", "reference", "toe", "reference"];
   const bars = (detection: Detection | null, width: number, room: number) =>
-    layOut({ ...nothing, detection, other }, width, room)
+    layoutTimeline({ ...nothing, detection, reference: other }, width, room)
       .lanes.map(({ kind }) => kind)
       .filter((kind) => kind !== "height" && kind !== "speed");
 
@@ -55,11 +58,11 @@ describe("someone else's labels", () => {
     expect(bars(robust, 1440, 284)).toEqual([...foot, ...foot]);
   });
   it("are reduced to one part where room is short", () => {
-    const short = ["contact", "other", "heel", "toe"];
+    const short = ["contact", "reference", "heel", "toe"];
     expect(bars(robust, 390, 272)).toEqual([...short, ...short]);
-    expect(layOut({ ...nothing, detection: robust, other }, 390, 272).height).toBeLessThanOrEqual(
-      280,
-    );
+    expect(
+      layoutTimeline({ ...nothing, detection: robust, reference: other }, 390, 272).height,
+    ).toBeLessThanOrEqual(280);
   });
   it("stay away where we found none: the reason stands there", () => {
     expect(bars(null, 1440, 284)).toEqual([]);
@@ -70,12 +73,14 @@ it("gives up curves before it overflows", () => {
   expect(kinds(robust, 1440, 236)).not.toContain("speed");
   expect(kinds(robust, 390, 250)).not.toContain("height");
   for (const room of [236, 284, 400]) {
-    expect(layOut({ ...nothing, detection: robust }, 1440, room).height).toBeLessThanOrEqual(room);
+    expect(
+      layoutTimeline({ ...nothing, detection: robust }, 1440, room).height,
+    ).toBeLessThanOrEqual(room);
   }
 });
 
 it("makes bars a finger can touch on a phone", () => {
-  for (const lane of layOut({ ...nothing, detection: robust }, 390, 388).lanes) {
+  for (const lane of layoutTimeline({ ...nothing, detection: robust }, 390, 388).lanes) {
     if (lane.kind === "toe" || lane.kind === "heel") expect(lane.height).toBeGreaterThanOrEqual(28);
   }
 });
@@ -98,30 +103,36 @@ describe("segments", () => {
     curve,
     notices: [],
   };
-  const otherSegments = { name: "truth", segments: segmentation.segments };
-  const shown: Shown = { detection: robust, other: null, segmentation, otherSegments, besides: [] };
-  const below = (what: Shown, width: number, room: number) =>
-    layOut(what, width, room)
+  const referenceSegments = { name: "truth", segments: segmentation.segments };
+  const shown: LayoutInput = {
+    detection: robust,
+    reference: null,
+    segmentation,
+    referenceSegments,
+    companions: [],
+  };
+  const below = (what: LayoutInput, width: number, room: number) =>
+    layoutTimeline(what, width, room)
       .lanes.slice(6)
       .map(({ kind }) => kind);
 
   it("stand below the feet, with motifs, someone else's and the method's curve", () => {
-    const all = ["height", "speed", "segments", "motifs", "others", "why"];
+    const all = ["height", "speed", "segments", "motifs", "reference-segments", "curve"];
     expect(below(shown, 1440, 400)).toEqual(all);
     const plain = { ...segmentation, motifs: new Uint32Array(0) };
-    const alone = { ...shown, segmentation: plain, otherSegments: null, besides: [] };
-    expect(below(alone, 1440, 351)).toEqual(["height", "speed", "segments", "why"]);
+    const alone = { ...shown, segmentation: plain, referenceSegments: null, companions: [] };
+    expect(below(alone, 1440, 351)).toEqual(["height", "speed", "segments", "curve"]);
   });
 
   it("give up curves before they overflow", () => {
-    const single = { ...shown, otherSegments: null, besides: [] };
+    const single = { ...shown, referenceSegments: null, companions: [] };
     for (const [width, room] of [
       [1440, 300],
       [1440, 270],
       [390, 388],
       [375, 280],
     ] as const) {
-      const { height, lanes, minimap } = layOut(single, width, room);
+      const { height, lanes, minimap } = layoutTimeline(single, width, room);
       expect(height).toBeLessThanOrEqual(room);
       for (const [i, lane] of lanes.entries()) {
         const next = lanes[i + 1]?.y ?? minimap.y;
@@ -131,15 +142,20 @@ describe("segments", () => {
   });
 
   it("leave the room of the feet to the reason why there are none", () => {
-    const { lanes, minimap, height } = layOut({ ...shown, detection: null }, 1440, 351);
-    expect(lanes.map(({ kind }) => kind)).toEqual(["segments", "motifs", "others", "why"]);
+    const { lanes, minimap, height } = layoutTimeline({ ...shown, detection: null }, 1440, 351);
+    expect(lanes.map(({ kind }) => kind)).toEqual([
+      "segments",
+      "motifs",
+      "reference-segments",
+      "curve",
+    ]);
     expect(lanes[0]?.y).toBeGreaterThan(160);
     expect(minimap.y).toBeGreaterThan(lanes.at(-1)?.y ?? 0);
     expect(height).toBeLessThanOrEqual(351);
   });
 
   it("are high enough for a finger on a phone", () => {
-    const lane = layOut(shown, 390, 388).lanes.find(({ kind }) => kind === "segments");
+    const lane = layoutTimeline(shown, 390, 388).lanes.find(({ kind }) => kind === "segments");
     expect(lane?.height).toBeGreaterThanOrEqual(28);
   });
 });

@@ -1,14 +1,14 @@
-import type { Beside } from "../app/state";
-import { principalPart } from "../lib/plants";
+import { principalPart } from "../model/plants";
+import type { Companion } from "../model/source";
 import type {
+  Annotation,
   Detection,
-  Labelling,
   Part,
+  SegmentAnnotation,
   Segmentation,
-  Segments,
   Side,
   Track,
-} from "../worker/types";
+} from "../model/types";
 
 /** Bars of one part of one foot. */
 export interface Bars {
@@ -20,8 +20,8 @@ export interface Bars {
 }
 
 /** The same part of the same foot as someone else labels it. */
-export interface OtherBars {
-  kind: "other";
+export interface ReferenceBars {
+  kind: "reference";
   side: Side;
   name: string;
   /** 1 planted, 0 not, −1 unknown, per frame. */
@@ -31,9 +31,9 @@ export interface OtherBars {
 }
 
 /** The plants of another clip beside ours. */
-export interface BesideBars {
-  kind: "beside";
-  beside: Beside;
+export interface CompanionBars {
+  kind: "companion";
+  companion: Companion;
   y: number;
   height: number;
 }
@@ -50,24 +50,24 @@ export interface Curves {
 
 /** The segments, their motifs, someone else's segments, or what the method looks at. */
 export interface SegmentLane {
-  kind: "segments" | "motifs" | "others" | "why";
+  kind: "segments" | "motifs" | "reference-segments" | "curve";
   y: number;
   height: number;
 }
 
-export type Lane = Bars | OtherBars | BesideBars | Curves | SegmentLane;
+export type Lane = Bars | ReferenceBars | CompanionBars | Curves | SegmentLane;
 
 export const isBars = (lane: Lane): lane is Bars => "track" in lane;
 export const isCurves = (lane: Lane): lane is Curves => "part" in lane;
 
 /** What there is to lay out. */
-export interface Shown {
+export interface LayoutInput {
   detection: Detection | null;
-  other: Labelling | null;
+  reference: Annotation | null;
   segmentation: Segmentation | null;
-  otherSegments: Segments | null;
+  referenceSegments: SegmentAnnotation | null;
   /** Other clips side by side. */
-  besides: readonly Beside[];
+  companions: readonly Companion[];
 }
 
 export interface Layout {
@@ -89,11 +89,11 @@ const wide = {
   ruler: 30,
   contact: 12,
   bar: 16,
-  other: 8,
-  beside: 16,
+  reference: 8,
+  companion: 16,
   segments: 20,
   motifs: 13,
-  others: 14,
+  referenceSegments: 14,
   gap: 3,
   group: 10,
   curve: 30,
@@ -104,11 +104,11 @@ const narrow: Sizes = {
   labels: 100,
   contact: 16,
   bar: 28,
-  other: 10,
-  beside: 12,
+  reference: 10,
+  companion: 12,
   segments: 28,
   motifs: 14,
-  others: 16,
+  referenceSegments: 16,
   curve: 34,
   map: 28,
 };
@@ -131,14 +131,14 @@ const order = ["contact", "heel", "toe"] as const;
  * knows, each with someone else's below it; clips beside; curves of the feet; the segments with their
  * motifs, someone else's and the method's curve. Curves share what room is left.
  */
-export function layOut(shown: Shown, width: number, room: number): Layout {
-  const { detection, other } = shown;
+export function layoutTimeline(shown: LayoutInput, width: number, room: number): Layout {
+  const { detection, reference } = shown;
   const size = sizesOf(width, room);
   const ours = detection?.parts ?? {};
   const segments = segmentRows(shown, size);
   const segmentsHeight = segments.reduce((sum, { height }) => sum + height + size.gap, 0);
   const least = size.map + 10 + segmentsHeight + (segments.length ? size.gap : 0);
-  const compared = detection && other ? comparedParts(ours, other, size, room - least) : [];
+  const compared = detection && reference ? comparedParts(ours, reference, size, room - least) : [];
   const lanes: Lane[] = [];
   let y = size.ruler + 6;
   const add = (lane: Placeless<Exclude<Lane, Curves>>) => {
@@ -150,21 +150,23 @@ export function layOut(shown: Shown, width: number, room: number): Layout {
     for (const kind of order) {
       const track = ours[kind]?.[side];
       if (track) add({ kind, side, track, height: kind === "contact" ? size.contact : size.bar });
-      const labels = compared.includes(kind) && other?.parts[kind]?.[side];
-      if (other && labels) {
-        add({ kind: "other", side, name: other.name, labels, height: size.other });
+      const labels = compared.includes(kind) && reference?.parts[kind]?.[side];
+      if (reference && labels) {
+        add({ kind: "reference", side, name: reference.name, labels, height: size.reference });
       }
     }
     if (lanes.length > before) y += size.group - size.gap;
   }
-  for (const beside of shown.besides) add({ kind: "beside", beside, height: size.beside });
-  if (shown.besides.length) y += size.group - size.gap;
+  for (const companion of shown.companions) {
+    add({ kind: "companion", companion, height: size.companion });
+  }
+  if (shown.companions.length) y += size.group - size.gap;
   const part = ours.toe ? "toe" : principalPart(ours);
   const tracks = part && ours[part];
   const left = room - y - least - 2;
   const wanted = [
     tracks && "height",
-    shown.segmentation?.curve.values.length && "why",
+    shown.segmentation?.curve.values.length && "curve",
     tracks && "speed",
   ].filter(Boolean);
   const fit = Math.min(Math.max(0, Math.floor(left / (size.curve + 8))), wanted.length);
@@ -178,8 +180,8 @@ export function layOut(shown: Shown, width: number, room: number): Layout {
   // Without feet the reason for it stands where they would be.
   if (!lanes.length) y = room - least - (fit ? height + 8 : 0);
   for (const row of segments) add(row);
-  if (curves.includes("why")) {
-    add({ kind: "why", height });
+  if (curves.includes("curve")) {
+    add({ kind: "curve", height });
     y += 8 - size.gap;
   } else if (segments.length) y += size.gap;
   const mapY = Math.max(y, room - size.map - 10);
@@ -193,28 +195,28 @@ export function layOut(shown: Shown, width: number, room: number): Layout {
 }
 
 /** What there is of segments but the curve. */
-function segmentRows({ segmentation, otherSegments }: Shown, size: Sizes) {
+function segmentRows({ segmentation, referenceSegments }: LayoutInput, size: Sizes) {
   const rows: Omit<SegmentLane, "y">[] = [];
   if (segmentation) rows.push({ kind: "segments", height: size.segments });
   if (segmentation?.motifs.length) rows.push({ kind: "motifs", height: size.motifs });
-  if (otherSegments) rows.push({ kind: "others", height: size.others });
+  if (referenceSegments) rows.push({ kind: "reference-segments", height: size.referenceSegments });
   return rows;
 }
 
 /** The parts of someone else's labels that are shown: all, or the principal one where room is short. */
 function comparedParts(
   ours: Detection["parts"],
-  other: Labelling,
+  reference: Annotation,
   size: Sizes,
   room: number,
 ): readonly Part[] {
-  const theirs = order.filter((part) => other.parts[part]);
+  const theirs = order.filter((part) => reference.parts[part]);
   const heights = order
     .filter((part) => ours[part])
     .map((part) => (part === "contact" ? size.contact : size.bar) + size.gap);
   const own = heights.reduce((sum, height) => sum + height, 0);
-  const all = own + theirs.length * (size.other + size.gap) + size.group;
-  const principal = principalPart(other.parts);
+  const all = own + theirs.length * (size.reference + size.gap) + size.group;
+  const principal = principalPart(reference.parts);
   const fits = size.ruler + 6 + 2 * all <= room;
   return fits ? theirs : theirs.filter((part) => part === principal);
 }

@@ -1,22 +1,22 @@
-import { eachInSight } from "../lib/crowd";
-import { toX } from "../lib/timeView";
-import { bar, bracket, crowd, paintBars } from "./bars";
-import { paintBeside } from "./besideBars";
+import { toX } from "../model/time-view";
+import type { CanvasTheme } from "../ui/canvas-theme";
+import { bar, bracket, paintBars, paintMerged } from "./bars";
+import { paintCompanion } from "./companion-bars";
 import { curveText, paintCurves, scaleText } from "./curves";
-import type { Ink } from "./ink";
 import { type Bars, isBars, isCurves, type Lane } from "./layout";
-import { nameOther, paintOther } from "./otherBars";
-import { paintRuler } from "./rulerPaint";
+import { paintReference, paintReferenceName } from "./reference-bars";
+import { paintRuler } from "./ruler";
 import { font, margin, type Scene } from "./scene";
-import { paintMotifs, paintOthers, paintSegments, segmentSwatch } from "./segmentBars";
+import { paintMotifs, paintReferenceSegments, paintSegments, segmentSwatch } from "./segment-bars";
+import { paintSegmentationCurve } from "./segmentation-curve";
 import { twoLines } from "./text";
-import { paintWhy } from "./whyCurve";
+import { forEachVisible } from "./visible-intervals";
 
 const painters = {
   segments: paintSegments,
   motifs: paintMotifs,
-  others: paintOthers,
-  why: paintWhy,
+  "reference-segments": paintReferenceSegments,
+  curve: paintSegmentationCurve,
 };
 
 /** Draws everything but the playhead, which is an element of its own. */
@@ -36,8 +36,8 @@ export function paint(pen: CanvasRenderingContext2D, scene: Scene) {
   for (const lane of layout.lanes) {
     if (isBars(lane)) paintBars(pen, scene, lane, inner);
     else if (isCurves(lane)) paintCurves(pen, scene, lane, inner);
-    else if (lane.kind === "other") paintOther(pen, scene, lane, inner);
-    else if (lane.kind === "beside") paintBeside(pen, scene, lane, inner);
+    else if (lane.kind === "reference") paintReference(pen, scene, lane, inner);
+    else if (lane.kind === "companion") paintCompanion(pen, scene, lane, inner);
     else painters[lane.kind](pen, scene, lane, inner);
   }
   paintMinimap(pen, scene, inner);
@@ -61,13 +61,13 @@ function paintLabel(pen: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
     pen.fillText(curveText(lane), left, middle - 8);
     pen.font = font(11);
     pen.fillText(scaleText(lane), left, middle + 8);
-  } else if (lane.kind === "other") {
-    nameOther(pen, ink, lane.name, lane, left + 20, right);
-  } else if (lane.kind === "beside") {
-    nameOther(pen, ink, lane.beside.source.name, lane, left, right);
-  } else if (lane.kind === "others") {
-    nameOther(pen, ink, scene.otherSegments?.name ?? "", lane, left + 20, right);
-  } else if (lane.kind === "why") {
+  } else if (lane.kind === "reference") {
+    paintReferenceName(pen, ink, lane.name, lane, left + 20, right);
+  } else if (lane.kind === "companion") {
+    paintReferenceName(pen, ink, lane.companion.source.name, lane, left, right);
+  } else if (lane.kind === "reference-segments") {
+    paintReferenceName(pen, ink, scene.referenceSegments?.name ?? "", lane, left + 20, right);
+  } else if (lane.kind === "curve") {
     const title = scene.segmentation?.curve.title ?? "";
     const [first, second] = twoLines(pen, ink, title, right - left, 11);
     pen.fillText(first, left, second ? middle - 7 : middle);
@@ -82,7 +82,7 @@ function paintLabel(pen: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
   }
 }
 
-function swatch(pen: CanvasRenderingContext2D, ink: Ink, lane: Bars, x: number, y: number) {
+function swatch(pen: CanvasRenderingContext2D, ink: CanvasTheme, lane: Bars, x: number, y: number) {
   if (lane.kind === "contact") bracket(pen, ink[lane.side], x, x + 12, y + 5, 8);
   else bar(pen, ink, lane, x, x + 12, y, 10);
 }
@@ -97,9 +97,9 @@ function paintMinimap(pen: CanvasRenderingContext2D, scene: Scene, inner: number
   const whole = { start: 0, end: frames };
   const row = (height - 8) / 2;
   for (const side of tracks ? (["left", "right"] as const) : []) {
-    eachInSight(tracks?.[side].intervals as Uint32Array, whole, inner, (from, to, isCrowd) => {
+    forEachVisible(tracks?.[side].intervals as Uint32Array, whole, inner, (from, to, isCrowd) => {
       const top = y + 3 + (side === "left" ? 0 : row + 2);
-      if (isCrowd) crowd(pen, ink[side], from, to, top, row);
+      if (isCrowd) paintMerged(pen, ink[side], from, to, top, row);
       else {
         pen.fillStyle = ink[side];
         pen.fillRect(from, top, Math.max(1, to - from - 0.5), row);

@@ -1,15 +1,15 @@
-import type { Stay } from "../lib/edits";
-import type { Plant } from "../lib/plants";
-import type { Action } from "../lib/segments";
-import type { TimeView } from "../lib/timeView";
-import type { Segmentation, Segments, Tracks } from "../worker/types";
-import type { Ink } from "./ink";
+import type { PlantRef } from "../model/edits";
+import type { Plant } from "../model/plants";
+import type { NamedSegment } from "../model/segments";
+import type { TimeView } from "../model/time-view";
+import type { SegmentAnnotation, Segmentation, Tracks } from "../model/types";
+import type { CanvasTheme } from "../ui/canvas-theme";
 import type { Layout } from "./layout";
 
 /** All that a picture of the timeline depends on. */
 export interface Scene {
   layout: Layout;
-  ink: Ink;
+  ink: CanvasTheme;
   view: TimeView;
   frames: number;
   rate: number;
@@ -18,13 +18,13 @@ export interface Scene {
   /** The part of the feet that the plants are of. */
   tracks: Tracks | undefined;
   segmentation: Segmentation | null;
-  actions: readonly Action[];
+  namedSegments: readonly NamedSegment[];
   /** The action that is looped. */
-  chosen: Action | undefined;
-  otherSegments: Segments | null;
+  loopedSegment: NamedSegment | undefined;
+  referenceSegments: SegmentAnnotation | null;
   loop: TimeView | null;
   /** The bar that is edited, as it is or as a drag would leave it. */
-  selected: Stay | null;
+  selected: PlantRef | null;
 }
 
 /** Room at the right edge, so that the last number and the playhead's handle are whole. */

@@ -1,4 +1,4 @@
-import type { Ink } from "./ink";
+import type { CanvasTheme } from "../ui/canvas-theme";
 import { font } from "./scene";
 
 interface Known {
@@ -9,9 +9,9 @@ interface Known {
 }
 
 /** What was measured, as long as the typeface is the same: a timeline draws it many times a second. */
-const known = new WeakMap<Ink, Map<string, Known>>();
+const known = new WeakMap<CanvasTheme, Map<string, Known>>();
 
-function look(pen: CanvasRenderingContext2D, ink: Ink, text: string, size: number): Known {
+function look(pen: CanvasRenderingContext2D, ink: CanvasTheme, text: string, size: number): Known {
   pen.font = font(size);
   let texts = known.get(ink);
   if (!texts || texts.size > 4000) {
@@ -31,14 +31,19 @@ function look(pen: CanvasRenderingContext2D, ink: Ink, text: string, size: numbe
 }
 
 /** The width of a text; the pen is set to its typeface. */
-export function widthOf(pen: CanvasRenderingContext2D, ink: Ink, text: string, size: number) {
+export function widthOf(
+  pen: CanvasRenderingContext2D,
+  ink: CanvasTheme,
+  text: string,
+  size: number,
+) {
   return look(pen, ink, text, size).widths[text.length] as number;
 }
 
 /** A text cut to a width, with `…` for what is missing; empty where nothing fits. */
 export function fitted(
   pen: CanvasRenderingContext2D,
-  ink: Ink,
+  ink: CanvasTheme,
   text: string,
   room: number,
   size: number,
@@ -63,7 +68,7 @@ export function fitted(
 /** Two lines of a text, broken between words; the second is cut where it is too long. */
 export function twoLines(
   pen: CanvasRenderingContext2D,
-  ink: Ink,
+  ink: CanvasTheme,
   text: string,
   room: number,
   size: number,

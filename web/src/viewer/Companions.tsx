@@ -1,20 +1,20 @@
-import { takeAway } from "../app/beside";
-import { Icon } from "../app/icons";
-import { besides } from "../app/state";
+import { removeCompanion } from "../actions/companions";
+import { companions } from "../store/companions";
+import { Icon } from "../ui/icons";
 
 /** The clips beside the one on show, by name. */
 export function Companions() {
-  if (!besides.value.length) return null;
+  if (!companions.value.length) return null;
   return (
     <ul class="companions" aria-label="Beside it">
-      {besides.value.map(({ source }) => (
+      {companions.value.map(({ source }) => (
         <li key={source.name} class="chip">
           <span>{source.name}</span>
           <button
             type="button"
             aria-label={`Take ${source.name} away`}
             title="Take away"
-            onClick={() => takeAway(source)}
+            onClick={() => removeCompanion(source)}
           >
             <Icon name="close" />
           </button>

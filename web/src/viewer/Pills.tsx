@@ -1,16 +1,16 @@
 import { useComputed } from "@preact/signals";
-import { detection, openClip, plants } from "../app/state";
-import { isElsewhere, shownFrame } from "../app/why";
-import { type Plant, plantAt } from "../lib/plants";
-import { span } from "../lib/time";
-import type { Side } from "../worker/types";
+import { type Plant, plantAt } from "../model/plants";
+import type { Side } from "../model/types";
+import { isFramePreviewed, shownFrame } from "../store/evidence";
+import { detection, openClip, plants } from "../store/session";
+import { formatDuration } from "../util/format";
 
 /** What each foot does now, in words. */
 export function Pills() {
   if (!detection.value) return null;
   return (
     <div class="pills">
-      {isElsewhere.value && <p class="pill why-pill">Frame {shownFrame}</p>}
+      {isFramePreviewed.value && <p class="pill why-pill">Frame {shownFrame}</p>}
       <Pill side="left" />
       <Pill side="right" />
     </div>
@@ -27,7 +27,8 @@ function Pill({ side }: { side: Side }) {
       <span class="dot" aria-hidden="true" />
       {planted ? (
         <>
-          {name} planted <span class="quiet">{span((planted.end - planted.start) / rate)}</span>
+          {name} planted{" "}
+          <span class="quiet">{formatDuration((planted.end - planted.start) / rate)}</span>
         </>
       ) : (
         `${name} in the air`

@@ -1,44 +1,42 @@
 import { effect, signal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { cleaned, shown } from "../app/fix";
-import { prefersStill } from "../app/playback";
-import { somebody } from "../app/presence";
+import { commandOf, tooltip } from "../actions/commands";
+import { prefersReducedMotion } from "../actions/playback";
+import { characterSize, gridStep } from "../model/trajectory";
+import type { Clip } from "../model/types";
+import type { CameraView } from "../model/view-state";
+import { companions } from "../store/companions";
+import { shownMoment } from "../store/evidence";
+import { firstInteraction } from "../store/first-interaction";
+import { opening } from "../store/jobs";
+import { playhead } from "../store/playback";
 import {
-  besides,
-  type CameraView,
-  cameraRequests,
-  cameraView,
+  cleaned,
+  cleanedView,
   clip,
   detection,
-  follow,
-  frameAllRequests,
-  hero,
-  look,
+  isPreview,
   openClip,
   plants,
-  playhead,
   source,
-  task,
-  trails,
-} from "../app/state";
-import { theme } from "../app/theme";
-import { momentShown } from "../app/why";
-import { gridStep, sizeOf } from "../lib/travel";
-import type { Clip } from "../worker/types";
+} from "../store/session";
+import { theme } from "../store/theme";
+import {
+  cameraRequests,
+  cameraView,
+  followCamera,
+  frameAllRequests,
+  stageHandle,
+  trailsVisible,
+} from "../store/view";
 import { Companions } from "./Companions";
 import { Pills } from "./Pills";
 import type { Stage } from "./stage";
-import { staged } from "./staged";
 
 /** Why there is no picture; empty while there is one. */
 const trouble = signal<"" | "missing" | "lost">("");
 
-const views: readonly (readonly [CameraView, string])[] = [
-  ["perspective", "Perspective"],
-  ["front", "Front"],
-  ["side", "Side"],
-  ["top", "Top"],
-];
+const views: readonly CameraView[] = ["perspective", "front", "side", "top"];
 
 export function Viewer() {
   const host = useRef<HTMLDivElement>(null);
@@ -55,25 +53,25 @@ export function Viewer() {
           <div class="viewer-tools" hidden={trouble.value === "missing"}>
             <fieldset class="segmented">
               <legend class="hidden">Camera</legend>
-              {views.map(([view, name], i) => (
+              {views.map((view) => (
                 <button
                   key={view}
                   type="button"
                   aria-pressed={cameraView.value === view}
-                  title={`${name} (${i + 1})`}
-                  onClick={() => look(view)}
+                  title={tooltip(`view-${view}`)}
+                  onClick={commandOf(`view-${view}`).run}
                 >
-                  {name}
+                  {commandOf(`view-${view}`).label}
                 </button>
               ))}
             </fieldset>
             <button
               type="button"
               class="chip"
-              aria-pressed={follow.value}
-              title="The camera travels with the character"
+              aria-pressed={followCamera.value}
+              title="Move the camera with the character"
               onClick={() => {
-                follow.value = !follow.value;
+                followCamera.value = !followCamera.value;
               }}
             >
               Follow
@@ -81,11 +79,9 @@ export function Viewer() {
             <button
               type="button"
               class="chip"
-              aria-pressed={trails.value}
-              title="The ways of the toes and of the hips, a second back and ahead (T)"
-              onClick={() => {
-                trails.value = !trails.value;
-              }}
+              aria-pressed={trailsVisible.value}
+              title={tooltip("paths")}
+              onClick={commandOf("paths").run}
             >
               Paths
             </button>
@@ -93,7 +89,7 @@ export function Viewer() {
           <Pills />
           <Companions />
           <p class="scale" hidden={trouble.value === "missing"}>
-            Grid {gridStep(sizeOf(openClip.value))} m
+            Grid {gridStep(characterSize(openClip.value))} m
           </p>
         </>
       )}
@@ -111,13 +107,13 @@ const troubleText = {
 function direct(host: HTMLElement): () => void {
   let ended = false;
   let end = () => {};
-  const coming = Promise.race([somebody, when(() => task.value || clip.value)]);
+  const coming = Promise.race([firstInteraction, when(() => opening.value || clip.value)]);
   void Promise.all([coming.then(() => import("./stage")), when(() => clip.value)]).then(
     ([{ Stage }]) => {
       if (ended) return;
       let stage: Stage;
       try {
-        stage = new Stage(host, prefersStill());
+        stage = new Stage(host, prefersReducedMotion());
       } catch {
         trouble.value = "missing";
         return;
@@ -155,7 +151,7 @@ function when(state: () => unknown): Promise<void> {
 }
 
 function connect(stage: Stage): (() => void)[] {
-  staged.value = stage;
+  stageHandle.value = stage;
   let before: unknown;
   let up: unknown;
   return [
@@ -167,20 +163,20 @@ function connect(stage: Stage): (() => void)[] {
       up = clip.value?.up;
       const held = clip.value;
       const after = cleaned.value && { ...held, positions: cleaned.value.positions };
-      stage.load(after && shown.value !== "before" ? (after as Clip) : held, reframe);
-      if (shown.value === "both") stage.haunt(held);
-      stage.label(detection.peek(), plants.peek());
-      stage.accompany(openClip.value ? besides.peek() : []);
-      stage.trace(trails.peek());
+      stage.setClip(after && cleanedView.value !== "before" ? (after as Clip) : held, reframe);
+      if (cleanedView.value === "both") stage.setGhost(held);
+      stage.setLabels(detection.peek(), plants.peek());
+      stage.setCompanions(openClip.value ? companions.peek() : []);
+      stage.setTrails(trailsVisible.peek());
       if (reframe) cameraView.value = "perspective";
       if (isOther) showAsSent(stage);
     }),
-    effect(() => stage.label(detection.value, plants.value)),
-    effect(() => stage.trace(trails.value)),
-    effect(() => stage.accompany(openClip.value ? besides.value : [])),
-    effect(() => stage.seek(momentShown.value)),
-    effect(() => stage.setFollow(follow.value || hero.value)),
-    effect(() => stage.setAside(hero.value)),
+    effect(() => stage.setLabels(detection.value, plants.value)),
+    effect(() => stage.setTrails(trailsVisible.value)),
+    effect(() => stage.setCompanions(openClip.value ? companions.value : [])),
+    effect(() => stage.seek(shownMoment.value)),
+    effect(() => stage.setFollow(followCamera.value || isPreview.value)),
+    effect(() => stage.setAside(isPreview.value)),
     skipFirst(
       () => cameraRequests.value,
       () => stage.look(cameraView.peek()),
@@ -194,12 +190,12 @@ function connect(stage: Stage): (() => void)[] {
 
 /** The camera is where a link or a shared page says. */
 function showAsSent(stage: Stage) {
-  const { showing } = source.peek() ?? {};
-  if (!showing) return;
+  const { view } = source.peek() ?? {};
+  if (!view) return;
   stage.seek(playhead.peek());
-  stage.setFollow(follow.peek());
-  stage.show(showing);
-  if (showing.view) cameraView.value = showing.view;
+  stage.setFollow(followCamera.peek());
+  stage.show(view);
+  if (view.view) cameraView.value = view.view;
 }
 
 /** An effect for requests: what was asked before there was a stage is past. */

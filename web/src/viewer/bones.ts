@@ -12,8 +12,8 @@ import {
   SphereGeometry,
   Vector3,
 } from "three";
-import { litBones } from "../lib/feet";
-import type { Clip } from "../worker/types";
+import { footLightOfJoints } from "../model/feet";
+import type { Clip } from "../model/types";
 import type { Palette } from "./palette";
 
 /** A bone from the origin along +y: four faces that swell near its root and taper to its tip. */
@@ -100,7 +100,7 @@ export class Bones {
   constructor(clip: Clip, size: number, palette: Palette, isGhost = false) {
     this.palette = palette;
     this.pose = new Float32Array(clip.joints.length * 3);
-    this.lit = litBones(clip);
+    this.lit = footLightOfJoints(clip);
     const drawn = drawnBones(clip, size);
     this.child = Uint16Array.from(drawn);
     this.parent = Uint16Array.from(drawn, (joint) => clip.joints[joint]?.parent ?? 0);

@@ -12,8 +12,7 @@ import {
   Vector3,
   Vector4,
 } from "three";
-import type { CameraView } from "../app/state";
-import type { Sight } from "../lib/showing";
+import type { CameraPose, CameraView } from "../model/view-state";
 
 CameraControls.install({
   THREE: {
@@ -125,7 +124,7 @@ export class Camera {
   }
 
   /** Where it is and what it looks at. */
-  get sight(): Sight {
+  get sight(): CameraPose {
     return {
       eye: this.controls.getPosition(new Vector3()).toArray(),
       at: this.controls.getTarget(new Vector3()).toArray(),
@@ -133,7 +132,7 @@ export class Camera {
   }
 
   /** Looks from a place at another. */
-  place({ eye, at }: Sight) {
+  place({ eye, at }: CameraPose) {
     this.framed = false;
     void this.controls.setLookAt(...eye, ...at, false);
   }

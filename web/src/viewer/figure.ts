@@ -1,11 +1,11 @@
 import type { Scene } from "three";
-import { footWithSole } from "../lib/footprints";
-import { plantedness } from "../lib/plants";
-import type { Spot } from "../lib/travel";
-import type { Clip, Detection } from "../worker/types";
+import { footWithSole } from "../model/footprints";
+import { contactWeight } from "../model/plants";
+import type { GroundPoint } from "../model/trajectory";
+import type { Clip, Detection } from "../model/types";
 import { Bones } from "./bones";
+import { ContactRings } from "./contact-rings";
 import type { Palette } from "./palette";
-import { Rings } from "./rings";
 import { Shadow } from "./shadow";
 
 /** Seconds before and after an edge within which a foot's light swells or fades. */
@@ -15,7 +15,7 @@ const swell = 0.045;
 export class Figure {
   private readonly bones: Bones;
   private readonly shadow: Shadow;
-  private readonly rings: Rings;
+  private readonly rings: ContactRings;
   private readonly shares = new Float32Array(5);
 
   /** `aside` is where it stands, measured from where its clip has it. */
@@ -23,12 +23,12 @@ export class Figure {
     readonly clip: Clip,
     size: number,
     palette: Palette,
-    private readonly aside: Spot = { x: 0, z: 0 },
+    private readonly aside: GroundPoint = { x: 0, z: 0 },
   ) {
     this.bones = new Bones(clip, size, palette);
     this.shadow = new Shadow(this.bones, size, palette.shadow);
     const feet = [footWithSole(clip, "left"), footWithSole(clip, "right")];
-    this.rings = new Rings(feet, size, palette);
+    this.rings = new ContactRings(feet, size, palette);
   }
 
   enter(scene: Scene) {
@@ -61,12 +61,12 @@ export class Figure {
     const heel = parts.heel ?? parts.contact;
     const toe = parts.toe ?? parts.contact;
     if (heel) {
-      shares[1] = plantedness(heel.left.planted, moment, reach);
-      shares[3] = plantedness(heel.right.planted, moment, reach);
+      shares[1] = contactWeight(heel.left.planted, moment, reach);
+      shares[3] = contactWeight(heel.right.planted, moment, reach);
     }
     if (toe) {
-      shares[2] = plantedness(toe.left.planted, moment, reach);
-      shares[4] = plantedness(toe.right.planted, moment, reach);
+      shares[2] = contactWeight(toe.left.planted, moment, reach);
+      shares[4] = contactWeight(toe.right.planted, moment, reach);
     }
   }
 

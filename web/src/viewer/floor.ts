@@ -1,5 +1,5 @@
 import { Mesh, PlaneGeometry, ShaderMaterial, Vector2 } from "three";
-import { gridStep } from "../lib/travel";
+import { gridStep } from "../model/trajectory";
 import type { Palette } from "./palette";
 
 const vertexShader = /* glsl */ `

@@ -1,6 +1,6 @@
 import { Mesh, ShaderMaterial } from "three";
-import type { Footprint } from "../lib/footprints";
-import type { Plant } from "../lib/plants";
+import type { Footprint } from "../model/footprints";
+import type { Plant } from "../model/plants";
 import type { Palette } from "./palette";
 import { flat, quads } from "./quads";
 

@@ -1,15 +1,15 @@
 import { DirectionalLight, HemisphereLight, Scene, Vector2, WebGLRenderer } from "three";
-import type { Beside, CameraView } from "../app/state";
-import { type Near, plantsNear } from "../lib/footprints";
-import type { Plant } from "../lib/plants";
-import type { Showing, Sight } from "../lib/showing";
-import type { Clip, Detection } from "../worker/types";
+import { type PlantWindow, plantWindowAt } from "../model/footprints";
+import type { Plant } from "../model/plants";
+import type { Companion } from "../model/source";
+import type { Clip, Detection } from "../model/types";
+import type { CameraPose, CameraView, ViewState } from "../model/view-state";
 import { Bones } from "./bones";
 import { Camera } from "./camera";
-import { Companion } from "./companion";
-import { Lead } from "./lead";
+import { CompanionFigure } from "./companion";
+import { Footprints } from "./footprints";
+import { MainCharacter } from "./main-character";
 import { readPalette } from "./palette";
-import { Prints } from "./prints";
 import { Trails } from "./trails";
 
 /** The same clip as it was before, seen through. */
@@ -25,9 +25,9 @@ interface Labels {
 }
 
 /** The prints of the plants near the moment. */
-interface Lying {
-  near: Near;
-  prints: Prints;
+interface VisibleFootprints {
+  near: PlantWindow;
+  prints: Footprints;
 }
 
 /** The three.js scene. Draws only when something asked for it. */
@@ -38,11 +38,11 @@ export class Stage {
   private readonly scene = new Scene();
   private readonly camera: Camera;
   private readonly observer: ResizeObserver;
-  private lead: Lead | null = null;
+  private lead: MainCharacter | null = null;
   private labels: Labels | null = null;
-  private lying: Lying | null = null;
+  private visibleFootprints: VisibleFootprints | null = null;
   private ghost: Ghost | null = null;
-  private companions: Companion[] = [];
+  private companions: CompanionFigure[] = [];
   private trails: Trails | null = null;
   /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
@@ -100,13 +100,13 @@ export class Stage {
   }
 
   /** Shows another clip; `reframe` also brings the camera to it. */
-  load(clip: Clip | null, reframe: boolean) {
-    this.label(null, []);
-    this.haunt(null);
-    this.accompany([]);
-    this.trace(false);
-    this.strike();
-    if (clip) this.put(clip);
+  setClip(clip: Clip | null, reframe: boolean) {
+    this.setLabels(null, []);
+    this.setGhost(null);
+    this.setCompanions([]);
+    this.setTrails(false);
+    this.clear();
+    if (clip) this.addCharacter(clip);
     if (this.lead && reframe) {
       const { lead } = this;
       const { x, z } = lead.at(this.moment);
@@ -118,14 +118,14 @@ export class Stage {
     this.invalidate();
   }
 
-  private put(clip: Clip) {
+  private addCharacter(clip: Clip) {
     const palette = readPalette(this.host);
     this.scene.background = palette.ground;
-    this.lead = new Lead(clip, palette);
+    this.lead = new MainCharacter(clip, palette);
     this.lead.enter(this.scene);
   }
 
-  private strike() {
+  private clear() {
     if (!this.lead) return;
     this.lead.leave(this.scene);
     this.retired.push(this.lead);
@@ -133,7 +133,7 @@ export class Stage {
   }
 
   /** Shows the ways of toes and root around the moment, or does not. */
-  trace(wanted: boolean) {
+  setTrails(wanted: boolean) {
     if (this.trails) {
       this.scene.remove(this.trails.group);
       this.retired.push(this.trails);
@@ -146,18 +146,18 @@ export class Stage {
   }
 
   /** Shows other clips at the side of the one on stage; they start where it does, and go their own way. */
-  accompany(others: readonly Beside[]) {
+  setCompanions(others: readonly Companion[]) {
     for (const companion of this.companions) companion.leave(this.scene);
     this.retired.push(...this.companions);
     const { lead } = this;
     const palette = readPalette(this.host);
-    this.companions = lead ? others.map((it, i) => new Companion(lead, it, i, palette)) : [];
+    this.companions = lead ? others.map((it, i) => new CompanionFigure(lead, it, i, palette)) : [];
     for (const companion of this.companions) companion.enter(this.scene);
     this.invalidate();
   }
 
   /** Shows the clip on stage once more, as it was before; `null` shows none. */
-  haunt(clip: Clip | null) {
+  setGhost(clip: Clip | null) {
     if (this.ghost) {
       this.scene.remove(this.ghost.bones.group);
       this.retired.push(this.ghost.bones);
@@ -172,29 +172,35 @@ export class Stage {
   }
 
   /** Shows the labels of the clip on stage. */
-  label(detection: Detection | null, plants: readonly Plant[]) {
+  setLabels(detection: Detection | null, plants: readonly Plant[]) {
     this.labels = this.lead && detection ? { detection, plants } : null;
-    this.lift();
+    this.hideFootprints();
     this.invalidate();
   }
 
   /** Prints are laid when they are drawn first, and others where the moment has come too far. */
-  private lay({ clip, size }: Lead) {
-    const { labels, lying, moment } = this;
-    if (!labels || (lying && moment >= lying.near.since && moment < lying.near.until)) return;
-    const near = plantsNear(labels.plants, moment);
+  private showFootprints({ clip, size }: MainCharacter) {
+    const { labels, visibleFootprints, moment } = this;
+    if (
+      !labels ||
+      (visibleFootprints &&
+        moment >= visibleFootprints.near.since &&
+        moment < visibleFootprints.near.until)
+    )
+      return;
+    const near = plantWindowAt(labels.plants, moment);
     const plants = labels.plants.slice(near.from, near.to);
-    const prints = new Prints(clip, plants, size, readPalette(this.host));
-    this.lift();
+    const prints = new Footprints(clip, plants, size, readPalette(this.host));
+    this.hideFootprints();
     prints.enter(this.scene);
-    this.lying = { near, prints };
+    this.visibleFootprints = { near, prints };
   }
 
-  private lift() {
-    if (!this.lying) return;
-    this.lying.prints.leave(this.scene);
-    this.retired.push(this.lying.prints);
-    this.lying = null;
+  private hideFootprints() {
+    if (!this.visibleFootprints) return;
+    this.visibleFootprints.prints.leave(this.scene);
+    this.retired.push(this.visibleFootprints.prints);
+    this.visibleFootprints = null;
   }
 
   seek(moment: number) {
@@ -210,7 +216,7 @@ export class Stage {
   }
 
   /** What the camera sees; absent where it does so by itself once a clip is open and a side chosen. */
-  sight(view: CameraView): Sight | undefined {
+  cameraPose(view: CameraView): CameraPose | undefined {
     if (!this.lead) return undefined;
     // Nobody has asked for the first side: it is that of the first frame.
     const frame = view === "perspective" ? 0 : Math.floor(this.moment);
@@ -219,7 +225,7 @@ export class Stage {
   }
 
   /** Looks at the moment from a place at another, or from a side. */
-  show({ view, eye, at }: Showing) {
+  show({ view, eye, at }: ViewState) {
     if (!this.lead) return;
     const { x, z } = this.lead.at(this.moment);
     // Along with the character, as if it had walked there.
@@ -279,7 +285,7 @@ export class Stage {
   private draw() {
     const { lead } = this;
     if (lead) {
-      this.lay(lead);
+      this.showFootprints(lead);
       const { clip } = lead;
       const { x, z } = lead.at(this.moment);
       this.camera.travel(x, z, this.follow);
@@ -291,7 +297,7 @@ export class Stage {
       this.ghost?.bones.show(this.ghost.clip, moment, floor);
       this.trails?.show(moment, floor);
       const seconds = this.moment / clip.rate;
-      this.lying?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
+      this.visibleFootprints?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
       for (const companion of this.companions) companion.show(seconds);
     }
     this.renderer.render(this.scene, this.camera.camera);
@@ -304,13 +310,13 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.due);
     this.observer.disconnect();
-    this.label(null, []);
+    this.setLabels(null, []);
     cancelAnimationFrame(this.due);
-    this.haunt(null);
-    this.accompany([]);
-    this.trace(false);
+    this.setGhost(null);
+    this.setCompanions([]);
+    this.setTrails(false);
     cancelAnimationFrame(this.due);
-    this.strike();
+    this.clear();
     dispose(this.retired);
     this.camera.dispose();
     this.renderer.dispose();

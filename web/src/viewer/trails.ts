@@ -7,8 +7,8 @@ import {
   Line,
   LineBasicMaterial,
 } from "three";
-import { footOf } from "../lib/feet";
-import type { Clip } from "../worker/types";
+import { footOf } from "../model/feet";
+import type { Clip } from "../model/types";
 import type { Palette } from "./palette";
 
 /** Seconds before and after the moment that a trail shows. */

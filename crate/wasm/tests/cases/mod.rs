@@ -1,29 +1,30 @@
-//! What the bindings must do, wherever they run.
+//! Tests of the bindings that run both in a page and in a worker.
 
 use js_sys::Function;
 use plantigrade::bvh;
 use plantigrade::labels::{Document, Part, Side};
 use plantigrade::plants::{self, Feet};
+use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{
-    ClipFacts, DetectOptions, EditFacts, Failure, Overrides, RawClip, RawDetection, RawLabelling, RawReader,
-    RawSegments, SegmentFacts, SegmentOptions, has_segments,
+    ClipInfo, DetectOptions, EditInfo, Failure, Overrides, SegmentInfo, SegmentOptions, WasmAnnotation,
+    WasmClip, WasmDetection, WasmReader, WasmSegmentAnnotation, has_segments,
 };
 use tsify::{Ts, Tsify};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const WALK: &[u8] = include_bytes!("../../../../samples/curved-walk.bvh");
 
-fn walk() -> RawClip {
-    let mut reader = RawReader::new(false, WALK.len() as f64);
+fn walk() -> WasmClip {
+    let mut reader = WasmReader::new(false, WALK.len() as f64);
     for chunk in WALK.chunks(10_000) {
         reader.push(chunk).unwrap();
     }
     reader.finish().unwrap()
 }
 
-/// What a detection is saved as, where that is text.
-fn saved(clip: &RawClip, detection: &RawDetection, format: &str) -> String {
+/// Returns a detection in a text format.
+fn save_text(clip: &WasmClip, detection: &WasmDetection, format: &str) -> String {
     String::from_utf8(clip.save(detection, format, "walk.bvh".into(), None).unwrap()).unwrap()
 }
 
@@ -33,78 +34,94 @@ fn options(method: &str) -> Ts<DetectOptions> {
         .unwrap()
 }
 
-fn facts(clip: &RawClip) -> ClipFacts {
-    clip.facts().unwrap().to_rust().unwrap()
+fn info(clip: &WasmClip) -> ClipInfo {
+    clip.info().unwrap().to_rust().unwrap()
 }
 
 #[wasm_bindgen_test]
-fn a_clip_comes_with_its_facts() {
+fn clip_info_matches_the_file() {
     let clip = walk();
-    let facts = facts(&clip);
-    assert_eq!((facts.frames, facts.rate.round()), (245, 120.0));
-    assert!(facts.roles.contains_key("left_toe") && facts.roles.contains_key("right_toe"));
-    assert_eq!(clip.positions().length() as usize, facts.frames * facts.joints.len() * 3);
+    let info = info(&clip);
+    assert_eq!((info.frames, info.rate.round()), (245, 120.0));
+    assert!(info.roles.contains_key("left_toe") && info.roles.contains_key("right_toe"));
+    assert_eq!(clip.positions().length() as usize, info.frames * info.joints.len() * 3);
 }
 
 #[wasm_bindgen_test]
-fn labels_are_those_of_the_core() {
+fn labels_equal_those_of_the_core() {
     let clip = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
     let feet = Feet::of(&clip, &Skeleton::main(&clip, &Default::default())).unwrap();
     let expected = plants::detect(&feet, plants::ValidParams::default());
-    let found = walk().detect(options("robust")).unwrap();
-    assert_eq!(found.parts(), ["contact", "toe", "heel"]);
+    let detection = walk().detect(options("robust")).unwrap();
+    assert_eq!(detection.parts(), ["contact", "toe", "heel"]);
     for labels in &expected.parts {
         let part = labels.part.name();
-        let left: Vec<u8> = labels.feet[0].planted.iter().map(|&planted| u8::from(planted)).collect();
-        assert_eq!(found.planted(part, "left").unwrap(), left);
-        assert_eq!(found.intervals(part, "left").unwrap().len() % 2, 0);
-        assert_eq!(found.confidence(part, "right").unwrap().len(), 245);
+        for (side, foot) in ["left", "right"].into_iter().zip(&labels.feet) {
+            let planted: Vec<u8> = foot.planted.iter().map(|&planted| u8::from(planted)).collect();
+            assert_eq!(detection.planted(part, side).unwrap(), planted);
+            let mut rebuilt = vec![0; planted.len()];
+            for range in detection.intervals(part, side).unwrap().chunks(2) {
+                rebuilt[range[0] as usize..range[1] as usize].fill(1);
+            }
+            assert_eq!(rebuilt, planted);
+            assert_eq!(detection.confidence(part, side).unwrap(), foot.confidence);
+        }
     }
-    assert!(found.planted("shoulder", "left").is_err());
+    assert!(detection.planted("shoulder", "left").is_err());
 }
 
 #[wasm_bindgen_test]
 fn labels_follow_from_the_evidence() {
     let found = walk().detect(options("paper")).unwrap();
-    let facts = found.evidence("toe").unwrap().to_rust().unwrap();
+    let evidence = found.evidence("toe").unwrap().to_rust().unwrap();
     let sorted = found.sorted_norms("toe").unwrap();
-    assert_eq!((sorted.len(), sorted.len()), (490, found.running_variance("toe").unwrap().len()));
-    assert_eq!((facts.sigma as f32, facts.tolerance), (sorted[facts.knee], 0.001));
-    assert!(facts.planted_is_high && facts.planted_middle > facts.threshold);
-    for side in ["left", "right"] {
-        let roots = found.roots("toe", side).unwrap();
-        let planted: Vec<u8> =
-            roots.iter().map(|root| u8::from(f64::from(*root) > facts.threshold)).collect();
-        assert_eq!(planted, found.planted("toe", side).unwrap());
-        let norms = found.norms("toe", side).unwrap();
-        assert!(norms.iter().all(|norm| sorted.contains(norm)));
+    let mut norms: Vec<f32> =
+        ["left", "right"].iter().flat_map(|side| found.norms("toe", side).unwrap()).collect();
+    norms.sort_by(f32::total_cmp);
+    assert_eq!(sorted, norms);
+    let variances = found.running_variance("toe").unwrap();
+    assert_eq!((sorted.len(), variances.len()), (490, 490));
+    for count in [2, evidence.knee + 1, 490] {
+        let first: Vec<f64> = sorted[..count].iter().map(|&norm| f64::from(norm)).collect();
+        let mean = first.iter().sum::<f64>() / count as f64;
+        let squares: f64 = first.iter().map(|norm| (norm - mean).powi(2)).sum();
+        let variance = squares / (count - 1) as f64;
+        assert!((f64::from(variances[count - 1]) / variance - 1.0).abs() < 1e-3, "{count}");
     }
-    let field = found.field("toe", &[0.0, 1.0], &[0.0, 0.5, 9.0]).unwrap();
+    assert_eq!((evidence.sigma as f32, evidence.tolerance), (sorted[evidence.knee], 0.001));
+    assert!(evidence.planted_is_high && evidence.planted_median > evidence.threshold);
+    for side in ["left", "right"] {
+        let values = found.decision_values("toe", side).unwrap();
+        let planted: Vec<u8> =
+            values.iter().map(|&value| u8::from(f64::from(value) > evidence.threshold)).collect();
+        assert_eq!(planted, found.planted("toe", side).unwrap());
+    }
+    let field = found.decision_field("toe", &[0.0, 1.0], &[0.0, 0.5, 9.0]).unwrap();
     assert_eq!(field.len(), 6);
-    assert!(f64::from(field[0]) > facts.threshold && f64::from(field[5]) < facts.threshold);
-    assert!(found.field("heel", &[0.0], &[0.0]).is_err());
-    let limits = found.limits().unwrap().to_rust().unwrap();
-    assert_eq!((limits.height, limits.speed), (None, None));
+    assert!(f64::from(field[0]) > evidence.threshold && f64::from(field[5]) < evidence.threshold);
+    assert!(found.decision_field("heel", &[0.0], &[0.0]).is_err());
+    let thresholds = found.thresholds().unwrap().to_rust().unwrap();
+    assert_eq!((thresholds.height, thresholds.speed), (None, None));
 }
 
 #[wasm_bindgen_test]
-fn methods_without_a_field_say_so() {
+fn methods_without_decision_field_report_it() {
     let clip = walk();
     let found = clip.detect(options("njw")).unwrap();
     assert!(!found.evidence("toe").unwrap().to_rust().unwrap().has_field);
-    assert!(found.field("toe", &[0.0], &[0.0]).is_err());
+    assert!(found.decision_field("toe", &[0.0], &[0.0]).is_err());
     let found = clip.detect(options("dual")).unwrap();
     assert!(!found.has_evidence("toe").unwrap() && found.evidence("toe").is_err());
-    let limits = found.limits().unwrap().to_rust().unwrap();
-    assert_eq!((limits.height, limits.speed), (Some(0.05), Some(0.5)));
+    let thresholds = found.thresholds().unwrap().to_rust().unwrap();
+    assert_eq!((thresholds.height, thresholds.speed), (Some(0.05), Some(0.5)));
 }
 
 #[wasm_bindgen_test]
-fn edits_lie_over_what_was_found_until_they_are_taken_back() {
+fn edits_apply_until_they_are_removed() {
     let clip = walk();
     let mut found = clip.detect(options("robust")).unwrap();
     let before = found.intervals("contact", "left").unwrap();
-    let edit = EditFacts {
+    let edit = EditInfo {
         side: Side::Left,
         part: Part::Contact,
         start: before[0] as usize,
@@ -113,7 +130,7 @@ fn edits_lie_over_what_was_found_until_they_are_taken_back() {
     };
     found.edit(vec![edit.into_ts().unwrap()]).unwrap();
     assert_eq!(found.intervals("contact", "left").unwrap(), before[2..]);
-    let moved = EditFacts {
+    let moved = EditInfo {
         side: Side::Left,
         part: Part::Contact,
         start: before[2] as usize,
@@ -122,13 +139,13 @@ fn edits_lie_over_what_was_found_until_they_are_taken_back() {
     };
     found.edit(vec![moved.into_ts().unwrap()]).unwrap();
     assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
-    assert!(found.has_evidence("contact").unwrap(), "the evidence is that of what was found");
+    assert!(found.has_evidence("contact").unwrap(), "evidence does not depend on edits");
     let mut marks = vec![0; before.len() / 2];
     marks[1] = 1;
     assert_eq!(found.edited("contact", "left").unwrap(), marks);
-    let text = saved(&clip, &found, "json");
+    let text = save_text(&clip, &found, "json");
     assert_eq!(text.matches("\"edited\"").count(), 1);
-    let read = RawLabelling::new(text.as_bytes(), 245).unwrap();
+    let read = WasmAnnotation::new(text.as_bytes(), 245).unwrap();
     found.edit(read.edits().unwrap()).unwrap();
     assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
     found.edit(Vec::new()).unwrap();
@@ -136,39 +153,46 @@ fn edits_lie_over_what_was_found_until_they_are_taken_back() {
 }
 
 #[wasm_bindgen_test]
-fn labels_come_back_from_an_archive() {
+fn labels_read_back_from_npz() {
     let clip = walk();
     let found = clip.detect(options("robust")).unwrap();
     let archive = clip.save(&found, "npz", "walk.bvh".into(), None).unwrap();
-    let read = RawLabelling::new(&archive, 245).unwrap();
+    let read = WasmAnnotation::new(&archive, 245).unwrap();
     for part in found.parts() {
         let ours: Vec<i8> = found.planted(&part, "right").unwrap().iter().map(|&label| label as i8).collect();
         assert_eq!(read.planted(&part, "right").unwrap(), ours);
     }
-    assert!(saved(&clip, &found, "blender").contains("import bpy"));
+    assert!(save_text(&clip, &found, "blender").contains("import bpy"));
 }
 
 #[wasm_bindgen_test]
-fn planted_feet_are_held_still() {
+fn clean_up_removes_slides() {
     let clip = walk();
     let found = clip.detect(options("robust")).unwrap();
     let slides: Vec<f64> =
-        clip.skate(&found).unwrap().iter().map(|slide| slide.to_rust().unwrap().farthest).collect();
+        clip.skate(&found).unwrap().iter().map(|slide| slide.to_rust().unwrap().max_distance).collect();
     assert_eq!(slides.len(), 5);
     let cleaned = clip.clean(&found).unwrap();
     for (plant, before) in cleaned.plants().unwrap().iter().zip(slides) {
         let plant = plant.to_rust().unwrap();
-        assert_eq!((plant.before, plant.why_not), (before, None));
+        assert_eq!((plant.before, plant.skip_reason), (before, None));
         assert!(plant.after < 1e-3, "{}", plant.after);
     }
     assert_eq!(cleaned.positions().length() as usize, clip.positions().length() as usize);
     let read = bvh::parse(&cleaned.bvh(), bvh::Options::default()).unwrap().clip;
     assert_eq!(read.frame_count(), 245);
+    // The saved file itself no longer slides in those frames.
+    let skeleton = Skeleton::main(&read, &Default::default());
+    let feet = Feet::of(&bvh::parse(WALK, bvh::Options::default()).unwrap().clip, &skeleton).unwrap();
+    let contacts = Contacts::from(&plants::detect(&feet, plants::ValidParams::default()));
+    let saved = skate::measure(&read, &skeleton, &contacts).unwrap();
+    assert_eq!(saved.plants.len(), 5);
+    assert!(saved.plants.iter().all(|slide| slide.farthest < 2e-3), "{:?}", saved.plants);
     assert!(cleaned.notices().unwrap().is_empty());
 }
 
 #[wasm_bindgen_test]
-fn a_walk_has_a_gait() {
+fn gait_of_a_walk_is_plausible() {
     let clip = walk();
     let found = clip.detect(options("robust")).unwrap();
     let gait = clip.gait(&found).unwrap().to_rust().unwrap();
@@ -184,45 +208,45 @@ fn the_paper_method_labels_toes_only() {
 }
 
 #[wasm_bindgen_test]
-fn overrides_take_the_place_of_those_before() {
+fn overrides_replace_earlier_ones() {
     let mut clip = walk();
     let overrides = Overrides { rate: Some(30.0), up: Some("z".into()), ..Overrides::default() };
     clip.apply(overrides.into_ts().unwrap()).unwrap();
-    let changed = facts(&clip);
+    let changed = info(&clip);
     assert_eq!((changed.rate.round(), changed.up.as_str()), (30.0, "z"));
     let wrong = Overrides { rate: Some(-1.0), ..Overrides::default() };
     assert!(clip.apply(wrong.into_ts().unwrap()).is_err());
     clip.apply(Overrides::default().into_ts().unwrap()).unwrap();
-    assert_eq!(facts(&clip).rate.round(), 120.0);
+    assert_eq!(info(&clip).rate.round(), 120.0);
 }
 
 #[wasm_bindgen_test]
 fn documents_read_back() {
     let clip = walk();
     let labels = clip.detect(options("robust")).unwrap();
-    let text = saved(&clip, &labels, "json");
+    let text = save_text(&clip, &labels, "json");
     let document: Document = serde_json::from_str(&text).unwrap();
     assert_eq!((document.frames, document.source.name.as_str()), (245, "walk.bvh"));
-    let table = saved(&clip, &labels, "csv");
+    let table = save_text(&clip, &labels, "csv");
     assert_eq!(table.lines().count(), 246);
 }
 
 #[wasm_bindgen_test]
-fn truth_stands_beside_the_labels() {
+fn labels_agree_with_the_truth() {
     let clip = walk();
     let labels = clip.detect(options("robust")).unwrap();
     let truth = include_str!("../../../../samples/curved-walk.json");
-    let other = RawLabelling::new(truth.as_bytes(), 245).unwrap();
+    let other = WasmAnnotation::new(truth.as_bytes(), 245).unwrap();
     assert_eq!(other.parts(), ["contact", "toe", "heel"]);
     assert_eq!(other.planted("toe", "left").unwrap().len(), 245);
     let scores = other.score(&clip, &labels).unwrap();
     let contact = scores[0].to_rust().unwrap();
     assert!(contact.rows[3].lenient > 0.98 && contact.events.f1 > 0.9);
-    assert!(RawLabelling::new(truth.as_bytes(), 244).is_err());
+    assert!(WasmAnnotation::new(truth.as_bytes(), 244).is_err());
 }
 
 #[wasm_bindgen_test]
-fn every_method_is_listed_and_works() {
+fn every_listed_method_labels_its_parts() {
     let clip = walk();
     for method in plantigrade_wasm::methods().unwrap() {
         let method = method.to_rust().unwrap();
@@ -231,39 +255,39 @@ fn every_method_is_listed_and_works() {
 }
 
 #[wasm_bindgen_test]
-fn refusals_say_where() {
-    let mut reader = RawReader::new(false, 0.0);
-    let refused = reader.push(b"HIERARCHY\nROOT a\n{\n  OFFSET 0 x 0\n}\n").unwrap_err();
-    let Failure { message, line, column, hint, .. } = refused;
+fn failures_have_a_location() {
+    let mut reader = WasmReader::new(false, 0.0);
+    let failure = reader.push(b"HIERARCHY\nROOT a\n{\n  OFFSET 0 x 0\n}\n").unwrap_err();
+    let Failure { message, line, column, hint, .. } = failure;
     assert_eq!((line, column), (Some(4), Some(12)));
     assert!(message.contains("expected a number") && hint.is_some());
 }
 
-/// A walk that becomes a run.
-fn limp() -> RawClip {
-    let mut reader = RawReader::new(false, 0.0);
+/// Returns the sample of a walk that becomes a run.
+fn limp_to_run() -> WasmClip {
+    let mut reader = WasmReader::new(false, 0.0);
     reader.push(include_bytes!("../../../../samples/limp-to-run.bvh")).unwrap();
     reader.finish().unwrap()
 }
 
-fn cutting(method: &str) -> Ts<SegmentOptions> {
+fn segment_options(method: &str) -> Ts<SegmentOptions> {
     SegmentOptions { method: method.into(), ..SegmentOptions::default() }.into_ts().unwrap()
 }
 
-/// A listener that hears nothing.
-fn deaf() -> Function {
+/// Returns a progress callback that does nothing.
+fn no_progress() -> Function {
     Function::new_no_args("")
 }
 
 #[wasm_bindgen_test]
-fn every_method_of_segmentation_tiles_the_clip() {
-    let clip = limp();
+fn every_segmentation_method_covers_the_clip() {
+    let clip = limp_to_run();
     let methods = plantigrade_wasm::segment_methods().unwrap();
     assert_eq!(methods.len(), 6);
     for method in methods {
         let method = method.to_rust().unwrap();
-        let found = clip.segment(cutting(&method.name), &deaf()).unwrap();
-        let segments: Vec<SegmentFacts> =
+        let found = clip.segment(segment_options(&method.name), &no_progress()).unwrap();
+        let segments: Vec<SegmentInfo> =
             found.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap()).collect();
         assert_eq!((segments[0].start, segments[segments.len() - 1].end), (0, 744), "{}", method.name);
         assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].start), "{}", method.name);
@@ -272,32 +296,33 @@ fn every_method_of_segmentation_tiles_the_clip() {
         assert!([0, values.len()].contains(&found.curve_threshold().len()));
         assert!(found.extrema().iter().all(|&index| (index as usize) < values.len()));
         assert_eq!(found.motifs().len(), 2 * found.motif_classes().len());
-        assert!(!found.curve_title().is_empty() && !method.about.is_empty());
+        assert!(!found.curve_title().is_empty() && !method.description.is_empty());
     }
-    assert!(clip.segment(cutting("best"), &deaf()).is_err());
-    let wrong = SegmentOptions { dims: Some(0), ..cutting("mvu").to_rust().unwrap() };
-    assert!(clip.segment(wrong.into_ts().unwrap(), &deaf()).is_err());
+    assert!(clip.segment(segment_options("best"), &no_progress()).is_err());
+    let wrong = SegmentOptions { dims: Some(0), ..segment_options("mvu").to_rust().unwrap() };
+    assert!(clip.segment(wrong.into_ts().unwrap(), &no_progress()).is_err());
 }
 
 #[wasm_bindgen_test]
-fn segmentation_tells_how_far_it_is() {
-    let told = Function::new_with_args("share", "(globalThis.told ??= []).push(share)");
-    limp().segment(cutting("mvu"), &told).unwrap();
-    let shares = js_sys::Reflect::get(&js_sys::global(), &"told".into()).unwrap();
-    let shares: Vec<f64> = js_sys::Array::from(&shares).iter().filter_map(|share| share.as_f64()).collect();
-    assert!(shares.len() > 3 && shares.iter().all(|share| (0.0..=1.0).contains(share)));
+fn segmentation_reports_progress() {
+    let report = Function::new_with_args("fraction", "(globalThis.fractions ??= []).push(fraction)");
+    limp_to_run().segment(segment_options("mvu"), &report).unwrap();
+    let fractions = js_sys::Reflect::get(&js_sys::global(), &"fractions".into()).unwrap();
+    let fractions: Vec<f64> =
+        js_sys::Array::from(&fractions).iter().filter_map(|fraction| fraction.as_f64()).collect();
+    assert!(fractions.len() > 3 && fractions.iter().all(|fraction| (0.0..=1.0).contains(fraction)));
 }
 
 #[wasm_bindgen_test]
-fn segments_read_back_under_the_names_given() {
-    let clip = limp();
-    let found = clip.segment(cutting("lsd"), &deaf()).unwrap();
+fn segments_read_back_under_given_names() {
+    let clip = limp_to_run();
+    let found = clip.segment(segment_options("lsd"), &no_progress()).unwrap();
     let count = found.segments().unwrap().len();
     let names: Vec<String> = (1..=count).map(|number| format!("move {number}")).collect();
     for format in ["json", "csv", "babel"] {
         let text = clip.save_segments(&found, names.clone(), format, "limp.bvh".into(), None).unwrap();
         assert!(has_segments(&text, "limp") && !has_segments("frame,left_toe\n", "limp"));
-        let other = RawSegments::new(&text, "limp", &clip).unwrap();
+        let other = WasmSegmentAnnotation::new(&text, "limp", &clip).unwrap();
         let read = other.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap().label);
         assert_eq!(read.collect::<Vec<_>>(), names, "{format}");
         for score in other.score(&clip, &found).unwrap() {
@@ -305,11 +330,11 @@ fn segments_read_back_under_the_names_given() {
         }
     }
     assert!(clip.save_segments(&found, names, "xml", "limp.bvh".into(), None).is_err());
-    assert!(RawSegments::new("{}", "limp", &clip).is_err());
+    assert!(WasmSegmentAnnotation::new("{}", "limp", &clip).is_err());
 }
 
 #[wasm_bindgen_test]
-fn a_cut_is_a_clip_of_its_own() {
+fn cut_writes_the_frames_of_the_range() {
     let clip = walk();
     let part = bvh::parse(&clip.cut(10, 30).unwrap(), bvh::Options::default()).unwrap().clip;
     let whole = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;

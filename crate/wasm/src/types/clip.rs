@@ -1,0 +1,115 @@
+//! Description of a clip, and overrides of it.
+
+use std::collections::BTreeMap;
+
+use plantigrade::bvh::JointKind;
+use plantigrade::skeleton::{self, Role};
+use serde::{Deserialize, Serialize};
+use tsify::Tsify;
+
+use super::{ArgumentError, Failure, NoticeInfo, parse_name};
+
+/// One joint of a clip.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct JointInfo {
+    /// Name as written in the file.
+    pub name: String,
+    /// Position in the hierarchy.
+    #[tsify(type = "\"root\" | \"joint\" | \"end-site\"")]
+    pub kind: String,
+    /// Index of the parent.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parent: Option<usize>,
+}
+
+impl From<&plantigrade::bvh::Joint> for JointInfo {
+    fn from(joint: &plantigrade::bvh::Joint) -> JointInfo {
+        let kind = match joint.kind {
+            JointKind::Root => "root",
+            JointKind::Joint => "joint",
+            JointKind::EndSite => "end-site",
+        };
+        JointInfo { name: joint.name.clone(), kind: kind.into(), parent: joint.parent }
+    }
+}
+
+/// Description of a clip.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+#[tsify(hashmap_as_object)]
+#[serde(rename_all = "camelCase")]
+pub struct ClipInfo {
+    /// Number of frames; 0 if there is only a rest pose.
+    pub frames: usize,
+    /// Frame rate in use, in Hz.
+    pub rate: f64,
+    /// All joints and end sites, parents first.
+    pub joints: Vec<JointInfo>,
+    /// Up axis.
+    #[tsify(type = "\"x\" | \"-x\" | \"y\" | \"-y\" | \"z\" | \"-z\"")]
+    pub up: String,
+    /// Metres per file unit in use.
+    pub metres_per_unit: f64,
+    /// Name of the unit, if known.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// Leg length (thigh plus shank), in metres.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leg: Option<f64>,
+    /// Role to joint index; unassigned roles are absent.
+    pub roles: BTreeMap<String, usize>,
+    /// Names of all roles, in order.
+    pub role_names: Vec<String>,
+    /// Notices of the reader.
+    pub notices: Vec<NoticeInfo>,
+}
+
+/// Overrides of what the reader detected; absent fields stay as detected.
+#[derive(Debug, Default, Serialize, Deserialize, Tsify)]
+#[tsify(hashmap_as_object)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Overrides {
+    /// Frame rate, in Hz.
+    #[tsify(optional)]
+    pub rate: Option<f64>,
+    /// Up axis.
+    #[tsify(optional, type = "\"x\" | \"-x\" | \"y\" | \"-y\" | \"z\" | \"-z\"")]
+    pub up: Option<String>,
+    /// Metres per file unit.
+    #[tsify(optional)]
+    pub metres_per_unit: Option<f64>,
+    /// Role to joint index; −1 clears a role.
+    #[tsify(optional)]
+    pub roles: Option<BTreeMap<String, i32>>,
+}
+
+impl Overrides {
+    /// Converts to the core's overrides, for a clip with `joints` joints.
+    ///
+    /// # Errors
+    /// If a role, joint or axis does not exist or a number is not positive.
+    pub fn check(&self, joints: usize) -> Result<skeleton::Overrides, Failure> {
+        let positive = |name: &'static str, value: Option<f64>| match value {
+            Some(value) if !(value > 0.0 && value.is_finite()) => {
+                Err(Failure::from(ArgumentError::NotPositive { name, value }))
+            }
+            value => Ok(value),
+        };
+        positive("rate", self.rate)?;
+        let role = |(name, &joint): (&String, &i32)| {
+            let role = Role::named(name).ok_or_else(|| ArgumentError::Role(name.clone()))?;
+            match usize::try_from(joint) {
+                Err(_) => Ok((role, None)),
+                Ok(joint) if joint < joints => Ok((role, Some(joint))),
+                Ok(joint) => Err(Failure::from(ArgumentError::Joint(joint))),
+            }
+        };
+        Ok(skeleton::Overrides {
+            roles: self.roles.iter().flatten().map(role).collect::<Result<_, Failure>>()?,
+            up: self.up.as_deref().map(parse_name).transpose()?,
+            metres_per_unit: positive("scale", self.metres_per_unit)?,
+        })
+    }
+}

@@ -1,0 +1,112 @@
+//! Detection options, methods and edits.
+
+use plantigrade::labels::{Edit, Part, Side};
+use plantigrade::plants::{Family, Method, Params};
+use serde::{Deserialize, Serialize};
+use tsify::Tsify;
+
+use super::{Failure, parse_name};
+
+/// Options of a detection.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct DetectOptions {
+    /// Name of the method, as listed by `methods`.
+    pub method: String,
+    /// Threshold on the running variance of the sorted norms; 0.001 serves any clip.
+    pub r: f64,
+    /// Window half-width, in frames; 1 serves any clip.
+    pub w: usize,
+    /// Height threshold of a planted toe, in metres, for threshold methods.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height: Option<f64>,
+    /// Speed threshold of a planted toe, in metres per second, for threshold methods.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<f64>,
+    /// True to compare all pairs of frames of clips of any length; slow. Default false.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exact: Option<bool>,
+}
+
+impl TryFrom<&DetectOptions> for Params {
+    type Error = Failure;
+
+    fn try_from(options: &DetectOptions) -> Result<Params, Failure> {
+        let method = parse_name(&options.method)?;
+        let default = Params::default();
+        Ok(Params {
+            method,
+            tolerance: options.r,
+            window: options.w,
+            scale: None,
+            height: options.height.unwrap_or(default.height),
+            speed: options.speed.unwrap_or(default.speed),
+            exact: options.exact.unwrap_or_default(),
+        })
+    }
+}
+
+/// A detection method, for menus.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct MethodInfo {
+    /// Name in the options.
+    pub name: String,
+    /// Display name.
+    pub title: String,
+    /// Description in a sentence.
+    pub description: String,
+    /// Family of the method.
+    #[tsify(type = "\"spectral\" | \"mixture\" | \"threshold\"")]
+    pub family: String,
+    /// Parts that the method labels.
+    #[tsify(type = "(\"contact\" | \"toe\" | \"heel\")[]")]
+    pub parts: Vec<String>,
+}
+
+impl From<Method> for MethodInfo {
+    fn from(method: Method) -> MethodInfo {
+        let family = match method.family() {
+            Family::Spectral => "spectral",
+            Family::Mixture => "mixture",
+            Family::Threshold => "threshold",
+        };
+        MethodInfo {
+            name: method.name().into(),
+            title: method.title().into(),
+            description: method.about().into(),
+            family: family.into(),
+            parts: method.parts().iter().map(|part| part.name().into()).collect(),
+        }
+    }
+}
+
+/// A correction: the label of a part of a foot in a range of frames.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct EditInfo {
+    /// Foot.
+    #[tsify(type = r#""left" | "right""#)]
+    pub side: Side,
+    /// Part of the foot.
+    #[tsify(type = r#""contact" | "toe" | "heel""#)]
+    pub part: Part,
+    /// First frame.
+    pub start: usize,
+    /// First frame after the range.
+    pub end: usize,
+    /// True if planted.
+    pub planted: bool,
+}
+
+impl From<Edit> for EditInfo {
+    fn from(Edit { side, part, start, end, planted }: Edit) -> EditInfo {
+        EditInfo { side, part, start, end, planted }
+    }
+}
+
+impl From<EditInfo> for Edit {
+    fn from(EditInfo { side, part, start, end, planted }: EditInfo) -> Edit {
+        Edit { side, part, start, end, planted }
+    }
+}

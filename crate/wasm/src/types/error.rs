@@ -1,0 +1,66 @@
+//! Invalid arguments to the bindings.
+
+use std::fmt;
+
+/// An argument from JavaScript that names something that does not exist or is out of range.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ArgumentError {
+    /// The labels read from a file do not cover this part.
+    MissingPart(String),
+    /// The detection method does not label this part.
+    UnlabelledPart(String),
+    /// Neither `left` nor `right`.
+    Side(String),
+    /// Not the name of a file format.
+    Format(String),
+    /// Not the name of a role.
+    Role(String),
+    /// Not the index of a joint of the clip.
+    Joint(usize),
+    /// A name that the core does not accept, with its reason.
+    Name(String),
+    /// A quantity that must be positive and finite.
+    NotPositive {
+        /// Name of the quantity.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A frame range that is empty or extends beyond the clip.
+    FrameRange {
+        /// First frame.
+        start: usize,
+        /// First frame after the range.
+        end: usize,
+        /// Number of frames of the clip.
+        frames: usize,
+    },
+    /// The detection method did not cluster the samples of this part.
+    NoEvidence,
+    /// The detection method has no decision value for arbitrary heights and speeds.
+    NoField,
+    /// A JavaScript object that does not have the expected fields.
+    Conversion(String),
+}
+
+impl fmt::Display for ArgumentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::MissingPart(part) => write!(f, "there are no labels of {part:?}"),
+            Self::UnlabelledPart(part) => write!(f, "this method does not label {part:?}"),
+            Self::Side(name) => write!(f, "the side must be left or right, not {name:?}"),
+            Self::Format(name) => write!(f, "there is no format {name:?}"),
+            Self::Role(name) => write!(f, "there is no role {name:?}"),
+            Self::Joint(index) => write!(f, "there is no joint {index}"),
+            Self::NotPositive { name, value } => write!(f, "the {name} must be greater than 0, not {value}"),
+            Self::FrameRange { start, end, frames } => {
+                write!(f, "there are no frames {start} to {end}: the clip has {frames}")
+            }
+            Self::NoEvidence => f.write_str("nothing was clustered"),
+            Self::NoField => f.write_str("this method has no field"),
+            Self::Name(reason) | Self::Conversion(reason) => f.write_str(reason),
+        }
+    }
+}
+
+impl std::error::Error for ArgumentError {}

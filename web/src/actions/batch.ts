@@ -1,0 +1,153 @@
+/** Processing many clips: detection and segmentation in parallel, shown in one table. */
+
+import { batch } from "@preact/signals";
+import * as Comlink from "comlink";
+import { batchWorkers, type CallOptions, zipWorkers } from "../engine";
+import type { BatchRequest } from "../model/batch";
+import { fileTooLarge, maxFileBytes } from "../model/limits";
+import type { Source } from "../model/source";
+import { tableCsv } from "../model/table";
+import { type BatchRow, batchRequest, batchRows, tableVisible } from "../store/batch";
+import { type ErrorReport, messageOf } from "../store/errors";
+import { runJob } from "../store/jobs";
+import { detectOptions, segmentOptions } from "../store/settings";
+import { announcement } from "../store/view";
+import { stemOf, uniqueNames } from "../util/file-names";
+import { compareWith } from "./compare";
+import { download } from "./download";
+import { openSource } from "./open";
+import { storedChangesOf } from "./persist";
+import { pause } from "./playback";
+
+let controller = new AbortController();
+
+/** Processes clips; files that could not be unpacked appear in the table as failed. */
+export async function runBatch(clips: readonly Source[], errors: readonly ErrorReport[]) {
+  stopBatch();
+  const failed = errors.map(({ name, failure }) => ({
+    source: { name, data: new Blob() },
+    status: "failed" as const,
+    failure,
+  }));
+  const waiting = clips.map((source) => ({ source, status: "waiting" as const }));
+  batch(() => {
+    pause();
+    batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
+    tableVisible.value = true;
+  });
+  await resumeBatch();
+}
+
+/** Processes the waiting clips. */
+export async function resumeBatch() {
+  controller = new AbortController();
+  const { signal } = controller;
+  const options = { detect: detectOptions.value, segment: segmentOptions.value };
+  batchRequest.value = options;
+  const request = { ...options, formats: [], segmentFormats: [] };
+  const waiting = batchRows.value.filter(({ status }) => status === "waiting");
+  await Promise.all(waiting.map((row) => summarizeRow(row, request, signal)));
+  if (signal.aborted) return;
+  flushUpdates();
+  const failed = batchRows.value.filter(({ status }) => status === "failed").length;
+  announcement.value = `${batchRows.value.length} files labelled${failed ? `, ${failed} could not be read` : ""}`;
+}
+
+/** Processes all clips again, with the current options. */
+export async function rerunBatch() {
+  stopBatch();
+  batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
+    row.status === "done" ? { number, source, status: "waiting" } : { number, source, ...row },
+  );
+  await resumeBatch();
+}
+
+async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortSignal) {
+  const { name, data } = row.source;
+  if (data.size > maxFileBytes) {
+    updateRow(row, { status: "failed", failure: fileTooLarge(data.size) });
+    return;
+  }
+  try {
+    const result = await batchWorkers.run((calls) => {
+      updateRow(row, { status: "running" });
+      return calls.summarize(data, name, request, Comlink.proxy(storedChangesOf));
+    }, signal);
+    if (signal.aborted) return;
+    updateRow(
+      row,
+      result.ok
+        ? { status: "done", summary: result.summary }
+        : { status: "failed", failure: result.failure },
+    );
+  } catch (error) {
+    if (signal.aborted) return;
+    updateRow(row, { status: "failed", failure: { message: messageOf(error) } });
+  }
+}
+
+/** Pending updates; they are collected so that a table of a thousand rows is rendered once for all. */
+const updates = new Map<number, Partial<BatchRow>>();
+
+const updateInterval = 50;
+
+function updateRow({ number }: BatchRow, update: Partial<BatchRow>) {
+  if (!updates.size) setTimeout(flushUpdates, updateInterval);
+  updates.set(number, { ...updates.get(number), ...update });
+}
+
+function flushUpdates() {
+  if (!updates.size) return;
+  batchRows.value = batchRows.value.map((row) => ({ ...row, ...updates.get(row.number) }));
+  updates.clear();
+}
+
+/** Stops running rows; they wait until the batch is resumed. */
+export function stopBatch() {
+  controller.abort(new Error("stopped"));
+  flushUpdates();
+  batchRows.value = batchRows.value.map((row) =>
+    row.status === "running" ? { ...row, status: "waiting" } : row,
+  );
+}
+
+/** Opens a clip of the table. */
+export async function openRow({ source }: BatchRow): Promise<void> {
+  if (!(await openSource(source))) return;
+  tableVisible.value = false;
+  for (const { name, data } of source.labels ?? []) await compareWith(name, data);
+}
+
+const allFormats = {
+  formats: ["json", "csv", "intervals", "events", "npz"],
+  segmentFormats: ["json", "csv"],
+} as const;
+
+/** Downloads labels and segments of all clips, and the table, in one archive. */
+export async function exportAll(): Promise<void> {
+  const done = batchRows.value.filter(({ status }) => status === "done");
+  const request: BatchRequest = {
+    ...allFormats,
+    ...(batchRequest.peek() ?? { detect: detectOptions.value, segment: segmentOptions.value }),
+  };
+  const names = uniqueNames(done.map(({ source }) => stemOf(source.name)));
+  const writeArchive = ({ signal, onProgress }: CallOptions) =>
+    zipWorkers.run(async (zip) => {
+      let count = 0;
+      const addFiles = async ({ source: { name, data } }: BatchRow, i: number) => {
+        const result = await batchWorkers.run(
+          (calls) => calls.summarize(data, name, request, Comlink.proxy(storedChangesOf)),
+          signal,
+        );
+        if (!result.ok) throw new Error(`${name}: ${result.failure.message}`);
+        for (const { suffix, data } of result.files) await zip.add(`${names[i]}${suffix}`, data);
+        onProgress?.(++count / done.length);
+      };
+      await Promise.all(done.map(addFiles));
+      await zip.add("table.csv", tableCsv(batchRows.value));
+      return zip.finish();
+    }, signal);
+  await download("labels.zip", () =>
+    runJob({ title: "Saving", name: "labels.zip" }, new AbortController(), writeArchive),
+  );
+}

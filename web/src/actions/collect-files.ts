@@ -1,0 +1,166 @@
+/** Collects the files of a drop: walks folders, unpacks archives, and tells clips from labels. */
+
+import { zipWorkers } from "../engine";
+import { detectFileKind } from "../model/file-kind";
+import { maxFileBytes } from "../model/limits";
+import type { Source } from "../model/source";
+import { type ErrorReport, messageOf } from "../store/errors";
+import { runJob } from "../store/jobs";
+import { stemOf } from "../util/file-names";
+import { mapConcurrent } from "../util/map-concurrent";
+
+export interface CollectedFiles {
+  clips: Source[];
+  /** Reference labels and segments. */
+  labels: Source[];
+  errors: ErrorReport[];
+}
+
+/** Extensions of the files that are used from folders and archives; others are ignored. */
+const extensions = [".bvh", ".json", ".csv", ".npz"];
+
+/** Maximum number of files of one drop. */
+const maxFiles = 5000;
+
+/** Limits on what an archive unpacks to. Motion compresses less than a hundredfold. */
+const limitsOf = (archive: File) => ({
+  file: maxFileBytes,
+  total: Math.min(2 * maxFileBytes, Math.max(2 ** 28, 100 * archive.size)),
+  files: maxFiles,
+});
+
+export interface DroppedFiles {
+  files: File[];
+  /** True if there were more files than `maxFiles`. */
+  isTruncated?: boolean;
+}
+
+/** Returns the files of a drop. Must be called synchronously in the event handler. */
+export function filesOfTransfer(transfer: DataTransfer): Promise<DroppedFiles> {
+  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
+  if (!entries.some((entry) => entry?.isDirectory)) {
+    return Promise.resolve({ files: [...transfer.files] });
+  }
+  return walk(entries.filter((entry) => entry !== null));
+}
+
+async function walk(entries: readonly FileSystemEntry[]): Promise<DroppedFiles> {
+  const files: FileSystemFileEntry[] = [];
+  const queue = [...entries].map((entry) => ({ entry, isDropped: true }));
+  while (queue.length && files.length < maxFiles) {
+    const next = queue.shift();
+    if (!next) break;
+    const { entry, isDropped } = next;
+    if (entry.isDirectory) {
+      const children = await listFolder(entry as FileSystemDirectoryEntry);
+      children.sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));
+      queue.unshift(...children.map((entry) => ({ entry, isDropped: false })));
+    } else if (isDropped || hasKnownExtension(entry.name)) {
+      files.push(entry as FileSystemFileEntry);
+    }
+  }
+  return { files: await mapConcurrent(files, fileOf), isTruncated: queue.length > 0 };
+}
+
+const hasKnownExtension = (name: string) =>
+  [...extensions, ".zip"].some((extension) => name.toLowerCase().endsWith(extension));
+
+function fileOf(entry: FileSystemFileEntry): Promise<File> {
+  return new Promise((resolve, reject) => entry.file(resolve, reject));
+}
+
+async function listFolder(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const entries: FileSystemEntry[] = [];
+  for (;;) {
+    // Returns at most a hundred entries at a time.
+    const some = await new Promise<FileSystemEntry[]>((resolve, reject) =>
+      reader.readEntries(resolve, reject),
+    );
+    if (!some.length) return entries;
+    entries.push(...some);
+  }
+}
+
+/** Sorts files by kind and unpacks archives. Returns undefined if the user stopped that. */
+export async function collectFiles({
+  files,
+  isTruncated,
+}: DroppedFiles): Promise<CollectedFiles | undefined> {
+  const collected: CollectedFiles = { clips: [], labels: [], errors: [] };
+  if (isTruncated) collected.errors.push(truncatedError);
+  // Concurrently, because each file would otherwise wait for the page to render.
+  const kinds = await mapConcurrent(files, detectFileKind);
+  for (const [at, file] of files.entries()) {
+    const kind = kinds[at] ?? "clip";
+    if (kind !== "archive") addFile(collected, kind, file);
+    else {
+      const unpacked = await unpack(file);
+      if (!unpacked) return undefined;
+      if (Array.isArray(unpacked)) {
+        const innerKinds = await mapConcurrent(unpacked, innerFileKind);
+        for (const [at, inner] of unpacked.entries()) {
+          addFile(collected, innerKinds[at] ?? "clip", inner);
+        }
+      } else collected.errors.push(unpacked);
+    }
+  }
+  return collected;
+}
+
+/** Represents the ignored files in the table. */
+const truncatedError: ErrorReport = {
+  name: "More files",
+  failure: {
+    message: `the folder has more than ${maxFiles} files: the others were ignored`,
+    hint: "Drop its folders one by one.",
+  },
+};
+
+/** Attaches labels to the clips whose names they start with; labels of other clips are errors. */
+export function attachLabels(
+  clips: readonly Source[],
+  labels: readonly Source[],
+): Pick<CollectedFiles, "clips" | "errors"> {
+  const belongsTo = (clip: Source) => (label: Source) =>
+    label.name.toLowerCase().startsWith(`${stemOf(clip.name).toLowerCase()}.`);
+  const unmatched = labels.filter((label) => !clips.some((clip) => belongsTo(clip)(label)));
+  return {
+    clips: clips.map((clip) => ({ ...clip, labels: labels.filter(belongsTo(clip)) })),
+    errors: unmatched.map(({ name }) => ({
+      name,
+      failure: {
+        message: "no clip of this drop has the name of these labels",
+        hint: "Open their clip, and drop them on it.",
+      },
+    })),
+  };
+}
+
+/** Like `detectFileKind`, but archives in archives are not opened. */
+async function innerFileKind(file: File) {
+  const kind = await detectFileKind(file);
+  return kind === "archive" ? "clip" : kind;
+}
+
+function addFile({ clips, labels }: CollectedFiles, kind: "clip" | "labels", file: File) {
+  (kind === "clip" ? clips : labels).push({ name: baseNameOf(file.name), data: file });
+}
+
+const baseNameOf = (path: string) => path.slice(path.lastIndexOf("/") + 1);
+
+async function unpack(archive: File): Promise<File[] | ErrorReport | undefined> {
+  const { name } = archive;
+  const controller = new AbortController();
+  try {
+    const unpacked = await runJob({ title: "Unpacking", name }, controller, ({ signal }) =>
+      zipWorkers.run((calls) => calls.unpack(archive, extensions, limitsOf(archive)), signal),
+    );
+    if (!unpacked.ok) return { name, failure: unpacked.failure };
+    if (unpacked.files.length) return unpacked.files;
+    return { name, failure: { message: "there is no BVH file in the archive" } };
+  } catch (error) {
+    if (controller.signal.aborted) return undefined;
+    return { name, failure: { message: messageOf(error) } };
+  }
+}

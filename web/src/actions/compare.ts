@@ -1,0 +1,116 @@
+/** Comparing labels and segments with those of a reference. */
+
+import { batch } from "@preact/signals";
+import { engine } from "../engine";
+import { nextDisagreement } from "../model/disagreements";
+import { type ClipSession, session } from "../store/clip-session";
+import { messageOf, reportOpenFailure } from "../store/errors";
+import { frame } from "../store/playback";
+import { openClip, score, source } from "../store/session";
+import { activeTab, announcement } from "../store/view";
+import { formatBytes } from "../util/format";
+import { fetchBlob } from "./fetch-blob";
+import { pause, seek } from "./playback";
+
+/** Larger than the labels of an hour at 240 Hz. */
+const maxReferenceBytes = 2 ** 27;
+
+/** Reads reference labels or segments of the open clip, and compares with them. */
+export async function compareWith(name: string, data: Blob): Promise<void> {
+  const open = session.value;
+  if (!openClip.value) {
+    reportOpenFailure(name, {
+      message: "There is no open clip to compare these labels with.",
+      hint: "Open the clip first, or drop both together.",
+    });
+    return;
+  }
+  if (data.size > maxReferenceBytes) {
+    reportOpenFailure(name, {
+      message: `The labels have ${formatBytes(data.size)}; the limit is ${formatBytes(maxReferenceBytes)}.`,
+    });
+    return;
+  }
+  try {
+    const compared = await open.run("compare", () => engine.compare(data, name));
+    if (!compared) return;
+    if (!compared.ok) {
+      reportOpenFailure(name, compared.failure);
+      return;
+    }
+    batch(() => {
+      if ("segments" in compared) {
+        open.referenceSegments.value = compared.segments;
+        activeTab.value = "segment";
+      } else {
+        open.reference.value = compared.annotation;
+        activeTab.value = "score";
+      }
+      announcement.value = `Compared with ${name}`;
+    });
+    await ("segments" in compared ? updateCutScores(open) : updateScores(open));
+  } catch (error) {
+    reportOpenFailure(name, { message: messageOf(error) });
+  }
+}
+
+/** Compares a sample with the labels that were generated with it. */
+export async function compareWithTruth(): Promise<void> {
+  const url = source.value?.truthUrl;
+  if (!url) return;
+  const name = `${openClip.value?.name.replace(/\.bvh$/i, "")} truth`;
+  try {
+    const { signal } = session.value;
+    const data = await fetchBlob(url, signal, maxReferenceBytes, () => {});
+    if (!signal.aborted) await compareWith(name, data);
+  } catch (error) {
+    reportOpenFailure(name, { message: messageOf(error) });
+  }
+}
+
+/** Removes the reference labels. */
+export function removeReference() {
+  const open = session.value;
+  batch(() => {
+    open.reference.value = null;
+    open.scorePart.value = null;
+    open.scores.value = [];
+    open.drop("score");
+    if (activeTab.value === "score") activeTab.value = "labels";
+  });
+}
+
+/** Computes the agreement with the reference labels again; without labels or reference it is empty. */
+export async function updateScores(open: ClipSession): Promise<void> {
+  const isComparable = open.detection.value && open.reference.value;
+  const scores = await open.run("score", async () => (isComparable ? engine.score() : []));
+  if (scores) open.scores.value = scores;
+}
+
+/** Computes the agreement with the reference segments again. */
+export async function updateCutScores(open: ClipSession): Promise<void> {
+  const isComparable = open.segmentation.value && open.referenceSegments.value;
+  const scores = await open.run("cut score", async () =>
+    isComparable ? engine.scoreSegments() : [],
+  );
+  if (scores) open.cutScores.value = scores;
+}
+
+/** Removes the reference segments. */
+export function removeReferenceSegments() {
+  const open = session.value;
+  batch(() => {
+    open.referenceSegments.value = null;
+    open.cutScores.value = [];
+    open.drop("cut score");
+  });
+}
+
+/** Goes to the next or previous disagreement, wrapping around at the ends. */
+export function stepDisagreement(direction: 1 | -1) {
+  const next = nextDisagreement(score.value?.disagreements ?? [], frame.value, direction);
+  if (!next) return;
+  pause();
+  seek(next.start);
+  announcement.value = `${next.side} ${next.part} ${next.kind}, frames ${next.start} to ${next.end}`;
+}

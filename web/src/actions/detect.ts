@@ -1,0 +1,108 @@
+/** Detecting plants, and overriding how the clip is read. */
+
+import { batch } from "@preact/signals";
+import { engine } from "../engine";
+import type { DetectOptions, Overrides } from "../model/types";
+import { type ClipSession, session } from "../store/clip-session";
+import { errorReport, messageOf, reportFailure } from "../store/errors";
+import { createExclusiveJob } from "../store/jobs";
+import { detectMethods, detectOptions } from "../store/settings";
+import { latestOnly } from "../util/latest-only";
+import { updateScores } from "./compare";
+import { followSelection } from "./edit";
+import { runSegmentation, stopSegmenting } from "./segment";
+
+async function listMethods() {
+  if (!detectMethods.value.length) detectMethods.value = await engine.methods();
+}
+
+// The wait is long because a stopped worker has to read the file again.
+const job = createExclusiveJob("Finding plants in", 2000);
+
+/** True while a detection with the current options is running. */
+export const detecting = job.busy;
+
+/** Detects the plants of the open clip. */
+export async function runDetection(options: DetectOptions = detectOptions.value): Promise<void> {
+  const open = session.value;
+  if (!open.clip.value) return;
+  try {
+    const detected = await open.run("detect", () =>
+      job.run(
+        async (callOptions) => {
+          // Requested together, so that the worker need not wait for the page.
+          const listed = listMethods();
+          const [detected] = await Promise.all([engine.detect(options, callOptions), listed]);
+          return detected;
+        },
+        () => revertOptions(open),
+      ),
+    );
+    if (!detected) return;
+    batch(() => {
+      open.detection.value = detected.ok ? detected.detection : null;
+      open.detectFailure.value = detected.ok ? null : detected.failure;
+      followSelection(open);
+      // The looped plant may have moved.
+      if (open.loop.value === "plant") {
+        open.loop.value = "clip";
+        open.loopRegion.value = null;
+      }
+    });
+    await updateScores(open);
+  } catch (error) {
+    batch(() => {
+      open.detection.value = null;
+      open.detectFailure.value = {
+        message: messageOf(error),
+        hint: "Change a setting to try again.",
+      };
+    });
+  }
+}
+
+/** After the user stopped a detection, restores the options of the labels that are shown. */
+function revertOptions(open: ClipSession) {
+  batch(() => {
+    const detection = open.detection.value;
+    if (detection) detectOptions.value = detection.options;
+    else
+      open.detectFailure.value = {
+        message: "it was cancelled",
+        hint: "Change a setting to try again.",
+      };
+  });
+}
+
+const detectLatest = latestOnly(runDetection);
+
+export function setDetectOptions(change: Partial<DetectOptions>) {
+  detectOptions.value = { ...detectOptions.value, ...change };
+  job.stopIfSlow();
+  detectLatest(detectOptions.value);
+}
+
+const overrideLatest = latestOnly(async (overrides: Overrides) => {
+  const open = session.value;
+  const name = open.source?.name ?? "";
+  job.stopIfSlow();
+  stopSegmenting();
+  try {
+    const opened = await open.run("override", () => engine.override(overrides));
+    if (!opened) return;
+    if (opened.ok) open.clip.value = opened.clip;
+    else errorReport.value = { name, action: "read that way", failure: opened.failure };
+    await runDetection();
+    if (!open.signal.aborted) await runSegmentation();
+  } catch (error) {
+    reportFailure("read that way", name, error);
+  }
+});
+
+/** Replaces the overrides and applies them. */
+export function setOverrides(next: Overrides) {
+  const open = session.value;
+  if (open.isPreview) return;
+  open.overrides.value = next;
+  overrideLatest(next);
+}

@@ -1,0 +1,20 @@
+import { Cancelled } from "../engine";
+import { reportFailure } from "../store/errors";
+import { announcement } from "../store/view";
+
+/** Downloads a file to the user's computer. */
+export async function download(fileName: string, make: () => Promise<Blob>): Promise<void> {
+  try {
+    const url = URL.createObjectURL(await make());
+    const link = document.createElement("a");
+    link.href = url;
+    link.download = fileName;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    announcement.value = `Saved ${fileName}`;
+  } catch (error) {
+    const isAborted = error instanceof Error && error.name === "AbortError";
+    if (error instanceof Cancelled || isAborted) return;
+    reportFailure("saved", fileName, error);
+  }
+}

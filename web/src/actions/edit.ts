@@ -1,0 +1,267 @@
+/** Editing plants by hand. Each command appends to the list of edits, and can be undone. */
+
+import { batch, computed, type Signal } from "@preact/signals";
+import { engine } from "../engine";
+import {
+  addPlant,
+  type FrameRange,
+  matchingPlantRef,
+  mergeWithNext,
+  type PartTrack,
+  type PlantRef,
+  plantRefAt,
+  removePlant,
+  resizePlant,
+  splitPlant,
+  withoutEditsOf,
+} from "../model/edits";
+import { principalPart } from "../model/plants";
+import type { Detection, Edit, EditedParts, Part, Side, Track } from "../model/types";
+import { type ClipSession, session } from "../store/clip-session";
+import { reportFailure } from "../store/errors";
+import { frame } from "../store/playback";
+import { clip, detection, edits, plants, selected } from "../store/session";
+import { activeTab, announcement, sheetOpen } from "../store/view";
+import { updateScores } from "./compare";
+import { pause, seek } from "./playback";
+
+/** Initial duration of an added plant, in seconds. */
+const addedDuration = 0.25;
+
+export const canUndo = computed(() => session.value.undoStack.value.length > 0);
+export const canRedo = computed(() => session.value.redoStack.value.length > 0);
+
+/** The side that was selected last. */
+let lastSide: Side = "left";
+
+/** Returns the track of a part of a foot, if it is labelled. */
+function partTrackOf({ side, part }: { side: Side; part: Part }): PartTrack | undefined {
+  const tracks = detection.value?.parts[part];
+  const frames = clip.value?.frames ?? 0;
+  return tracks && { side, part, intervals: tracks[side].intervals, frames };
+}
+
+/** The selected plant with its track, and its number if it is of the principal part. */
+export const selection = computed(() => {
+  const plantRef = selected.value;
+  const track = plantRef && partTrackOf(plantRef);
+  const tracks = plantRef && detection.value?.parts[plantRef.part];
+  if (!plantRef || !track || !tracks) return undefined;
+  const isPrincipal = plantRef.part === principalPart(detection.value?.parts ?? {});
+  const plant =
+    isPrincipal && plants.value.find((p) => p.side === plantRef.side && p.start === plantRef.start);
+  return {
+    plantRef,
+    track,
+    number: plant ? plant.number : undefined,
+    isEdited: isEdited(tracks[plantRef.side], plantRef),
+  };
+});
+
+function isEdited({ intervals, edited }: Track, { start }: FrameRange): boolean {
+  for (let i = 0; i < intervals.length; i += 2) {
+    if (intervals[i] === start) return edited[i / 2] === 1;
+  }
+  return false;
+}
+
+/** Gives the clip edits from storage or from a shared page; this cannot be undone. */
+export function initEdits(open: ClipSession, stored: readonly Edit[]): Promise<void> {
+  open.edits.value = stored;
+  return stored.length ? applyEdits(open) : Promise.resolve();
+}
+
+function commit(next: readonly Edit[], message: string, range?: FrameRange): Promise<void> {
+  const open = session.value;
+  batch(() => {
+    open.undoStack.value = [...open.undoStack.value, open.edits.value];
+    open.redoStack.value = [];
+    open.edits.value = next;
+    if (range && open.selected.value) open.selected.value = { ...open.selected.value, ...range };
+    announcement.value = message;
+  });
+  return applyEdits(open);
+}
+
+export const undo = () => swap(session.value.undoStack, session.value.redoStack, "Undone");
+export const redo = () => swap(session.value.redoStack, session.value.undoStack, "Redone");
+
+type EditStack = Signal<readonly (readonly Edit[])[]>;
+
+function swap(from: EditStack, to: EditStack, message: string) {
+  const open = session.value;
+  const next = from.value.at(-1);
+  if (!next) return;
+  batch(() => {
+    from.value = from.value.slice(0, -1);
+    to.value = [...to.value, open.edits.value];
+    open.edits.value = next;
+    announcement.value = message;
+  });
+  void applyEdits(open);
+}
+
+/** Applies the edits to the labels. */
+async function applyEdits(open: ClipSession): Promise<void> {
+  try {
+    const parts = await open.run("edit", () => engine.edit([...open.edits.value]));
+    if (!parts) return;
+    batch(() => {
+      const before = open.detection.value;
+      if (before) open.detection.value = withParts(before, parts);
+      followSelection(open);
+    });
+    await updateScores(open);
+  } catch (error) {
+    reportFailure("edited", open.source?.name ?? "", error);
+  }
+}
+
+function withParts(before: Detection, parts: EditedParts): Detection {
+  const after: Detection["parts"] = {};
+  for (const part of Object.keys(before.parts) as Part[]) {
+    const [was, now] = [before.parts[part], parts[part]];
+    if (was && now) {
+      after[part] = { left: { ...was.left, ...now.left }, right: { ...was.right, ...now.right } };
+    }
+  }
+  return { ...before, parts: after };
+}
+
+/** Selects the plant that now overlaps most with the selected one. */
+export function followSelection(open: ClipSession) {
+  const plantRef = open.selected.value;
+  const tracks = plantRef && open.detection.value?.parts[plantRef.part];
+  if (!plantRef || !tracks) {
+    open.selected.value = null;
+    return;
+  }
+  const { side, part } = plantRef;
+  const { intervals } = tracks[side];
+  const track = { side, part, intervals, frames: open.clip.value?.frames ?? 0 };
+  open.selected.value = matchingPlantRef(track, plantRef) ?? null;
+}
+
+export function select(plantRef: PlantRef | undefined) {
+  if (plantRef) lastSide = plantRef.side;
+  selected.value = plantRef ?? null;
+}
+
+/** Selects the next plant under the playhead: contact before heel and toe, left before right. */
+export function selectAtPlayhead() {
+  const parts = ["contact", "heel", "toe"] as const;
+  const candidates = (["left", "right"] as const)
+    .flatMap((side) => parts.map((part) => partTrackOf({ side, part })))
+    .map((track) => track && plantRefAt(track, frame.value))
+    .filter((plantRef) => plantRef !== undefined);
+  const at = candidates.findIndex(
+    ({ side, part }) => side === selected.value?.side && part === selected.value.part,
+  );
+  const next = candidates[(at + 1) % candidates.length];
+  select(next);
+  announcement.value = next
+    ? `${next.side} ${next.part} selected, frames ${next.start} to ${next.end}`
+    : "No foot is planted here";
+}
+
+/** Gives the selected plant another start or end. */
+export function resizeSelected(to: Partial<FrameRange>): Promise<void> | undefined {
+  const current = selection.value;
+  if (!current) return undefined;
+  const { plantRef, track } = current;
+  const range = { start: to.start ?? plantRef.start, end: to.end ?? plantRef.end };
+  if (range.start === plantRef.start && range.end === plantRef.end) return undefined;
+  if (range.start >= range.end) {
+    announcement.value = "It would end before it starts";
+    return undefined;
+  }
+  const next = [...edits.value, ...resizePlant(track, plantRef, range)];
+  return commit(next, `Frames ${range.start} to ${range.end}`, range);
+}
+
+/** Makes the frame under the playhead the first or last one of the selected plant. */
+export const startAtPlayhead = () => resizeSelected({ start: frame.value });
+export const endAtPlayhead = () => resizeSelected({ end: frame.value + 1 });
+
+export function splitAtPlayhead() {
+  change(
+    ({ track, plantRef }) => splitPlant(track, plantRef, frame.value),
+    "Split",
+    "Put the playhead inside it first",
+  );
+}
+
+export function mergeNext() {
+  change(
+    ({ track, plantRef }) => mergeWithNext(track, plantRef),
+    "Merged with the next one",
+    "There is no next one",
+  );
+}
+
+export function removeSelected() {
+  change(({ plantRef }) => removePlant(plantRef), "Deleted", "");
+}
+
+function change(
+  edit: (selected: { track: PartTrack; plantRef: PlantRef }) => Edit[],
+  success: string,
+  failure: string,
+) {
+  const current = selection.value;
+  const added = current ? edit(current) : [];
+  if (added.length) void commit([...edits.value, ...added], success);
+  else announcement.value = current ? failure : "Select a plant first";
+}
+
+/** Reverts the selected plant to what was detected. */
+export function revertSelected() {
+  const plantRef = selected.value;
+  if (plantRef) void commit(withoutEditsOf(edits.value, plantRef), "As detected");
+}
+
+/** Reverts all labels to what was detected. */
+export function revertAll() {
+  if (edits.value.length) void commit([], "All as detected");
+}
+
+/** Adds a plant that starts at the playhead. */
+export function addAtPlayhead(side: Side, part: Part) {
+  const track = partTrackOf({ side, part });
+  if (!track) return;
+  const added = addPlant(track, frame.value, addedDuration * (clip.value?.rate ?? 1));
+  const [first] = added;
+  if (!first) {
+    announcement.value = `The ${side} foot is already planted here`;
+    return;
+  }
+  select({ side, part, start: first.start, end: first.end });
+  void commit(
+    [...edits.value, ...added],
+    `${side} ${part} added, frames ${first.start} to ${first.end}`,
+  );
+}
+
+/** Adds a plant of the side that was selected last. */
+export function addForLastSide() {
+  const part = principalPart(detection.value?.parts ?? {});
+  if (part) addAtPlayhead(lastSide, selected.value?.part ?? part);
+}
+
+/** Replaces the edits by those that give the labels of the reference. */
+export async function adoptReference(): Promise<void> {
+  const open = session.value;
+  const reference = await open.run("reference edits", () => engine.referenceEdits());
+  if (reference?.length) await commit(reference, "The reference labels are now yours");
+}
+
+/** Shows the start and end fields of a plant. */
+export function editEdges(plantRef: PlantRef) {
+  batch(() => {
+    pause();
+    select(plantRef);
+    seek(plantRef.start);
+    activeTab.value = "labels";
+    sheetOpen.value = true;
+  });
+}

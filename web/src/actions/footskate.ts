@@ -1,0 +1,52 @@
+/** Removing foot skate. */
+
+import { batch } from "@preact/signals";
+import { Cancelled, engine } from "../engine";
+import { type CleanedView, session } from "../store/clip-session";
+import { reportFailure } from "../store/errors";
+import { runJob } from "../store/jobs";
+import { clip } from "../store/session";
+import { announcement } from "../store/view";
+import { stemOf } from "../util/file-names";
+import { download } from "./download";
+
+/** Removes the foot skate of the open clip and shows the result. */
+export async function cleanClip(): Promise<void> {
+  const open = session.value;
+  const [before, detection, overrides] = [
+    open.clip.value,
+    open.detection.value,
+    open.overrides.value,
+  ];
+  if (!before || !detection || open.cleaning.value) return;
+  open.cleaning.value = true;
+  try {
+    const cleaned = await open.run("clean", () =>
+      runJob({ title: "Cleaning" }, new AbortController(), (options) => engine.clean(options)),
+    );
+    // Labels that changed meanwhile need another clean-up.
+    if (!cleaned || open.detection.value !== detection) return;
+    batch(() => {
+      open.cleanUp.value = { clip: before, detection, overrides, cleaned, view: "both" };
+      announcement.value = "Cleaned: the view shows the clip before as a ghost";
+    });
+  } catch (error) {
+    if (!(error instanceof Cancelled)) reportFailure("cleaned", before.name, error);
+  } finally {
+    open.cleaning.value = false;
+  }
+}
+
+/** Chooses which version of the clip the viewer shows. */
+export function setCleanedView(view: CleanedView) {
+  const { cleanUp } = session.value;
+  if (cleanUp.value) cleanUp.value = { ...cleanUp.value, view };
+}
+
+/** Downloads the cleaned clip. */
+export async function saveCleaned(): Promise<void> {
+  const name = `${stemOf(clip.value?.name ?? "clip")}.clean.bvh`;
+  await download(name, () =>
+    runJob({ title: "Writing" }, new AbortController(), (options) => engine.saveCleaned(options)),
+  );
+}

@@ -1,0 +1,61 @@
+/** Opening what the address or a shared page asks for, or the preview of the start page. */
+
+import { engine } from "../engine";
+import { type Link, parseHash } from "../model/link";
+import { tableVisible } from "../store/batch";
+import { type EmbeddedClip, embedded, embeddedSource } from "../store/embedded";
+import { messageOf, reportOpenFailure } from "../store/errors";
+import { firstInteraction } from "../store/first-interaction";
+import { clip } from "../store/session";
+import { runDetection } from "./detect";
+import { openingSignal, openSample, openSource, openUrl, showClip } from "./open";
+import { previewSample } from "./samples";
+import { parseLinkView } from "./view-state";
+
+/** Opens the embedded clip, follows `#url=` or `#sample=`, or starts the preview. */
+export async function openFromAddress(): Promise<void> {
+  if (embedded) {
+    if (!clip.value) await openEmbedded(embedded);
+    return;
+  }
+  const link = parseHash(location.hash);
+  if (link && (await followLink(link))) return;
+  if (!clip.value) await startPreview();
+}
+
+async function openEmbedded(page: EmbeddedClip): Promise<void> {
+  try {
+    const view = await parseLinkView(page.showing);
+    await openSource({ ...(await embeddedSource(page)), view });
+  } catch (error) {
+    reportOpenFailure(page.name, { message: messageOf(error), hint: "Ask for the page again." });
+  }
+}
+
+async function followLink({ origin, view: text }: Link): Promise<boolean> {
+  const signal = openingSignal();
+  const view = await parseLinkView(text);
+  if (signal.aborted) return true;
+  return origin.kind === "url" ? openUrl(origin.url, { view }) : openSample(origin.name, { view });
+}
+
+/** Plays a sample behind the start page. */
+async function startPreview(): Promise<void> {
+  if (!previewSample) return;
+  const signal = openingSignal();
+  // Behind the table it would only compete with the batch for the processor.
+  const isUnwanted = () => signal.aborted || tableVisible.value;
+  await firstInteraction;
+  if (isUnwanted()) return;
+  try {
+    const data = await (await fetch(previewSample.url)).blob();
+    const source = { name: `${previewSample.name}.bvh`, data };
+    if (isUnwanted()) return;
+    const opened = await engine.open(data, source.name);
+    if (isUnwanted() || !opened.ok) return;
+    showClip(opened.clip, source, true);
+    await runDetection();
+  } catch {
+    // The preview is decorative; the start page works without it.
+  }
+}

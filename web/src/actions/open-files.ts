@@ -1,0 +1,35 @@
+/** Opening dropped, picked or pasted files. */
+
+import { tableVisible } from "../store/batch";
+import { reportOpenFailure } from "../store/errors";
+import { runBatch } from "./batch";
+import { attachLabels, collectFiles, type DroppedFiles } from "./collect-files";
+import { compareWith } from "./compare";
+import { openSource, setAddress } from "./open";
+
+/** Aborted when other files are dropped while these are collected. */
+let controller = new AbortController();
+
+/** Opens one clip with the labels that were dropped with it, or several clips in a table. */
+export async function openFiles(dropped: DroppedFiles): Promise<void> {
+  controller.abort();
+  controller = new AbortController();
+  const { signal } = controller;
+  const collected = await collectFiles(dropped);
+  if (signal.aborted || !collected) return;
+  const { clips, labels, errors } = collected;
+  const [clip, ...others] = clips;
+  if (others.length || (errors.length && clip) || errors.length > 1) {
+    const matched = attachLabels(clips, labels);
+    await runBatch(matched.clips, [...errors, ...matched.errors]);
+    return;
+  }
+  const [error] = errors;
+  if (error) reportOpenFailure(error.name, error.failure);
+  if (clip) {
+    if (!(await openSource(clip))) return;
+    tableVisible.value = false;
+    setAddress("");
+  }
+  for (const source of labels) await compareWith(source.name, source.data);
+}

@@ -1,0 +1,156 @@
+/** Playing, stepping, looping, and zooming the timeline. */
+
+import { batch } from "@preact/signals";
+import { nextEdge, type Plant, plantAt } from "../model/plants";
+import { type NamedSegment, segmentAt, segmentKind } from "../model/segments";
+import { clampView, scrollToFrame, zoomAt } from "../model/time-view";
+import {
+  frame,
+  loop,
+  loopedRange,
+  loopRegion,
+  playhead,
+  playing,
+  speed,
+  timeView,
+} from "../store/playback";
+import { clip, cuts, edges, isPreview, namedSegments, plants } from "../store/session";
+import { announcement } from "../store/view";
+
+export const speeds = [0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 4] as const;
+
+/** Longest time that one animation frame advances, in seconds; background tabs get no frames. */
+const maxElapsed = 0.25;
+
+export const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+let previousTime = 0;
+
+const lastFrame = () => Math.max(0, (clip.value?.frames ?? 0) - 1);
+
+function tick(now: number) {
+  const current = clip.value;
+  if (!playing.value || !current || current.frames < 2) {
+    playing.value = false;
+    return;
+  }
+  // The time stamp of the first animation frame may lie before the start.
+  const elapsed = Math.min(Math.max(0, now - previousTime) / 1000, maxElapsed);
+  previousTime = now;
+  const region = isPreview.value ? null : loopedRange.value;
+  const start = region?.start ?? 0;
+  const end = region ? Math.min(region.end, lastFrame()) : lastFrame();
+  let next = playhead.value + elapsed * current.rate * (isPreview.value ? 1 : speed.value);
+  if (next >= end) {
+    if (loop.value === "off" && !isPreview.value) {
+      playing.value = false;
+      next = end;
+    } else {
+      next = end > start ? start + ((next - start) % (end - start)) : start;
+    }
+  }
+  showMoment(next);
+  requestAnimationFrame(tick);
+}
+
+function showMoment(next: number) {
+  playhead.value = next;
+  const view = scrollToFrame(timeView.value, next, clip.value?.frames ?? 1);
+  if (view !== timeView.value) timeView.value = view;
+}
+
+export function play() {
+  if (playing.value || lastFrame() < 1) return;
+  if (loop.value === "off" && playhead.value >= lastFrame()) playhead.value = 0;
+  playing.value = true;
+  previousTime = performance.now();
+  requestAnimationFrame(tick);
+}
+
+export function pause() {
+  playing.value = false;
+}
+
+export const togglePlay = () => (playing.value ? pause() : play());
+
+/** Moves the playhead, and scrolls the timeline to it. */
+export function seek(moment: number) {
+  showMoment(Math.min(Math.max(moment, 0), lastFrame()));
+}
+
+/** Pauses and moves the playhead. */
+export function jumpTo(moment: number) {
+  pause();
+  seek(moment);
+}
+
+export const jumpToEnd = () => jumpTo(lastFrame());
+
+export function stepFrame(by: number) {
+  jumpTo(frame.value + by);
+}
+
+/** Goes to the next or previous plant edge, or to the end of the clip. */
+export function stepEdge(direction: 1 | -1) {
+  jumpTo(nextEdge(edges.value, frame.value, direction) ?? (direction > 0 ? lastFrame() : 0));
+}
+
+export function seekPlant(plant: Plant) {
+  batch(() => {
+    seek(plant.start);
+    if (loop.value === "plant") loopRegion.value = plant;
+    announcement.value = `Plant ${plant.number}, ${plant.side} foot, frames ${plant.start} to ${plant.end}`;
+  });
+}
+
+/** Goes to the next or previous cut between segments, or to the end of the clip. */
+export function stepCut(direction: 1 | -1) {
+  jumpTo(nextEdge(cuts.value, frame.value, direction) ?? (direction > 0 ? lastFrame() : 0));
+}
+
+/** Goes to the start of a segment and loops it. */
+export function loopSegment(segment: NamedSegment) {
+  batch(() => {
+    loopRegion.value = segment;
+    loop.value = "segment";
+    seek(segment.start);
+    const words = [segment.name, segmentKind(segment)].filter(Boolean).join(", ");
+    announcement.value = `Segment ${segment.number}${words && `, ${words}`}, frames ${segment.start} to ${segment.end}`;
+  });
+}
+
+/** Returns the segment under the playhead. */
+export const segmentAtPlayhead = () => segmentAt(namedSegments.value, frame.value);
+
+export function changeSpeed(direction: 1 | -1) {
+  const nearest = speeds.findIndex((s) => s >= speed.value);
+  const next = speeds[Math.min(Math.max(nearest + direction, 0), speeds.length - 1)];
+  if (next) speed.value = next;
+}
+
+/** Loops nothing, the clip, the plant under the playhead or the next one, or the segment there. */
+export function cycleLoop() {
+  const at = playhead.value;
+  const plant = plantAt(plants.value, at) ?? plants.value.find((p) => p.start >= at);
+  const regions = { plant, segment: segmentAtPlayhead() };
+  const order = ["off", "clip", "plant", "segment"] as const;
+  const next = order
+    .slice(order.indexOf(loop.value) + 1)
+    .find((kind) => kind === "clip" || (kind !== "off" && regions[kind]));
+  batch(() => {
+    loopRegion.value = ((next === "plant" || next === "segment") && regions[next]) || null;
+    loop.value = next ?? "off";
+  });
+}
+
+export function fitTimeline() {
+  const frames = clip.value?.frames ?? 1;
+  timeView.value = clampView({ start: 0, end: frames }, frames);
+}
+
+/** Zooms around the playhead, or around the middle if the playhead is out of sight. */
+export function zoomTimeline(factor: number) {
+  const { start, end } = timeView.value;
+  const at = playhead.value >= start && playhead.value <= end ? playhead.value : (start + end) / 2;
+  timeView.value = zoomAt(timeView.value, at, factor, clip.value?.frames ?? 1);
+}

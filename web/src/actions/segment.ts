@@ -1,0 +1,104 @@
+/** Segmenting the clip into actions, and naming them. */
+
+import { batch } from "@preact/signals";
+import { engine } from "../engine";
+import { matchingSegment, type NamedSegment, renameSegment } from "../model/segments";
+import type { SegmentOptions } from "../model/types";
+import { type ClipSession, session } from "../store/clip-session";
+import { messageOf } from "../store/errors";
+import { createExclusiveJob } from "../store/jobs";
+import { renamedSegment, segmentNames } from "../store/session";
+import { segmentMethods, segmentOptions } from "../store/settings";
+import { activeTab, sheetOpen } from "../store/view";
+import { latestOnly } from "../util/latest-only";
+import { updateCutScores } from "./compare";
+
+const job = createExclusiveJob("Finding segments in", 300);
+
+async function listMethods() {
+  if (!segmentMethods.value.length) segmentMethods.value = await engine.segmentMethods();
+}
+
+/** Segments the open clip. */
+export async function runSegmentation(
+  options: SegmentOptions = segmentOptions.value,
+): Promise<void> {
+  const open = session.value;
+  if (!open.clip.value?.frames) return;
+  try {
+    const segmented = await open.run("segment", () =>
+      job.run(
+        async (callOptions) => {
+          // Requested together, so that the worker need not wait for the page.
+          const listed = listMethods();
+          const [segmented] = await Promise.all([engine.segment(options, callOptions), listed]);
+          return segmented;
+        },
+        () => revertOptions(open),
+      ),
+    );
+    if (!segmented) return;
+    batch(() => {
+      open.segmentation.value = segmented.ok ? segmented.segmentation : null;
+      open.segmentFailure.value = segmented.ok ? null : segmented.failure;
+      moveLoop(open);
+    });
+    await updateCutScores(open);
+  } catch (error) {
+    batch(() => {
+      open.segmentation.value = null;
+      open.segmentFailure.value = {
+        message: messageOf(error),
+        hint: "Change a setting to try again.",
+      };
+    });
+  }
+}
+
+/** Stops a segmentation whose result is no longer needed. */
+export const stopSegmenting = job.stop;
+
+/** After the user stopped a segmentation, restores the options of the one that is shown. */
+function revertOptions(open: ClipSession) {
+  batch(() => {
+    const segmentation = open.segmentation.value;
+    if (segmentation) segmentOptions.value = segmentation.options;
+    else
+      open.segmentFailure.value = {
+        message: "it was cancelled",
+        hint: "Choose a method to try again.",
+      };
+  });
+}
+
+/** Moves a segment loop to the segment of the same action, or ends it. */
+function moveLoop(open: ClipSession) {
+  const { loop, loopRegion, segmentation } = open;
+  if (loop.value !== "segment" || !loopRegion.value) return;
+  const same = matchingSegment(segmentation.value?.segments ?? [], loopRegion.value);
+  loopRegion.value = same ?? null;
+  if (!same) loop.value = "clip";
+}
+
+const segmentLatest = latestOnly((options: SegmentOptions) => runSegmentation(options));
+
+/** Replaces the options and segments again. */
+export function setSegmentOptions(next: SegmentOptions) {
+  segmentOptions.value = next;
+  job.stopIfSlow();
+  segmentLatest(next);
+}
+
+/** Names an action; the name applies to every segmentation that contains this action. */
+export function setSegmentName(segment: NamedSegment, name: string) {
+  segmentNames.value = renameSegment(segmentNames.value, segment, name);
+}
+
+/** Focuses the name field of a segment. */
+export function editSegmentName(segment: NamedSegment) {
+  batch(() => {
+    activeTab.value = "segment";
+    sheetOpen.value = true;
+    renamedSegment.value = segment;
+  });
+}

@@ -1,4 +1,0 @@
-import { createEngine } from "../worker";
-
-/** The one worker of the page. */
-export const engine = createEngine();

@@ -1,0 +1,14 @@
+import { startMeasuring } from "../actions/measure";
+import { startPersisting } from "../actions/persist";
+import { engine } from "../engine";
+import { listenForFirstInteraction } from "../store/first-interaction";
+import { startTheme } from "../store/theme";
+
+/** Starts everything that runs as long as the page is open. */
+export function start() {
+  engine.start();
+  startTheme();
+  listenForFirstInteraction();
+  startMeasuring();
+  startPersisting();
+}

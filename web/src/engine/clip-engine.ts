@@ -1,0 +1,309 @@
+/** The page's side of the clip worker: starts it, stops it, and replaces it when it fails. */
+
+import * as Comlink from "comlink";
+import type { DetectOptions, Edit, OnProgress, Overrides, SegmentOptions } from "../model/types";
+import type { ClipApi, Compared, Detected, Opened, Segmented } from "../workers/clip.worker";
+import { startClipWorker } from "./start-workers";
+import { type CallsOf, isTrap, type WorkerHandle, wrapWasmWorker } from "./worker-handle";
+
+/** Options of any call. An aborted call ends the worker; other pending calls are repeated. */
+export interface CallOptions {
+  signal?: AbortSignal;
+  onProgress?: OnProgress;
+}
+
+export interface OpenOptions {
+  /** Replace values that are not numbers by those of the previous frame. */
+  lenient?: boolean;
+  onProgress?: OnProgress;
+}
+
+type Calls = Omit<CallsOf<ClipApi>, "startWasm">;
+
+/** Calls that change what a replaced worker has to restore, and are written out below. */
+type StatefulCall = "open" | "override" | "detect" | "segment" | "compare" | "edit";
+type SimpleCalls = Omit<Calls, StatefulCall>;
+
+/** The arguments of a call without its progress callback. */
+type ArgsOf<Call extends (...args: never[]) => unknown> =
+  Required<Parameters<Call>> extends [...infer Args, OnProgress] ? Args : Parameters<Call>;
+
+/** A call of the worker as the page makes it: with `CallOptions` in place of a callback. */
+type EngineCall<Call extends (...args: never[]) => unknown> = (
+  ...args: [...ArgsOf<Call>, options?: CallOptions]
+) => ReturnType<Call>;
+
+/** The calls of the clip worker, and `cancel`. */
+export type ClipEngine = { [Name in keyof SimpleCalls]: EngineCall<SimpleCalls[Name]> } & {
+  /** Starts the worker ahead of the first call. */
+  start(): void;
+  open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
+  override(overrides: Overrides): Promise<Opened>;
+  detect(options: DetectOptions, callOptions?: CallOptions): Promise<Detected>;
+  segment(options: SegmentOptions, callOptions?: CallOptions): Promise<Segmented>;
+  compare(file: Blob, name: string): Promise<Compared>;
+  edit: Calls["edit"];
+  /** Ends the worker and all pending calls; the next worker restores the open clip. */
+  cancel(): void;
+};
+
+/** What a call requires of a worker: nothing, the open clip, or also its segmentation. */
+type Requirement = "worker" | "clip" | "segmentation";
+
+/** For each call, its requirement and its number of arguments without the progress callback. */
+const simpleCalls: {
+  [Name in keyof SimpleCalls]: readonly [Requirement, ArgsOf<SimpleCalls[Name]>["length"]];
+} = {
+  methods: ["worker", 0],
+  segmentMethods: ["worker", 0],
+  hash: ["clip", 0],
+  evidence: ["clip", 2],
+  referenceEdits: ["clip", 0],
+  gait: ["clip", 0],
+  skate: ["clip", 0],
+  clean: ["clip", 0],
+  saveCleaned: ["clip", 0],
+  score: ["clip", 0],
+  save: ["clip", 1],
+  cut: ["clip", 1],
+  scoreSegments: ["segmentation", 0],
+  saveSegments: ["segmentation", 2],
+};
+
+/** The error of calls that were pending when the worker was ended. */
+export class Cancelled extends Error {
+  constructor() {
+    super("Cancelled.");
+  }
+}
+
+/** The worker was ended because another call was aborted. */
+class Replaced extends Error {}
+
+interface ReferenceFile {
+  file: Blob;
+  name: string;
+}
+
+/** What a new worker needs to restore the open clip. */
+interface RestorePoint {
+  file: Blob;
+  name: string;
+  lenient: boolean;
+  overrides?: Overrides;
+  edits?: Edit[];
+  options?: DetectOptions;
+  segmentOptions?: SegmentOptions;
+  annotation?: ReferenceFile;
+  segmentAnnotation?: ReferenceFile;
+}
+
+interface RunningWorker extends WorkerHandle<ClipApi> {
+  /** Rejects when the worker is ended. */
+  ended: Promise<never>;
+  end: (reason: Error) => void;
+  /** Settles when the worker has the open clip; undefined before that was requested. */
+  restored?: Promise<unknown>;
+  /** Settles when the worker has the segmentation, for which only some calls wait. */
+  segmented?: Promise<unknown>;
+}
+
+/** Creates an engine; `start` starts a worker and reports its failure to `onBroken`. */
+export function createEngine(
+  start: (onBroken: (reason: Error) => void) => WorkerHandle<ClipApi> = startWorker,
+): ClipEngine {
+  let running: RunningWorker | undefined;
+  let restorePoint: RestorePoint | undefined;
+
+  function startedWorker(): RunningWorker {
+    if (running) return running;
+    let end: RunningWorker["end"] = () => {};
+    const ended = new Promise<never>((_, reject) => {
+      end = reject;
+    });
+    // Prevents an unhandled rejection if no call is pending.
+    ended.catch(() => {});
+    const handle = start((reason) => {
+      if (running === worker) stop(reason);
+    });
+    const worker: RunningWorker = { ...handle, ended, end };
+    running = worker;
+    return worker;
+  }
+
+  function stop(reason: Error) {
+    running?.stop();
+    running?.end(reason);
+    running = undefined;
+  }
+
+  async function restore(calls: Calls) {
+    if (!restorePoint) return;
+    const { file, name, lenient, overrides, edits, options } = restorePoint;
+    const { annotation, segmentAnnotation } = restorePoint;
+    await calls.open(file, name, lenient);
+    if (overrides) await calls.override(overrides);
+    if (edits) await calls.edit(edits);
+    if (options) await calls.detect(options);
+    if (annotation) await calls.compare(annotation.file, annotation.name);
+    if (segmentAnnotation) await calls.compare(segmentAnnotation.file, segmentAnnotation.name);
+  }
+
+  async function restoreSegmentation(calls: Calls) {
+    if (restorePoint?.segmentOptions) await calls.segment(restorePoint.segmentOptions);
+  }
+
+  /** Makes a call; a worker that breaks is replaced, and the call fails. */
+  async function call<T>(
+    run: (worker: RunningWorker) => Promise<T>,
+    signal?: AbortSignal,
+  ): Promise<T> {
+    const worker = startedWorker();
+    try {
+      return await Promise.race([run(worker), worker.ended]);
+    } catch (error) {
+      if (signal?.aborted) throw new Cancelled();
+      if (error instanceof Replaced) return call(run, signal);
+      if (isTrap(error) && running === worker) stop(error as Error);
+      throw error;
+    }
+  }
+
+  /** Makes a call after its requirement is met. */
+  async function callWith<T>(
+    requirement: Requirement,
+    run: (calls: Calls, worker: RunningWorker, onProgress?: OnProgress) => Promise<T>,
+    { signal, onProgress }: CallOptions = {},
+  ): Promise<T> {
+    if (signal?.aborted) throw new Cancelled();
+    const report = onProgress && Comlink.proxy(onProgress);
+    const abort = () => stop(new Replaced());
+    signal?.addEventListener("abort", abort);
+    try {
+      return await call(async (worker) => {
+        if (requirement !== "worker") {
+          worker.restored ??= restore(worker.calls);
+          await worker.restored;
+        }
+        if (requirement === "segmentation") {
+          worker.segmented ??= restoreSegmentation(worker.calls);
+          await worker.segmented;
+        }
+        return run(worker.calls, worker, report);
+      }, signal);
+    } finally {
+      signal?.removeEventListener("abort", abort);
+    }
+  }
+
+  /** Makes the page's side of the calls that have no state to restore, from their names. */
+  function makeSimpleCalls() {
+    const entries = Object.entries(simpleCalls).map(([name, [requirement, count]]) => {
+      const engineCall = (...given: unknown[]) =>
+        callWith(
+          requirement,
+          (calls, _, report) => {
+            const method = calls[name as keyof SimpleCalls] as (
+              ...a: unknown[]
+            ) => Promise<unknown>;
+            return method(...given.slice(0, count), ...(report ? [report] : []));
+          },
+          given[count] as CallOptions | undefined,
+        );
+      return [name, engineCall];
+    });
+    return Object.fromEntries(entries) as {
+      [Name in keyof SimpleCalls]: EngineCall<SimpleCalls[Name]>;
+    };
+  }
+
+  return {
+    ...makeSimpleCalls(),
+    start() {
+      startedWorker();
+    },
+    async open(file, name, { lenient = false, onProgress } = {}) {
+      const report = onProgress && Comlink.proxy(onProgress);
+      const opened: Opened = await call(async (worker) => {
+        const opened = await worker.calls.open(file, name, lenient, report);
+        if (opened.ok) {
+          restorePoint = { file, name, lenient };
+          worker.restored = Promise.resolve();
+          worker.segmented = Promise.resolve();
+        }
+        return opened;
+      }).catch(asFailure);
+      return opened;
+    },
+    async override(overrides) {
+      const opened: Opened = await callWith("clip", (calls) => calls.override(overrides)).catch(
+        asFailure,
+      );
+      if (opened.ok && restorePoint) restorePoint.overrides = overrides;
+      return opened;
+    },
+    async detect(options, callOptions) {
+      const detected: Detected = await callWith(
+        "clip",
+        (calls) => calls.detect(options),
+        callOptions,
+      ).catch(asFailure);
+      if (detected.ok && restorePoint) restorePoint.options = options;
+      return detected;
+    },
+    segment(options, callOptions) {
+      return callWith(
+        "clip",
+        async (calls, worker, report) => {
+          const answer = calls.segment(options, report);
+          // Calls that need a segmentation wait for this one. Restoring the previous one meanwhile
+          // would end after it and replace it.
+          worker.segmented ??= answer.then(
+            ({ ok }) => (ok ? undefined : restoreSegmentation(calls)),
+            () => {},
+          );
+          const segmented: Segmented = await answer;
+          if (segmented.ok && restorePoint) {
+            restorePoint.segmentOptions = options;
+            worker.segmented = Promise.resolve();
+          }
+          return segmented;
+        },
+        callOptions,
+      ).catch(asFailure);
+    },
+    async compare(file, name) {
+      const compared: Compared = await callWith("clip", (calls) => calls.compare(file, name)).catch(
+        asFailure,
+      );
+      if (compared.ok && restorePoint) {
+        const kind = "annotation" in compared ? "annotation" : "segmentAnnotation";
+        restorePoint[kind] = { file, name };
+      }
+      return compared;
+    },
+    edit(edits) {
+      // Stored before the call, so that the edits survive a worker that fails on it.
+      if (restorePoint) restorePoint.edits = edits;
+      return callWith("clip", (calls) => calls.edit(edits));
+    },
+    cancel: () => stop(new Cancelled()),
+  };
+}
+
+function startWorker(onBroken: (reason: Error) => void): WorkerHandle<ClipApi> {
+  return wrapWasmWorker<ClipApi>(startClipWorker(), onBroken);
+}
+
+/** Converts an internal error to a failure; a cancelled call stays cancelled. */
+function asFailure(error: unknown): { ok: false; failure: { message: string; hint: string } } {
+  if (error instanceof Cancelled) throw error;
+  const reason = error instanceof Error ? error.message : String(error);
+  return {
+    ok: false,
+    failure: {
+      message: `the program failed on this clip (${reason})`,
+      hint: "Nothing else is affected. Please report it, with the file if you may share it.",
+    },
+  };
+}

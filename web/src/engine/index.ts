@@ -1,0 +1,9 @@
+/** The workers of the page. */
+
+import { createEngine } from "./clip-engine";
+
+export { type CallOptions, Cancelled, type ClipEngine, type OpenOptions } from "./clip-engine";
+export { batchWorkers, zipWorkers } from "./pools";
+
+/** The worker that holds the open clip. */
+export const engine = createEngine();

@@ -1,7 +1,0 @@
-import { expect, test } from "vitest";
-import { framesOf } from "./inTime";
-
-test("frames keep their time at another rate", () => {
-  expect([...framesOf(Uint32Array.of(24, 48, 60, 61), 24, 120)]).toEqual([120, 240, 300, 305]);
-  expect([...framesOf(Uint32Array.of(7), 120, 24)]).toEqual([1]);
-});

@@ -1,8 +1,0 @@
-import { expect, test } from "vitest";
-import { stemOf, unique } from "./names";
-
-test("names that are the same are numbered", () => {
-  expect(unique(["a", "b", "A", "a", "a-2"])).toEqual(["a", "b", "A-2", "a-3", "a-2-2"]);
-  expect(stemOf("Walk.BVH")).toBe("Walk");
-  expect(stemOf("a.b.txt")).toBe("a.b.txt");
-});

@@ -1,8 +1,0 @@
-import { expect, test } from "vitest";
-import { centimetres, summary } from "./slides";
-
-test("slides are summed up", () => {
-  expect(summary([])).toBeUndefined();
-  expect(summary([0.01, 0.03])).toEqual({ mean: 0.02, worst: 0.03 });
-  expect([0.0004, 0.0123, 0.25].map(centimetres)).toEqual(["0.0 cm", "1.2 cm", "25 cm"]);
-});

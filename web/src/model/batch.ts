@@ -1,0 +1,52 @@
+/** Requests to the batch worker, and its results. */
+
+import type { SegmentName } from "./segments";
+import type { DetectOptions, Edit, SaveFormat, SegmentFormat, SegmentOptions } from "./types";
+
+/** What to compute for each file of a batch. */
+export interface BatchRequest {
+  detect: DetectOptions;
+  segment: SegmentOptions;
+  /** Formats in which labels are returned as files. */
+  formats: readonly SaveFormat[];
+  /** Formats in which segments are returned as files. */
+  segmentFormats: readonly SegmentFormat[];
+}
+
+/** Summary of one clip, for a row of the table. */
+export interface ClipSummary {
+  frames: number;
+  /** Frame rate, in Hz. */
+  rate: number;
+  /** Number of notices. */
+  notices: number;
+  /** Number of plants of the principal part of both feet. */
+  plants?: number;
+  /** Fraction of frames in which each foot is planted, 0 to 1; absent without detection. */
+  planted?: { left: number; right: number };
+  /** Number of segments. */
+  segments?: number;
+  /** Steps per minute; absent without gait. */
+  cadence?: number;
+  /** Mean and largest slide of a plant, in metres; absent without plants. */
+  skate?: { mean: number; worst: number };
+  /** Reasons why plants or segments are missing. */
+  missing: string[];
+  /** True if the user has edited the labels. */
+  edited: boolean;
+  /** Processing time, in milliseconds. */
+  elapsedMs: number;
+}
+
+/** Edits and names that the browser has stored for a file. */
+export interface StoredChanges {
+  edits: readonly Edit[];
+  names: readonly SegmentName[];
+}
+
+/** A file to be saved. */
+export interface SavedFile {
+  /** Suffix of the file name, with its extension. */
+  suffix: string;
+  data: string | Uint8Array;
+}

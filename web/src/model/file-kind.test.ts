@@ -1,0 +1,26 @@
+import { expect, test } from "vitest";
+import { detectFileKind } from "./file-kind";
+
+const bytes = (...values: number[]) => Uint8Array.from(values);
+
+test.each([
+  ["walk.bvh", "HIERARCHY\nROOT Hips", "clip"],
+  ["walk.txt", "\ufeff  hierarchy\r\n", "clip"],
+  ["walk.json", "HIERARCHY\n", "clip"],
+  ["labels.txt", '{"format": "plantigrade-labels"}', "labels"],
+  ["labels", '\n [{"a": 1}]', "labels"],
+  ["frames.txt", "frame,time,left_contact,left_heel\n0,0,1,1", "labels"],
+  ["cuts.txt", "start_frame,end_frame,label\n", "labels"],
+  ["odd.csv", "a,b\n1,2", "labels"],
+  ["page.bvh", "<!doctype html>", "clip"],
+  ["empty.bvh", "", "clip"],
+  ["zip.bvh", bytes(0x50, 0x4b, 3, 4, 0, 0), "archive"],
+  ["labels.npz", bytes(0x50, 0x4b, 3, 4, 0, 0), "labels"],
+  [
+    "wide.bvh",
+    bytes(0xff, 0xfe, 72, 0, 73, 0, 69, 0, 82, 0, 65, 0, 82, 0, 67, 0, 72, 0, 89, 0, 10, 0),
+    "clip",
+  ],
+])("%s that begins with %j is a %s", async (name, content, kind) => {
+  expect(await detectFileKind(new File([content as BlobPart], name))).toBe(kind);
+});

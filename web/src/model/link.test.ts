@@ -1,0 +1,58 @@
+import { expect, it } from "vitest";
+import { fileNameOfUrl, formatHash, parseHash } from "./link";
+
+const sample = (name: string, view = "") => ({ origin: { kind: "sample", name }, view });
+const url = (url: string, view = "") => ({ origin: { kind: "url", url }, view });
+
+it("reads a sample's name", () => {
+  expect(parseHash("#sample=walk")).toEqual(sample("walk"));
+});
+
+it("reads an address, encoded or not, with its own query", () => {
+  const address = "https://example.org/a b.bvh?x=1&y=2";
+  expect(parseHash(`#url=${address}`)).toEqual(url(address));
+  expect(parseHash(`#url=${encodeURIComponent(address)}`)).toEqual(url(address));
+});
+
+it("reads how the clip is to be shown", () => {
+  expect(parseHash("#sample=walk&t=1.25&method=paper")).toEqual(
+    sample("walk", "t=1.25&method=paper"),
+  );
+  expect(parseHash("#t=2&sample=walk&r=0.002")).toEqual(sample("walk", "t=2&r=0.002"));
+  expect(parseHash("#t=2&url=https://example.org/a.bvh?t=3&r=4")).toEqual(
+    url("https://example.org/a.bvh?t=3&r=4", "t=2"),
+  );
+});
+
+it("asks for nothing otherwise", () => {
+  for (const hash of ["", "#url=", "#elsewhere", "#t=2", "#sample=", "#curl=https://a.b"]) {
+    expect(parseHash(hash)).toBeUndefined();
+  }
+});
+
+it("reads what it writes", () => {
+  const addresses = [
+    "https://example.org/a.bvh",
+    "https://example.org/a%20b.bvh?x=1&y=%2F#part",
+    "https://example.org/löwe und bär.bvh?url=https://example.org",
+    "http://127.0.0.1:8080/clips/100%.bvh",
+  ];
+  for (const view of ["", "t=1.25&method=paper", "eye=1,2,3&at=0,0.9,0"]) {
+    for (const address of addresses) {
+      const link = url(address, view);
+      expect(parseHash(formatHash(link as never))).toEqual(link);
+    }
+    for (const name of ["walk", "a&b=c", "ü #1"]) {
+      const link = sample(name, view);
+      expect(parseHash(formatHash(link as never))).toEqual(link);
+    }
+  }
+  expect(formatHash(url("https://example.org/a.bvh?x=1&y=2", "t=2") as never)).toBe(
+    "#t=2&url=https://example.org/a.bvh?x=1&y=2",
+  );
+});
+
+it("names the file of an address", () => {
+  expect(fileNameOfUrl("https://example.org/clips/walk%201.bvh?raw=1")).toBe("walk 1.bvh");
+  expect(fileNameOfUrl("https://example.org/")).toBe("example.org");
+});

@@ -1,0 +1,114 @@
+import { describe, expect, it } from "vitest";
+import { summarizeCurve } from "../util/min-max-pyramid";
+import { intervalAt } from "./intervals";
+import * as plants from "./plants";
+import type { Detection, Track } from "./types";
+
+function track(labels: string, confidence = 1): Track {
+  const planted = Uint8Array.from(labels, Number);
+  const intervals: number[] = [];
+  for (const run of labels.matchAll(/1+/g)) intervals.push(run.index, run.index + run[0].length);
+  return {
+    planted,
+    confidence: new Float32Array(planted.length).fill(confidence),
+    intervals: Uint32Array.from(intervals),
+    edited: new Uint8Array(intervals.length / 2),
+    uncertain: new Uint32Array(),
+    height: new Float32Array(planted.length),
+    speed: new Float32Array(planted.length),
+    summaries: {
+      height: summarizeCurve(new Float32Array()),
+      speed: summarizeCurve(new Float32Array()),
+    },
+  };
+}
+
+const toe = { left: track("1100111000"), right: track("0011000111") };
+const detection: Detection = {
+  options: { method: "paper", r: 0.001, w: 1 },
+  parts: { toe },
+  floor: 0,
+  notices: [],
+};
+
+describe("plantsOf", () => {
+  it("numbers both feet together in order of time", () => {
+    expect(plants.plantsOf(detection).map((p) => [p.number, p.side, p.start, p.end])).toEqual([
+      [1, "left", 0, 2],
+      [2, "right", 2, 4],
+      [3, "left", 4, 7],
+      [4, "right", 7, 10],
+    ]);
+  });
+  it("prefers contact to toe", () => {
+    const contact = { left: track("1111111111"), right: track("0000000000") };
+    const both = { ...detection, parts: { toe, contact } };
+    expect(plants.plantsOf(both)).toHaveLength(1);
+  });
+  it("takes whatever part there is", () => {
+    const only = (parts: Detection["parts"]) => plants.plantsOf({ ...detection, parts });
+    expect(only({ contact: toe })).toHaveLength(4);
+    expect(only({ heel: toe })).toHaveLength(4);
+    expect(only({})).toEqual([]);
+  });
+  it("says how certain each plant is", () => {
+    const left = track("1100111000", 0.9);
+    left.confidence.fill(0.6, 4, 7);
+    const found = plants.plantsOf({ ...detection, parts: { toe: { ...toe, left } } });
+    expect(found.map(({ confidence }) => Number(confidence.toFixed(3)))).toEqual([0.9, 1, 0.6, 1]);
+  });
+});
+
+it("finds the interval that holds a frame", () => {
+  const { intervals } = toe.left;
+  expect(intervalAt(intervals, 0)).toBe(0);
+  expect(intervalAt(intervals, 2)).toBe(-1);
+  expect(intervalAt(intervals, 6)).toBe(2);
+  expect(intervalAt(intervals, 9)).toBe(-1);
+});
+
+it("finds the plant under a frame, of one side or of any", () => {
+  const list = plants.plantsOf(detection);
+  expect(plants.plantAt(list, 5)?.number).toBe(3);
+  expect(plants.plantAt(list, 5, "right")).toBeUndefined();
+});
+
+it("finds the same plants as whoever looks at all of them", () => {
+  const both = { left: track("0110111100010"), right: track("1111011000100") };
+  const list = plants.plantsOf({ ...detection, parts: { toe: both } });
+  for (let frame = -1; frame < 14; frame++) {
+    for (const side of ["left", "right", undefined] as const) {
+      const under = list.filter((p) => p.start <= frame && frame < p.end);
+      const last = under.findLast((p) => !side || p.side === side);
+      expect(plants.plantAt(list, frame, side)).toBe(last);
+    }
+    for (const side of ["left", "right"] as const) {
+      const view = { start: frame, end: frame + 4.5 };
+      const seen = list.filter((p) => p.side === side && p.start < view.end && p.end > view.start);
+      expect(plants.plantsWithin(list, side, view)).toEqual(seen);
+    }
+  }
+});
+
+it("steps from edge to edge", () => {
+  const edges = plants.plantEdges(plants.plantsOf(detection), 10);
+  expect(edges).toEqual([0, 2, 4, 7, 9]);
+  expect(plants.nextEdge(edges, 2, 1)).toBe(4);
+  expect(plants.nextEdge(edges, 3.5, -1)).toBe(2);
+  expect(plants.nextEdge(edges, 9, 1)).toBeUndefined();
+});
+
+it("gives the planted share", () => expect(plants.plantedFraction(toe.left)).toBe(0.5));
+
+it("swells from air to ground", () => {
+  const { planted } = track("0000011111");
+  expect(plants.contactWeight(planted, 2, 2)).toBe(0);
+  expect(plants.contactWeight(planted, 5, 2)).toBe(0.5);
+  expect(plants.contactWeight(planted, 7, 2)).toBe(1);
+});
+
+it("lists doubtful stretches only where planted", () => {
+  const t = track("0111100");
+  t.confidence.set([0.5, 0.6, 0.9, 0.6, 0.6, 0.5, 0.5]);
+  expect([...plants.uncertainRanges(t.intervals, t.confidence)]).toEqual([1, 2, 3, 5]);
+});

@@ -1,0 +1,14 @@
+/** Mean and worst of the slides of plants, in metres; nothing without plants. */
+export function summarizeSlides(
+  slides: readonly number[],
+): { mean: number; worst: number } | undefined {
+  if (!slides.length) return undefined;
+  const sum = slides.reduce((total, slide) => total + slide, 0);
+  return { mean: sum / slides.length, worst: Math.max(...slides) };
+}
+
+/** A slide in centimetres, with as many digits as mean something. */
+export function formatCentimetres(metres: number): string {
+  const cm = 100 * metres;
+  return `${cm.toFixed(cm < 10 ? 1 : 0)} cm`;
+}

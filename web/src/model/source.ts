@@ -1,0 +1,30 @@
+import type { Origin } from "./link";
+import type { SegmentName } from "./segments";
+import type { Clip, Detection, Edit } from "./types";
+import type { ViewState } from "./view-state";
+
+/** A clip that can be opened: a dropped file, a sample or a download. */
+export interface Source {
+  name: string;
+  data: Blob;
+  /** URL of reference labels, if any. */
+  truthUrl?: string;
+  /** Public address of the clip; absent for a local file. */
+  origin?: Origin;
+  /** True if values that are not numbers were replaced by those of the previous frame. */
+  lenient?: boolean;
+  /** View and settings that a link or a shared page asks for. */
+  view?: ViewState;
+  /** Edits and names in a shared page; `id` distinguishes several shares of one clip. */
+  shared?: { id: string; edits: readonly Edit[]; names: readonly SegmentName[] };
+  /** Labels and segments of the same drop whose file names start with that of the clip. */
+  labels?: readonly Source[];
+}
+
+/** Another clip that is shown side by side with the open one. */
+export interface Companion {
+  source: Source;
+  clip: Clip;
+  /** Null if the clip has no feet. */
+  detection: Detection | null;
+}

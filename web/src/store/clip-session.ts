@@ -1,0 +1,200 @@
+/** The open clip: one value that holds everything that belongs to it. */
+
+import { batch, type Signal, signal } from "@preact/signals";
+import type { FrameRange, PlantRef } from "../model/edits";
+import type { NamedSegment, SegmentName } from "../model/segments";
+import type { Source } from "../model/source";
+import { clampView, type TimeView } from "../model/time-view";
+import type {
+  Annotation,
+  CleanedClip,
+  Clip,
+  CutScore,
+  Detection,
+  Edit,
+  Evidence,
+  Failure,
+  Gait,
+  Overrides,
+  Part,
+  Score,
+  SegmentAnnotation,
+  Segmentation,
+  Side,
+  Slide,
+} from "../model/types";
+
+export type Loop = "off" | "clip" | "plant" | "segment";
+
+/** Which version of a cleaned clip the viewer shows. */
+export type CleanedView = "before" | "after" | "both";
+
+/** A clean-up and the clip, labels and overrides from which it was computed. */
+export interface CleanUp {
+  clip: Clip;
+  detection: Detection;
+  overrides: Overrides;
+  cleaned: CleanedClip;
+  view: CleanedView;
+}
+
+/** A frame under the pointer or selected by a key in a plot. */
+export interface PointedFrame {
+  frame: number;
+  /** The foot whose point it is; absent if the timeline is pointed at. */
+  side?: Side;
+}
+
+interface Start {
+  /** True for the decorative preview of the start page. */
+  isPreview?: boolean;
+  overrides?: Overrides;
+  /** First shown moment, in frames. */
+  playhead?: number;
+  loop?: Loop;
+}
+
+/**
+ * Everything that belongs to one open clip. Opening another clip replaces the session as a whole:
+ * nothing is reset by hand, and answers that were requested by an older session are dropped.
+ */
+export class ClipSession {
+  readonly source: Source | null;
+  readonly isPreview: boolean;
+
+  /** The clip as read with the current overrides; null before the first clip is read. */
+  readonly clip: Signal<Clip | null>;
+  readonly overrides: Signal<Overrides>;
+
+  /** The detected plants with edits applied; null while there are none. */
+  readonly detection = signal<Detection | null>(null);
+  readonly detectFailure = signal<Failure | null>(null);
+
+  readonly segmentation = signal<Segmentation | null>(null);
+  readonly segmentFailure = signal<Failure | null>(null);
+  /** Names given by the user; they survive a change of the segmentation. */
+  readonly segmentNames = signal<readonly SegmentName[]>([]);
+  /** The segment whose name field should receive the focus. */
+  readonly renamedSegment = signal<NamedSegment | null>(null);
+
+  /** Edits of the labels, in order. */
+  readonly edits = signal<readonly Edit[]>([]);
+  /** Earlier and undone lists of edits; the newest is last. */
+  readonly undoStack = signal<readonly (readonly Edit[])[]>([]);
+  readonly redoStack = signal<readonly (readonly Edit[])[]>([]);
+  /** The plant that is being edited. */
+  readonly selected = signal<PlantRef | null>(null);
+  /** Range that the selected plant would have if the current drag ended now. */
+  readonly dragPreview = signal<FrameRange | null>(null);
+  /** Local storage key of the edits; undefined until the hash of the file is known. */
+  readonly storageKey = signal<string | undefined>(undefined);
+  /** Reason why edits cannot be stored; empty if they can. */
+  readonly persistError = signal("");
+
+  /** Labels that the detection is compared with. */
+  readonly reference = signal<Annotation | null>(null);
+  /** Agreement with the reference, for each part that both label. */
+  readonly scores = signal<readonly Score[]>([]);
+  /** The part whose agreement was chosen for display. */
+  readonly scorePart = signal<Part | null>(null);
+  /** Segments that the segmentation is compared with. */
+  readonly referenceSegments = signal<SegmentAnnotation | null>(null);
+  readonly cutScores = signal<readonly CutScore[]>([]);
+
+  readonly cleanUp = signal<CleanUp | null>(null);
+  readonly cleaning = signal(false);
+  /** Slide of every plant; empty until measured. */
+  readonly slides = signal<readonly Slide[]>([]);
+  /** Gait measures; undefined until measured. */
+  readonly gait = signal<Gait | undefined>(undefined);
+
+  /** Evidence for the labels of one part; null until the evidence tab is open. */
+  readonly evidence = signal<Evidence | null>(null);
+  readonly pointedFrame = signal<PointedFrame | null>(null);
+
+  /** Current moment, in frames; fractional while playing. */
+  readonly playhead: Signal<number>;
+  /** The part of the clip that the timeline shows. */
+  readonly timeView: Signal<TimeView>;
+  readonly loop: Signal<Loop>;
+  /** Frames of the looped plant or segment, half-open. */
+  readonly loopRegion = signal<TimeView | null>(null);
+
+  private readonly controller = new AbortController();
+  private readonly newest = new Map<string, symbol>();
+
+  constructor(clip: Clip | null, source: Source | null, start: Start = {}) {
+    const { isPreview = false, overrides = {}, playhead = 0, loop = "clip" } = start;
+    const frames = clip?.frames ?? 1;
+    this.source = source;
+    this.isPreview = isPreview;
+    this.clip = signal(clip);
+    this.overrides = signal(overrides);
+    this.playhead = signal(Math.min(playhead, Math.max(0, frames - 1)));
+    this.timeView = signal(
+      clip ? clampView({ start: 0, end: frames }, frames) : { start: 0, end: 1 },
+    );
+    this.loop = signal(loop);
+  }
+
+  /** Aborts when another clip replaces this one. */
+  get signal(): AbortSignal {
+    return this.controller.signal;
+  }
+
+  close() {
+    this.controller.abort();
+  }
+
+  /**
+   * Awaits a call made for this clip. Returns undefined, also if the call failed, once another
+   * clip is open or a newer call with the same name was made.
+   */
+  async run<T>(name: string, call: () => Promise<T>): Promise<T | undefined> {
+    const id = Symbol(name);
+    this.newest.set(name, id);
+    const isCurrent = () => !this.signal.aborted && this.newest.get(name) === id;
+    try {
+      const answer = await call();
+      return isCurrent() ? answer : undefined;
+    } catch (error) {
+      if (isCurrent()) throw error;
+      return undefined;
+    }
+  }
+
+  /** Drops the answer of the pending call with that name. */
+  drop(name: string) {
+    this.newest.delete(name);
+  }
+}
+
+/** The open clip. The first session, without a clip, lasts until one is read. */
+export const session = signal(new ClipSession(null, null, { isPreview: true }));
+
+/** Replaces the open clip. */
+export function openSession(next: ClipSession) {
+  batch(() => {
+    session.peek().close();
+    session.value = next;
+  });
+}
+
+/** A field of the open session that is read and written like a signal. */
+export interface SessionField<T> {
+  value: T;
+  peek(): T;
+}
+
+/** Returns a view of one signal of the open session, whichever session that is. */
+export function sessionField<T>(select: (session: ClipSession) => Signal<T>): SessionField<T> {
+  return {
+    get value() {
+      return select(session.value).value;
+    },
+    set value(next: T) {
+      select(session.peek()).value = next;
+    },
+    peek: () => select(session.peek()).peek(),
+  };
+}

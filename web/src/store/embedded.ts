@@ -1,0 +1,28 @@
+/** The clip that a shared single-file page contains. */
+
+import { blockText, decodeBlock } from "../model/player-html";
+import type { SegmentName } from "../model/segments";
+import type { Source } from "../model/source";
+import type { Edit } from "../model/types";
+
+export interface EmbeddedClip {
+  version: 1;
+  /** Distinguishes several shares of the same clip. */
+  id: string;
+  name: string;
+  /** View state, in the format of links. */
+  showing: string;
+  edits: readonly Edit[];
+  names: readonly SegmentName[];
+  /** Address of the app that made the page; absent if that is a local one. */
+  home?: string;
+}
+
+/** Undefined if the page is the app itself. */
+export const embedded: EmbeddedClip | undefined =
+  JSON.parse(blockText("enclosed") || "null") ?? undefined;
+
+/** Decodes the embedded clip, with its edits and names. */
+export async function embeddedSource({ id, name, edits, names }: EmbeddedClip): Promise<Source> {
+  return { name, data: await decodeBlock("clip"), shared: { id, edits, names } };
+}

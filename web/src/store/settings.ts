@@ -1,0 +1,21 @@
+/** Settings of detection and segmentation; they are kept when another clip is opened. */
+
+import { signal } from "@preact/signals";
+import type {
+  DetectionMethod,
+  DetectOptions,
+  SegmentationMethod,
+  SegmentOptions,
+} from "../model/types";
+
+/** Options of the next detection. */
+export const detectOptions = signal<DetectOptions>({ method: "robust", r: 0.001, w: 1 });
+
+/** Options of the next segmentation. */
+export const segmentOptions = signal<SegmentOptions>({ method: "auto" });
+
+/** All detection methods, the default first; empty until the worker has listed them. */
+export const detectMethods = signal<readonly DetectionMethod[]>([]);
+
+/** All segmentation methods, the default first; empty until the worker has listed them. */
+export const segmentMethods = signal<readonly SegmentationMethod[]>([]);

@@ -1,0 +1,51 @@
+/** What the page shows: camera, tabs, dialogs and announcements. */
+
+import { signal } from "@preact/signals";
+import type { CameraPose, CameraView } from "../model/view-state";
+
+export type Tab = "detect" | "why" | "segment" | "labels" | "score" | "clip";
+
+/** The parts of the 3D stage that other parts of the page use. */
+export interface StageHandle {
+  /** Returns the camera pose, or undefined if it is the default of the view. */
+  cameraPose(view: CameraView): CameraPose | undefined;
+  /** Renders the view as PNG. */
+  picture(): Promise<Blob | null>;
+}
+
+/** The 3D stage; null until it is created or if the browser has no WebGL. */
+export const stageHandle = signal<StageHandle | null>(null);
+
+/** The side from which the camera was last asked to look. */
+export const cameraView = signal<CameraView>("perspective");
+
+/** Number of camera requests; repeating a request turns the camera back. */
+export const cameraRequests = signal(0);
+
+/** Turns the camera to a side. */
+export function lookFrom(view: CameraView) {
+  cameraView.value = view;
+  cameraRequests.value++;
+}
+
+/** True if the camera moves with the character. */
+export const followCamera = signal(true);
+
+/** True if the paths of toes and hips are drawn. */
+export const trailsVisible = signal(false);
+
+/** Number of requests to frame everything; the viewer answers each one. */
+export const frameAllRequests = signal(0);
+
+export const activeTab = signal<Tab>("detect");
+
+/** True if the panel, a bottom sheet on phones, is raised. */
+export const sheetOpen = signal(false);
+
+export const dialog = signal<"keys" | "notices" | "share" | null>(null);
+
+/** True while files are dragged over the page. */
+export const filesDragged = signal(false);
+
+/** Next announcement to screen readers. */
+export const announcement = signal("");

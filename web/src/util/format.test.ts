@@ -1,0 +1,33 @@
+import { describe, expect, it } from "vitest";
+import { formatBytes, formatClock, formatCount, formatDuration, formatRate } from "./format";
+
+describe("clock", () => {
+  it("shows minutes, seconds and milliseconds", () => {
+    expect(formatClock(0)).toBe("0:00.000");
+    expect(formatClock(12.875)).toBe("0:12.875");
+    expect(formatClock(61.5)).toBe("1:01.500");
+  });
+  it("carries rounding into the next second", () => expect(formatClock(59.9996)).toBe("1:00.000"));
+  it("adds hours", () => expect(formatClock(3600 + 125)).toBe("1:02:05.000"));
+});
+
+it("names spans in the unit that reads best", () => {
+  expect(formatDuration(0.417)).toBe("0.42 s");
+  expect(formatDuration(31)).toBe("31.0 s");
+  expect(formatDuration(725)).toBe("12 min 5 s");
+});
+
+it("drops needless digits of a rate", () => {
+  expect(formatRate(120.00048)).toBe("120 Hz");
+  expect(formatRate(59.94)).toBe("59.94 Hz");
+});
+
+it("groups thousands", () => {
+  expect(formatCount(744)).toBe("744");
+  expect(formatCount(432000)).toBe("432\u202f000");
+});
+
+it("names sizes", () => {
+  expect(formatBytes(512)).toBe("512 B");
+  expect(formatBytes(12_400_000)).toBe("12.4 MB");
+});

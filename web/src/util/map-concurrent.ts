@@ -1,0 +1,16 @@
+/** Maximum number of concurrent calls; starting more at once would block the page. */
+const maxConcurrent = 32;
+
+/** Maps items by an async function, several at a time. The results have the order of the items. */
+export async function mapConcurrent<In, Out>(
+  items: readonly In[],
+  map: (item: In) => Promise<Out>,
+): Promise<Out[]> {
+  const results: Out[] = [];
+  const queue = items.entries();
+  const runQueue = async () => {
+    for (const [at, item] of queue) results[at] = await map(item);
+  };
+  await Promise.all(Array.from({ length: maxConcurrent }, runQueue));
+  return results;
+}

@@ -1,0 +1,137 @@
+/** Processes files one at a time: summaries for the table, and clips to be shown as companions. */
+
+import * as Comlink from "comlink";
+import type { BatchRequest, ClipSummary, SavedFile, StoredChanges } from "../model/batch";
+import { labelFormats, segmentFormats } from "../model/file-formats";
+import { nameSegments, segmentTitle } from "../model/segments";
+import { summarizeSlides } from "../model/slides";
+import type { Clip, Detection, DetectOptions, OnProgress, Result } from "../model/types";
+import type { WasmClip, WasmDetection } from "../wasm/plantigrade";
+import { clipToPlain, detectionToPlain, transferables } from "./to-plain";
+import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
+
+export type BatchResult = Result<{ summary: ClipSummary; files: SavedFile[] }>;
+export type CompanionResult = Result<{ clip: Clip; detection: Detection | null }>;
+
+/** Returns the edits and names stored for the file with that hash. */
+type ChangesOf = (hash: string) => Promise<StoredChanges>;
+
+const api = {
+  startWasm,
+
+  /** Detects and segments one file, and returns its summary and the requested files. */
+  async summarize(
+    file: Blob,
+    name: string,
+    request: BatchRequest,
+    changesOf: ChangesOf,
+    onProgress?: OnProgress,
+  ): Promise<BatchResult> {
+    await wasmReady;
+    const started = performance.now();
+    const opened = await toResult(() => readClip(file, false, throttle(onProgress)));
+    if (!opened.ok) return opened;
+    const hash = await sha256(file);
+    const changes = hash ? await changesOf(hash) : { edits: [], names: [] };
+    const owned: { free(): void }[] = [opened.value];
+    try {
+      const task = { clip: opened.value, name, hash, request, changes, owned };
+      const { summary, files } = await summarizeClip(task);
+      const elapsedMs = performance.now() - started;
+      return { ok: true, summary: { ...summary, elapsedMs }, files };
+    } finally {
+      for (const object of owned) object.free();
+    }
+  },
+
+  /** Reads and labels a clip that is shown next to another one. */
+  async loadCompanion(
+    file: Blob,
+    name: string,
+    options: DetectOptions,
+    changesOf: ChangesOf,
+  ): Promise<CompanionResult> {
+    await wasmReady;
+    const opened = await toResult(() => readClip(file, false, () => {}));
+    if (!opened.ok) return opened;
+    const wasmClip = opened.value;
+    const hash = await sha256(file);
+    const changes = hash ? await changesOf(hash) : { edits: [] };
+    const detected = await toResult(() => wasmClip.detect(options));
+    if (detected.ok) detected.value.edit([...changes.edits]);
+    const clip = clipToPlain(wasmClip, name);
+    const detection = detected.ok ? detectionToPlain(detected.value, options) : null;
+    if (detected.ok) detected.value.free();
+    wasmClip.free();
+    return Comlink.transfer({ ok: true, clip, detection }, transferables({ clip, detection }));
+  },
+};
+
+export type BatchApi = typeof api;
+
+Comlink.expose(api);
+
+interface SummaryTask {
+  clip: WasmClip;
+  name: string;
+  hash: string | undefined;
+  request: BatchRequest;
+  changes: StoredChanges;
+  /** Objects to be freed at the end. */
+  owned: { free(): void }[];
+}
+
+type Summary = Omit<ClipSummary, "elapsedMs">;
+
+async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; files: SavedFile[] }> {
+  const { clip, name, hash, request, changes, owned } = task;
+  const { frames, rate, notices } = clip.info();
+  const summary: Summary = {
+    frames,
+    rate,
+    notices: notices.length,
+    missing: [],
+    edited: changes.edits.length > 0,
+  };
+  const files: SavedFile[] = [];
+  const detected = await toResult(() => clip.detect(request.detect));
+  if (detected.ok) {
+    const { value } = detected;
+    owned.push(value);
+    value.edit([...changes.edits]);
+    Object.assign(summary, plantStatistics(value, frames));
+    const { cadence } = clip.gait(value);
+    if (cadence !== undefined) summary.cadence = cadence;
+    const skate = summarizeSlides(clip.skate(value).map(({ maxDistance }) => maxDistance));
+    if (skate) summary.skate = skate;
+    summary.notices += value.notices().length;
+    for (const format of request.formats) {
+      const data = clip.save(value, format, name, hash);
+      files.push({ suffix: labelFormats[format][0], data });
+    }
+  } else summary.missing.push(detected.failure.message);
+  const segmented = await toResult(() => clip.segment(request.segment, () => {}));
+  if (segmented.ok) {
+    const { value } = segmented;
+    owned.push(value);
+    const segments = value.segments();
+    summary.segments = segments.length;
+    const names = nameSegments(segments, changes.names).map(segmentTitle);
+    for (const format of request.segmentFormats) {
+      const data = clip.saveSegments(value, names, format, name, hash);
+      files.push({ suffix: segmentFormats[format][0], data });
+    }
+  } else summary.missing.push(segmented.failure.message);
+  return { summary, files };
+}
+
+function plantStatistics(detection: WasmDetection, frames: number) {
+  const part = detection.parts()[0] ?? "";
+  const fraction = (side: "left" | "right") =>
+    detection.planted(part, side).reduce((sum, planted) => sum + planted, 0) / frames;
+  const count = (side: "left" | "right") => detection.intervals(part, side).length / 2;
+  return {
+    planted: { left: fraction("left"), right: fraction("right") },
+    plants: count("left") + count("right"),
+  };
+}

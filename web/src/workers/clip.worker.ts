@@ -1,0 +1,306 @@
+/** Holds the open clip, its detection and its segmentation. */
+
+import * as Comlink from "comlink";
+import type {
+  Annotation,
+  CleanedClip,
+  Clip,
+  ClipPart,
+  CutScore,
+  Detection,
+  DetectionMethod,
+  DetectOptions,
+  Edit,
+  EditedParts,
+  Evidence,
+  Gait,
+  HeightSpeed,
+  OnProgress,
+  Overrides,
+  Part,
+  Result,
+  SaveFormat,
+  Score,
+  SegmentAnnotation,
+  Segmentation,
+  SegmentationMethod,
+  SegmentFormat,
+  SegmentOptions,
+  Slide,
+} from "../model/types";
+import {
+  hasSegments,
+  methods,
+  segmentMethods,
+  WasmAnnotation,
+  type WasmCleanedClip,
+  type WasmClip,
+  type WasmDetection,
+  WasmSegmentAnnotation,
+  type WasmSegmentation,
+} from "../wasm/plantigrade";
+import { evidenceToPlain } from "./evidence-to-plain";
+import {
+  annotationToPlain,
+  clipToPlain,
+  detectionToPlain,
+  labelsToPlain,
+  segmentationToPlain,
+  transferables,
+} from "./to-plain";
+import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
+import { ZipWriter } from "./zip-writer";
+
+export type Opened = Result<{ clip: Clip }>;
+export type Detected = Result<{ detection: Detection }>;
+export type Segmented = Result<{ segmentation: Segmentation }>;
+export type Compared = Result<{ annotation: Annotation } | { segments: SegmentAnnotation }>;
+
+/** The open file and everything computed from it. */
+interface OpenClip {
+  file: Blob;
+  name: string;
+  clip: WasmClip;
+  /** Edits that are applied to every detection. */
+  edits: Edit[];
+  hash?: Promise<string | undefined>;
+  detection?: WasmDetection;
+  /** Discarded when the labels change. */
+  cleaned?: WasmCleanedClip;
+  segmentation?: WasmSegmentation;
+  annotation?: WasmAnnotation;
+  segmentAnnotation?: WasmSegmentAnnotation;
+}
+
+let openClip: OpenClip | undefined;
+
+const api = {
+  startWasm,
+
+  /** Reads a clip and replaces the open one if it succeeds. */
+  async open(file: Blob, name: string, lenient: boolean, onProgress?: OnProgress): Promise<Opened> {
+    await wasmReady;
+    const opened = await toResult(async () => {
+      const clip = await readClip(file, lenient, throttle(onProgress));
+      release();
+      openClip = { file, name, clip, edits: [] };
+      return clip;
+    });
+    return opened.ok ? openedClip() : opened;
+  },
+
+  /** Replaces all overrides; absent fields stay as detected. */
+  async override(overrides: Overrides): Promise<Opened> {
+    const applied = await toResult(() => current().clip.override(overrides));
+    return applied.ok ? openedClip() : applied;
+  },
+
+  /** Detects the plants and applies the edits. */
+  async detect(options: DetectOptions): Promise<Detected> {
+    const detected = await toResult(() => current().clip.detect(options));
+    if (!detected.ok) return detected;
+    const open = current();
+    detected.value.edit(open.edits);
+    open.detection?.free();
+    open.detection = detected.value;
+    discardCleaned(open);
+    const detection = detectionToPlain(detected.value, options);
+    return Comlink.transfer({ ok: true, detection }, transferables(detection.parts));
+  },
+
+  /** Replaces the edits of this and every later detection. */
+  async edit(edits: Edit[]): Promise<EditedParts> {
+    const open = current();
+    open.edits = edits;
+    const { detection } = open;
+    if (!detection) return {};
+    detection.edit(edits);
+    discardCleaned(open);
+    const names = detection.parts() as Part[];
+    const sides = (part: Part) => ({
+      left: labelsToPlain(detection, part, "left"),
+      right: labelsToPlain(detection, part, "right"),
+    });
+    const parts = Object.fromEntries(names.map((part) => [part, sides(part)]));
+    return Comlink.transfer(parts, transferables(parts));
+  },
+
+  /** Returns the evidence of a part; `max` is the largest height and speed of interest. */
+  async evidence(part: Part, max: HeightSpeed): Promise<Evidence | undefined> {
+    const { detection } = current();
+    if (!detection?.parts().includes(part)) return undefined;
+    const evidence = evidenceToPlain(detection, part, max);
+    return Comlink.transfer(evidence, transferables(evidence));
+  },
+
+  /** Returns the edits that give the detection the labels of the reference. */
+  async referenceEdits(): Promise<Edit[]> {
+    return current().annotation?.edits() ?? [];
+  },
+
+  /** Returns the SHA-256 of the file in hexadecimal, if the browser offers it. */
+  async hash(): Promise<string | undefined> {
+    return hashOf(current());
+  },
+
+  /** Segments the clip into actions. */
+  async segment(options: SegmentOptions, onProgress?: OnProgress): Promise<Segmented> {
+    const report = throttle(onProgress);
+    const segmented = await toResult(() => current().clip.segment(options, report));
+    if (!segmented.ok) return segmented;
+    const open = current();
+    open.segmentation?.free();
+    open.segmentation = segmented.value;
+    const segmentation = segmentationToPlain(segmented.value, options);
+    return Comlink.transfer({ ok: true, segmentation }, transferables(segmentation));
+  },
+
+  /** Returns all segmentation methods, the default first. */
+  async segmentMethods(): Promise<SegmentationMethod[]> {
+    await wasmReady;
+    return segmentMethods();
+  },
+
+  /** Returns all detection methods, the default first. */
+  async methods(): Promise<DetectionMethod[]> {
+    await wasmReady;
+    return methods();
+  },
+
+  /** Reads reference labels or segments and replaces those of the same kind. */
+  async compare(file: Blob, name: string): Promise<Compared> {
+    const open = current();
+    const clipName = stem(open.name);
+    const text = (await isArchive(file)) ? "" : await file.text();
+    if (hasSegments(text, clipName)) {
+      const read = await toResult(() => new WasmSegmentAnnotation(text, clipName, open.clip));
+      if (!read.ok) return read;
+      open.segmentAnnotation?.free();
+      open.segmentAnnotation = read.value;
+      return { ok: true, segments: { name, segments: read.value.segments() } };
+    }
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const read = await toResult(() => new WasmAnnotation(bytes, open.clip.info().frames));
+    if (!read.ok) return read;
+    open.annotation?.free();
+    open.annotation = read.value;
+    return { ok: true, annotation: annotationToPlain(read.value, name) };
+  },
+
+  /** Returns gait measures from the edited labels; undefined without labels. */
+  async gait(): Promise<Gait | undefined> {
+    const { clip, detection } = current();
+    return detection && clip.gait(detection);
+  },
+
+  /** Returns the slide of every plant: those of the left foot, then those of the right. */
+  async skate(): Promise<Slide[]> {
+    const { clip, detection } = current();
+    return detection ? clip.skate(detection) : [];
+  },
+
+  /** Removes foot skate; the result can be saved until the labels change. */
+  async clean(): Promise<CleanedClip> {
+    const open = current();
+    if (!open.detection) throw new Error("There are no labels to clean by.");
+    discardCleaned(open);
+    const cleaned = open.clip.clean(open.detection);
+    open.cleaned = cleaned;
+    const positions = cleaned.positions() as Float32Array<ArrayBuffer>;
+    const plain = { positions, plants: cleaned.plants(), notices: cleaned.notices() };
+    return Comlink.transfer(plain, [positions.buffer]);
+  },
+
+  /** Returns the cleaned clip as a BVH file. */
+  async saveCleaned(): Promise<Blob> {
+    const open = current();
+    if (!open.detection) throw new Error("There are no labels to clean by.");
+    open.cleaned ??= open.clip.clean(open.detection);
+    return new Blob([open.cleaned.bvh() as Uint8Array<ArrayBuffer>], { type: "text/plain" });
+  },
+
+  /** Returns the agreement of the detection with the reference, part by part. */
+  async score(): Promise<Score[]> {
+    const { clip, detection, annotation } = current();
+    return detection && annotation ? annotation.score(clip, detection) : [];
+  },
+
+  /** Returns the agreement of the cuts with those of the reference. */
+  async scoreSegments(): Promise<CutScore[]> {
+    const { clip, segmentation, segmentAnnotation } = current();
+    return segmentation && segmentAnnotation ? segmentAnnotation.score(clip, segmentation) : [];
+  },
+
+  /** Returns the segments under the given names, in order, as a file. */
+  async saveSegments(format: SegmentFormat, names: string[]): Promise<string> {
+    const open = current();
+    const { name, clip, segmentation } = open;
+    if (!segmentation) throw new Error("There are no segments to save.");
+    const hash = format === "json" ? await hashOf(open) : undefined;
+    return clip.saveSegments(segmentation, names, format, name, hash);
+  },
+
+  /** Writes parts of the clip as BVH files into a zip archive. */
+  async cut(parts: readonly ClipPart[], onProgress?: OnProgress): Promise<Blob> {
+    const { clip } = current();
+    const report = throttle(onProgress);
+    const zip = new ZipWriter();
+    // One at a time, as all texts together might not fit into memory.
+    for (const [i, { name, start, end }] of parts.entries()) {
+      zip.add(name, clip.cut(start, end));
+      report((i + 1) / parts.length);
+    }
+    return zip.finish();
+  },
+
+  /** Returns the labels as a file. */
+  async save(format: SaveFormat): Promise<Uint8Array<ArrayBuffer>> {
+    const open = current();
+    const { name, clip, detection } = open;
+    if (!detection) throw new Error("There are no labels to save.");
+    const hash = format === "json" ? await hashOf(open) : undefined;
+    return clip.save(detection, format, name, hash) as Uint8Array<ArrayBuffer>;
+  },
+};
+
+export type ClipApi = typeof api;
+
+Comlink.expose(api);
+
+function current(): OpenClip {
+  if (!openClip) throw new Error("No clip is open.");
+  return openClip;
+}
+
+function discardCleaned(open: OpenClip) {
+  open.cleaned?.free();
+  delete open.cleaned;
+}
+
+function release() {
+  openClip?.detection?.free();
+  openClip?.cleaned?.free();
+  openClip?.segmentation?.free();
+  openClip?.annotation?.free();
+  openClip?.segmentAnnotation?.free();
+  openClip?.clip.free();
+  openClip = undefined;
+}
+
+async function isArchive(file: Blob) {
+  return (await file.slice(0, 2).text()) === "PK";
+}
+
+/** Returns a file name without its extension. */
+const stem = (name: string) => name.replace(/\.\w+$/, "");
+
+function openedClip(): Opened {
+  const { clip, name } = current();
+  const plain = clipToPlain(clip, name);
+  return Comlink.transfer({ ok: true, clip: plain }, transferables(plain));
+}
+
+function hashOf(open: OpenClip): Promise<string | undefined> {
+  open.hash ??= sha256(open.file);
+  return open.hash;
+}
