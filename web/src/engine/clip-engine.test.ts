@@ -55,6 +55,8 @@ function worker(said: string[]) {
     hash: async () => undefined,
     methods: async () => [],
     segmentMethods: async () => [],
+    plantFormats: async () => [],
+    segmentFormats: async () => [],
     async compare(file) {
       const text = await file.text();
       said.push(`compare ${text}`);

@@ -16,7 +16,8 @@ import {
   segmentation,
   segmentFailure,
 } from "../store/session";
-import { segmentMethods, segmentOptions } from "../store/settings";
+import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
+import { FormatButton } from "../ui/FormatButton";
 import { Icon } from "../ui/icons";
 import { ListHead } from "../ui/ListHead";
 import { VirtualList } from "../ui/VirtualList";
@@ -249,19 +250,11 @@ function Listed() {
   );
 }
 
-const formats = [
-  ["json", "Segments", "JSON"],
-  ["csv", "Table", "CSV"],
-  ["babel", "BABEL", "JSON"],
-] as const;
-
 function Save() {
   return (
     <>
-      {formats.map(([format, name, kind]) => (
-        <button key={format} type="button" class="button" onClick={() => exportSegments(format)}>
-          {name} <span class="quiet">{kind}</span>
-        </button>
+      {segmentFormats.value.map((format) => (
+        <FormatButton key={format.name} format={format} onClick={() => exportSegments(format)} />
       ))}
       <button type="button" class="button" onClick={exportClips}>
         Clips <span class="quiet">BVH, zip</span>
