@@ -5,7 +5,12 @@ import type { BatchRequest, ClipSummary, SavedFile, StoredChanges } from "../mod
 import { nameSegments, segmentTitle } from "../model/segments";
 import { summarizeSlides } from "../model/slides";
 import type { Clip, Detection, DetectOptions, OnProgress, Result } from "../model/types";
-import { plantFormats, segmentFormats, type WasmClip, type WasmDetection } from "../wasm/plantigrade";
+import {
+  plantFormats,
+  segmentFormats,
+  type WasmClip,
+  type WasmDetection,
+} from "../wasm/plantigrade";
 import { clipToPlain, detectionToPlain, transferables } from "./to-plain";
 import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
 
