@@ -1,6 +1,5 @@
-//! Detection on the project's own samples, against the truth that was generated with them.
+//! Accuracy of detection on the samples, against their generated truth.
 
-#[expect(dead_code, reason = "samples are always there")]
 mod support;
 
 use std::fs;
@@ -21,14 +20,14 @@ fn samples() -> Vec<PathBuf> {
     files
 }
 
-/// Accuracy in percent, pooled over all samples, and the least of a sample.
+/// Returns the accuracy in percent, of all samples and of the worst sample.
 fn accuracy(method: Method, part: Part) -> (f64, f64) {
     let mut pooled = Tally::default();
-    let mut worst = 100.0_f64;
+    let mut lowest = 100.0_f64;
     for path in samples() {
         let clip = support::read(&path).clip;
-        let text = fs::read_to_string(path.with_extension("json")).expect("truth beside the sample");
-        let document: PlantsDocument = serde_json::from_str(&text).expect("a labels document");
+        let text = fs::read_to_string(path.with_extension("json")).expect("truth");
+        let document: PlantsDocument = serde_json::from_str(&text).expect("a plants document");
         let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
         let params = Params { method, ..Params::default() }.check().expect("defaults");
         let detection = plants::detect(&feet, params);
@@ -41,29 +40,29 @@ fn accuracy(method: Method, part: Part) -> (f64, f64) {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         println!("{method} {} {name}: {:.2} %", part.name(), 100.0 * sample.accuracy());
         pooled += sample;
-        worst = worst.min(100.0 * sample.accuracy());
+        lowest = lowest.min(100.0 * sample.accuracy());
     }
     let pooled = 100.0 * pooled.accuracy();
-    println!("{method} {} pooled: {pooled:.2} %, worst {worst:.2} %", part.name());
-    (pooled, worst)
+    println!("{method} {} pooled: {pooled:.2} %, lowest {lowest:.2} %", part.name());
+    (pooled, lowest)
 }
 
 #[test]
-fn robust_finds_contact_and_plants() {
+fn robust_contact_and_toe_plants_agree_with_truth() {
     for part in [Part::Contact, Part::Toe] {
-        let (pooled, worst) = accuracy(Method::Robust, part);
-        assert!(pooled >= 98.5 && worst >= 90.0, "{}: {pooled}, {worst}", part.name());
+        let (pooled, lowest) = accuracy(Method::Robust, part);
+        assert!(pooled >= 98.5 && lowest >= 90.0, "{}: {pooled}, {lowest}", part.name());
     }
 }
 
 #[test]
-fn the_paper_method_finds_plants_but_for_its_known_failure() {
+fn paper_method_has_its_reported_accuracy() {
     let (pooled, _) = accuracy(Method::Paper, Part::Toe);
     assert!(pooled >= 85.0, "{pooled}");
 }
 
 #[test]
-fn legs_are_found_by_shape_where_names_say_nothing() {
+fn legs_are_identified_by_shape_without_names() {
     for path in samples() {
         let clip = support::read(&path).clip;
         let named = Skeleton::main(&clip, &Overrides::default());
@@ -71,13 +70,13 @@ fn legs_are_found_by_shape_where_names_say_nothing() {
             name: if joint.kind == JointKind::EndSite { joint.name.clone() } else { format!("q{index}") },
             ..joint.clone()
         });
-        let nameless = Clip::new(joints.collect(), clip.frame_time(), clip.values().to_vec());
-        let found = Skeleton::main(&nameless, &Overrides::default());
+        let unnamed = Clip::new(joints.collect(), clip.frame_time(), clip.values().to_vec());
+        let by_shape = Skeleton::main(&unnamed, &Overrides::default());
         for side in Side::BOTH {
             let name = path.display();
-            assert_eq!(found.heel(side), named.heel(side), "{name}: {} ankle", side.name());
-            assert_eq!(found.toe(side), named.toe(side), "{name}: {} toe", side.name());
+            assert_eq!(by_shape.heel(side), named.heel(side), "{name}: {} ankle", side.name());
+            assert_eq!(by_shape.toe(side), named.toe(side), "{name}: {} toe", side.name());
         }
-        assert_eq!(found.up, named.up);
+        assert_eq!(by_shape.up, named.up);
     }
 }

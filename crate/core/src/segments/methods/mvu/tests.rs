@@ -78,37 +78,20 @@ fn agrees_with_general_solvers() {
     }
 }
 
-#[path = "../../../../tests/support/corpus.rs"]
-mod corpus;
-
-/// Returns windows of recorded poses: `count` poses from frame `first`, every twelfth of a second.
-fn recorded(windows: &[(usize, usize)]) -> Option<Vec<DMatrix<f64>>> {
-    let bytes = std::fs::read(corpus::folder()?.join("cmu/86_01.bvh")).unwrap();
-    let clip = crate::bvh::parse(&bytes, Default::default()).unwrap().clip;
+/// Returns windows of a sample's poses: `count` poses from pose `first`, every twelfth of a second.
+fn sample_windows(windows: &[(usize, usize)]) -> Vec<DMatrix<f64>> {
+    let bytes = include_bytes!("../../../../../../samples/limp-to-run.bvh");
+    let clip = crate::bvh::parse(bytes, Default::default()).unwrap().clip;
     let skeleton = Skeleton::main(&clip, &Overrides::default());
     let body = Body::rotation_joints(&clip, &skeleton).unwrap();
-    let window = |&(first, count): &(usize, usize)| {
-        let poses = Poses::new(&clip, &body, &(first..clip.frame_count()), 12.0);
-        poses.columns.columns(0, count).into_owned()
-    };
-    Some(windows.iter().map(window).collect())
+    let poses = Poses::new(&clip, &body, &(0..clip.frame_count()), 12.0);
+    windows.iter().map(|&(first, count)| poses.columns.columns(first, count).into_owned()).collect()
 }
 
 #[test]
-fn recorded_poses_agree_with_a_general_solver() {
-    let Some(windows) = recorded(&[(0, 60)]) else { return };
-    // Values of Clarabel.
-    for (k, trace) in [(4, 24.4767), (6, 9.6669)] {
-        let found = unfold_single(windows[0].as_view(), k).trace();
-        assert!((found - trace).abs() < 1e-4 * trace, "k = {k}: {found}");
-    }
-}
-
-#[test]
-fn recorded_windows_are_solved_to_the_tolerance() {
-    let spans: Vec<(usize, usize)> = (0..20).map(|index| (index * 211, 20 + index * 37 % 61)).collect();
-    let Some(windows) = recorded(&spans) else { return };
-    for window in windows {
+fn windows_are_solved_to_the_tolerance() {
+    let spans: Vec<(usize, usize)> = (0..20).map(|index| (index * 15, 20 + index * 37 % 61)).collect();
+    for window in sample_windows(&spans) {
         let distances = neighbours::squared_distances(window.as_view());
         let unfolded = solve(window.ncols(), &neighbours::edges(&distances, 6));
         assert!(unfolded.gap < 5e-6, "gap {}", unfolded.gap);
@@ -147,9 +130,7 @@ fn check_windows(poses: &DMatrix<f64>, windows: impl Iterator<Item = Range<usize
 fn windows_start_from_the_previous_one() {
     let windows = || (20..50).step_by(2).map(|end| 0..end).chain((2..16).step_by(2).map(|by| by..48 + by));
     check_windows(&helix(64, 0.5), windows());
-    if let Some(poses) = recorded(&[(0, 64)]) {
-        check_windows(&poses[0], windows());
-    }
+    check_windows(&sample_windows(&[(0, 64)])[0], windows());
 }
 
 #[test]

@@ -1,29 +1,30 @@
-//! Recorded motion for tests, where there is any.
+//! Reading of BVH files in tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{self, Parsed};
 
-pub mod corpus;
-
-/// All BVH files below a folder, in order.
+/// Returns all BVH files below a folder, sorted by path.
 pub fn bvh_files(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder that can be read") {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).expect("a readable folder") {
         let path = entry.expect("an entry").path();
         if path.is_dir() {
-            found.extend(bvh_files(&path));
+            files.extend(bvh_files(&path));
         } else if path.extension().is_some_and(|extension| extension == "bvh") {
-            found.push(path);
+            files.push(path);
         }
     }
-    found.sort();
-    found
+    files.sort();
+    files
 }
 
-/// Reads a file that must be readable.
+/// Reads a file.
+///
+/// # Panics
+/// If the file is not valid BVH.
 pub fn read(path: &Path) -> Parsed {
-    let bytes = fs::read(path).expect("a file that can be read");
+    let bytes = fs::read(path).expect("a readable file");
     bvh::parse(&bytes, bvh::Options::default()).unwrap_or_else(|error| panic!("{}:{error}", path.display()))
 }

@@ -1,6 +1,4 @@
-//! Detection against contact that force plates measured.
-
-mod support;
+//! Accuracy of detection against contact measured by force plates.
 
 use std::fs;
 use std::path::Path;
@@ -10,11 +8,13 @@ use plantigrade::plants::{self, Feet, Method, Params};
 use plantigrade::score::{self, Tally, Truth};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
+use crate::support;
+
 const FUZZY: [f64; 4] = [0.0, 0.1, 0.2, 0.3];
 
-/// Masked truth of one foot.
+/// Returns the measured contact of one foot, with frames near unknown ones masked.
 fn truth(path: &Path, side: Side, frame_time: f64) -> Truth {
-    let text = fs::read_to_string(path.with_extension("json")).expect("truth beside the clip");
+    let text = fs::read_to_string(path.with_extension("json")).expect("measured contact");
     let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let labels = json[side.name()].as_array().expect("labels").iter();
     let truth: Truth = labels
@@ -26,7 +26,7 @@ fn truth(path: &Path, side: Side, frame_time: f64) -> Truth {
     score::mask_near_unknown(&truth, frame_time)
 }
 
-/// Accuracy in percent over all trials, at each fuzzy period, and that of the worst trial.
+/// Returns the accuracy at each fuzzy period in percent, of all trials and of the worst trial.
 fn accuracy(corpus: &Path, method: Method, part: Part) -> ([f64; 4], [f64; 4]) {
     let mut pooled = [Tally::default(); 4];
     let mut worst = [100.0_f64; 4];
@@ -35,7 +35,7 @@ fn accuracy(corpus: &Path, method: Method, part: Part) -> ([f64; 4], [f64; 4]) {
         let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
         let detection =
             plants::detect(&feet, Params { method, ..Params::default() }.check().expect("defaults"));
-        let labels = detection.part(part).expect("the method labels that part");
+        let labels = detection.part(part).expect("labels of the part");
         for (index, fuzzy) in FUZZY.into_iter().enumerate() {
             let mut trial = Tally::default();
             for side in Side::BOTH {
@@ -47,32 +47,26 @@ fn accuracy(corpus: &Path, method: Method, part: Part) -> ([f64; 4], [f64; 4]) {
             worst[index] = worst[index].min(100.0 * trial.accuracy());
         }
     }
-    assert_eq!(pooled[0].total, 8271, "foot-frames with known truth");
+    assert_eq!(pooled[0].total, 8271, "number of known labels");
     let pooled = pooled.map(|tally| 100.0 * tally.accuracy());
     println!("{method} {}: {pooled:.2?}, worst {worst:.2?}", part.name());
     (pooled, worst)
 }
 
-#[test]
-fn robust_contact_is_that_of_the_plates() {
-    let Some(corpus) = support::corpus::folder() else { return };
-    let (pooled, worst) = accuracy(&corpus, Method::Robust, Part::Contact);
+pub fn robust_contact_agrees_with_force_plates(corpus: &Path) {
+    let (pooled, worst) = accuracy(corpus, Method::Robust, Part::Contact);
     assert!(pooled[0] >= 98.8 && pooled[1] >= 99.9 && pooled[3] >= 99.9, "{pooled:?}");
     assert!(worst[3] >= 99.5, "{worst:?}");
 }
 
-#[test]
-fn the_paper_method_has_its_known_figures() {
-    let Some(corpus) = support::corpus::folder() else { return };
-    let (pooled, _) = accuracy(&corpus, Method::Paper, Part::Toe);
-    for (found, expected) in pooled.into_iter().zip([77.6, 80.8, 81.9, 82.0]) {
-        assert!((found - expected).abs() <= 0.3, "{pooled:?}");
+pub fn paper_method_has_its_reported_accuracy(corpus: &Path) {
+    let (pooled, _) = accuracy(corpus, Method::Paper, Part::Toe);
+    for (actual, expected) in pooled.into_iter().zip([77.6, 80.8, 81.9, 82.0]) {
+        assert!((actual - expected).abs() <= 0.3, "{pooled:?}");
     }
 }
 
-#[test]
-fn robust_plants_are_near_contact() {
-    let Some(corpus) = support::corpus::folder() else { return };
-    let (pooled, _) = accuracy(&corpus, Method::Robust, Part::Toe);
+pub fn robust_toe_plants_agree_with_contact(corpus: &Path) {
+    let (pooled, _) = accuracy(corpus, Method::Robust, Part::Toe);
     assert!(pooled[0] >= 95.0 && pooled[3] >= 99.5, "{pooled:?}");
 }
