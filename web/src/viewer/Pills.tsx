@@ -10,7 +10,7 @@ export function Pills() {
   if (!detection.value) return null;
   return (
     <div class="pills">
-      {isFramePreviewed.value && <p class="pill why-pill">Frame {shownFrame}</p>}
+      {isFramePreviewed.value && <p class="pill frame-pill">Frame {shownFrame}</p>}
       <Pill side="left" />
       <Pill side="right" />
     </div>
@@ -28,7 +28,7 @@ function Pill({ side }: { side: Side }) {
       {planted ? (
         <>
           {name} planted{" "}
-          <span class="quiet">{formatDuration((planted.end - planted.start) / rate)}</span>
+          <span class="muted">{formatDuration((planted.end - planted.start) / rate)}</span>
         </>
       ) : (
         `${name} in the air`

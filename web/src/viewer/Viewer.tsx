@@ -47,12 +47,12 @@ export function Viewer() {
   return (
     <section class="viewer" aria-label="View">
       <div class="stage" ref={host} role="img" aria-label={label} />
-      {trouble.value && <p class="viewer-trouble">{troubleText[trouble.value]}</p>}
+      {trouble.value && <p class="viewer-error">{troubleText[trouble.value]}</p>}
       {openClip.value && (
         <>
           <div class="viewer-tools" hidden={trouble.value === "missing"}>
             <fieldset class="segmented">
-              <legend class="hidden">Camera</legend>
+              <legend class="visually-hidden">Camera</legend>
               {views.map((view) => (
                 <button
                   key={view}
@@ -88,7 +88,7 @@ export function Viewer() {
           </div>
           <Pills />
           <Companions />
-          <p class="scale" hidden={trouble.value === "missing"}>
+          <p class="grid-size" hidden={trouble.value === "missing"}>
             Grid {gridStep(characterSize(openClip.value))} m
           </p>
         </>

@@ -17,9 +17,9 @@ export function readPalette(from: Element): Palette {
   const style = getComputedStyle(from);
   const color = (name: string) => new Color().setStyle(style.getPropertyValue(name).trim());
   return {
-    ground: color("--view-ground"),
+    ground: color("--view-background"),
     floor: color("--view-floor"),
-    line: color("--view-line"),
+    line: color("--view-grid"),
     muted: color("--muted"),
     bone: color("--view-bone"),
     joint: color("--view-joint"),
