@@ -17,11 +17,11 @@ const trail = 12;
 export type Marks = ReturnType<typeof createMarks>;
 
 /** The feet at the playhead and those pointed at, on a canvas of their own: playing repaints no plot. */
-export function createMarks(plot: uPlot, frame: PlotSpec, inkOf: () => CanvasTheme) {
+export function createMarks(plot: uPlot, frame: PlotSpec, themeOf: () => CanvasTheme) {
   const canvas = document.createElement("canvas");
   canvas.className = "plot-markers";
   plot.over.append(canvas);
-  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  const ctx = canvas.getContext("2d") as CanvasRenderingContext2D;
   let due = 0;
   let paint = () => {};
   const draw = () => {
@@ -38,27 +38,27 @@ export function createMarks(plot: uPlot, frame: PlotSpec, inkOf: () => CanvasThe
       canvas.width = width ?? 0;
       canvas.height = height ?? 0;
     }
-    pen.setTransform(ratio, 0, 0, ratio, beyond * ratio, beyond * ratio);
-    pen.clearRect(-beyond, -beyond, wide + 2 * beyond, high + 2 * beyond);
+    ctx.setTransform(ratio, 0, 0, ratio, beyond * ratio, beyond * ratio);
+    ctx.clearRect(-beyond, -beyond, wide + 2 * beyond, high + 2 * beyond);
   };
   return {
     show(picture: PlotData, at: number, point: PointedFrame | null) {
       paint = () => {
         clear();
-        const ink = inkOf();
+        const theme = themeOf();
         const place = (side: Side, frame: number) => {
           const found = picture.place({ side, frame });
           return found && { x: plot.valToPos(found.x, "x"), y: plot.valToPos(found.y, "y") };
         };
         if (frame.square) {
-          for (const side of sides) path(pen, ink[side], at, (near) => place(side, near));
+          for (const side of sides) path(ctx, theme[side], at, (near) => place(side, near));
         }
         const [left, right] = apart(place("left", at), place("right", at));
-        if (left) dot(pen, ink, "left", left);
-        if (right) dot(pen, ink, "right", right);
+        if (left) dot(ctx, theme, "left", left);
+        if (right) dot(ctx, theme, "right", right);
         for (const side of point ? sides : []) {
           const here = place(side, point?.frame ?? 0);
-          if (here) ring(pen, ink, side, here, point?.side === side);
+          if (here) ring(ctx, theme, side, here, point?.side === side);
         }
       };
       draw();
@@ -87,57 +87,57 @@ function apart(left?: Spot, right?: Spot): [Spot | undefined, Spot | undefined] 
 
 /** The way of a foot a moment before and after. */
 function path(
-  pen: CanvasRenderingContext2D,
+  ctx: CanvasRenderingContext2D,
   color: string,
   at: number,
   place: (frame: number) => Spot | undefined,
 ) {
-  pen.strokeStyle = color;
-  pen.lineWidth = 1.25;
-  pen.lineJoin = "round";
-  pen.globalAlpha = 0.8;
-  pen.beginPath();
+  ctx.strokeStyle = color;
+  ctx.lineWidth = 1.25;
+  ctx.lineJoin = "round";
+  ctx.globalAlpha = 0.8;
+  ctx.beginPath();
   for (let near = Math.max(0, at - trail); near <= at + trail; near++) {
     const spot = place(near);
-    if (spot) pen.lineTo(spot.x, spot.y);
+    if (spot) ctx.lineTo(spot.x, spot.y);
   }
-  pen.stroke();
-  pen.globalAlpha = 1;
+  ctx.stroke();
+  ctx.globalAlpha = 1;
 }
 
 /** A foot at the playhead, with its letter: colour alone says nothing. */
-function dot(pen: CanvasRenderingContext2D, ink: CanvasTheme, side: Side, { x, y }: Spot) {
-  disc(pen, x, y, 8.5, ink.ground);
-  disc(pen, x, y, 7, ink[side]);
-  pen.fillStyle = ink.onSide;
-  pen.font = '700 9px "Inter Variable", system-ui, sans-serif';
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  pen.fillText(side === "left" ? "L" : "R", x, y + 0.5);
+function dot(ctx: CanvasRenderingContext2D, theme: CanvasTheme, side: Side, { x, y }: Spot) {
+  disc(ctx, x, y, 8.5, theme.background);
+  disc(ctx, x, y, 7, theme[side]);
+  ctx.fillStyle = theme.textOnSide;
+  ctx.font = '700 9px "Inter Variable", system-ui, sans-serif';
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  ctx.fillText(side === "left" ? "L" : "R", x, y + 0.5);
 }
 
 /** A foot pointed at: the one whose point it is stands out. */
 function ring(
-  pen: CanvasRenderingContext2D,
-  ink: CanvasTheme,
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
   side: Side,
   { x, y }: Spot,
   own: boolean,
 ) {
-  if (own) disc(pen, x, y, 4, ink[side]);
-  pen.strokeStyle = ink.ground;
-  pen.lineWidth = 4;
-  pen.beginPath();
-  pen.arc(x, y, own ? 7 : 5, 0, 7);
-  pen.stroke();
-  pen.strokeStyle = ink.accent;
-  pen.lineWidth = 2;
-  pen.stroke();
+  if (own) disc(ctx, x, y, 4, theme[side]);
+  ctx.strokeStyle = theme.background;
+  ctx.lineWidth = 4;
+  ctx.beginPath();
+  ctx.arc(x, y, own ? 7 : 5, 0, 7);
+  ctx.stroke();
+  ctx.strokeStyle = theme.accent;
+  ctx.lineWidth = 2;
+  ctx.stroke();
 }
 
-function disc(pen: CanvasRenderingContext2D, x: number, y: number, radius: number, color: string) {
-  pen.fillStyle = color;
-  pen.beginPath();
-  pen.arc(x, y, radius, 0, 7);
-  pen.fill();
+function disc(ctx: CanvasRenderingContext2D, x: number, y: number, radius: number, color: string) {
+  ctx.fillStyle = color;
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, 7);
+  ctx.fill();
 }

@@ -41,13 +41,13 @@ export function sortedNorms(evidence: Clustering): PlotData {
   const { norms, sigma } = evidence;
   return {
     ...curve(evidence, norms, niceCeiling(norms.at(-1) ?? 1)),
-    paint(plot, ink) {
+    paint(plot, theme) {
       if (isAtKnee(evidence))
-        paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.accent, true);
-      paintLine(plot, "y", sigma, ink.accent);
+        paintLine(plot, "x", shareOf(evidence, evidence.knee), theme.accent, true);
+      paintLine(plot, "y", sigma, theme.accent);
       const { left } = plot.bbox;
       const y = plot.valToPos(sigma, "y", true) - 9 * devicePixelRatio;
-      paintText(plot, ink, `σ ${sigma.toFixed(3)}`, left + 6 * devicePixelRatio, y, "left");
+      paintText(plot, theme, `σ ${sigma.toFixed(3)}`, left + 6 * devicePixelRatio, y, "left");
     },
   };
 }
@@ -66,10 +66,10 @@ export function runningVariance(evidence: Clustering, setR: (to: number) => void
   return {
     ...curve(evidence, variances, 1.15 * sensitivity.max * measure),
     ...(atKnee && { level }),
-    paint(plot, ink) {
+    paint(plot, theme) {
       if (!atKnee) return;
-      paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.accent, true);
-      paintLine(plot, "y", tolerance, ink.accent);
+      paintLine(plot, "x", shareOf(evidence, evidence.knee), theme.accent, true);
+      paintLine(plot, "y", tolerance, theme.accent);
     },
   };
 }

@@ -9,7 +9,7 @@ export interface PlotData {
   /** The greatest x and y; both begin at 0. */
   top: { x: number; y: number };
   /** Draws what is no curve: before that is over, in pixels of the canvas. */
-  paint(plot: uPlot, ink: CanvasTheme): void;
+  paint(plot: uPlot, theme: CanvasTheme): void;
   /** Where a sample lies, in units of the axes. */
   place(sample: FootFrame): { x: number; y: number } | undefined;
   /** The sample closest to a place, in pixels of the plot. */
@@ -69,12 +69,12 @@ export function paintLine(
 /** A word on the plot with the ground behind it, so that it reads over dots and lines. */
 export function paintText(
   { ctx }: uPlot,
-  ink: CanvasTheme,
+  theme: CanvasTheme,
   text: string,
   x: number,
   y: number,
   align: CanvasTextAlign,
-  color = ink.accent,
+  color = theme.accent,
 ) {
   const ratio = devicePixelRatio;
   ctx.save();
@@ -83,7 +83,7 @@ export function paintText(
   ctx.textBaseline = "middle";
   ctx.lineJoin = "round";
   ctx.lineWidth = 4 * ratio;
-  ctx.strokeStyle = ink.ground;
+  ctx.strokeStyle = theme.background;
   ctx.strokeText(text, x, y);
   ctx.fillStyle = color;
   ctx.fillText(text, x, y);

@@ -19,17 +19,17 @@ export function createPlot(
   frame: PlotSpec,
   picture: ReadonlySignal<PlotData>,
 ): () => void {
-  let ink: CanvasTheme | undefined;
-  const inkOf = (plot: uPlot) => {
-    ink ??= readCanvasTheme(host, plot.ctx, devicePixelRatio);
-    return ink;
+  let canvasTheme: CanvasTheme | undefined;
+  const themeOf = (plot: uPlot) => {
+    canvasTheme ??= readCanvasTheme(host, plot.ctx, devicePixelRatio);
+    return canvasTheme;
   };
   const width = () => Math.max(120, host.clientWidth);
   let marks: Marks | undefined;
   let level: DragLine | undefined;
   const plot = new uPlot(
     {
-      ...options(frame, picture, inkOf, () => {
+      ...options(frame, picture, themeOf, () => {
         level?.show(picture.peek());
         marks?.draw();
       }),
@@ -39,12 +39,12 @@ export function createPlot(
     picture.peek().data,
     host,
   );
-  marks = createMarks(plot, frame, () => inkOf(plot));
+  marks = createMarks(plot, frame, () => themeOf(plot));
   level = createDragLine(plot, host);
   const stops = [
     effect(() => {
       void theme.value;
-      ink = undefined;
+      canvasTheme = undefined;
       plot.setData(picture.value.data);
     }),
     effect(() => {
@@ -69,7 +69,7 @@ export function createPlot(
 function options(
   frame: PlotSpec,
   picture: ReadonlySignal<PlotData>,
-  inkOf: (plot: uPlot) => CanvasTheme,
+  themeOf: (plot: uPlot) => CanvasTheme,
   onDrawn: () => void,
 ): Omit<uPlot.Options, "width" | "height"> {
   const scale = (key: "x" | "y"): uPlot.Scale => ({
@@ -82,8 +82,8 @@ function options(
     size: frame[key].size,
     gap: 4,
     font,
-    stroke: (plot) => inkOf(plot).muted,
-    grid: { stroke: (plot) => inkOf(plot).line, width: 1 },
+    stroke: (plot) => themeOf(plot).muted,
+    grid: { stroke: (plot) => themeOf(plot).border, width: 1 },
     ticks: { show: false },
     space: key === "x" ? 60 : 28,
     filter: (_, splits) => splits,
@@ -99,14 +99,14 @@ function options(
     series: [
       {},
       {
-        stroke: (plot) => inkOf(plot).text,
+        stroke: (plot) => themeOf(plot).text,
         width: 1.5,
         points: { show: false },
         ...(frame.square && { paths: () => null }),
       },
     ],
     // Only now the scales are those of the picture.
-    hooks: { draw: [(plot) => picture.peek().paint(plot, inkOf(plot)), onDrawn] },
+    hooks: { draw: [(plot) => picture.peek().paint(plot, themeOf(plot)), onDrawn] },
   };
 }
 

@@ -40,13 +40,13 @@ export function scatter(tracks: Tracks, why: Evidence): PlotData {
     ],
     top: { x: reach.speed, y: reach.height },
     place: at,
-    paint(plot, ink) {
+    paint(plot, theme) {
       for (const planted of [0, 1]) {
-        for (const side of sides) dots(plot, ink, tracks, side, planted, stride, at);
+        for (const side of sides) dots(plot, theme, tracks, side, planted, stride, at);
       }
-      if (line) paintBoundary(plot, ink, line);
-      paintLimits(plot, ink, why);
-      paintUnits(plot, ink);
+      if (line) paintBoundary(plot, theme, line);
+      paintLimits(plot, theme, why);
+      paintUnits(plot, theme);
     },
     nearest(plot, left, top) {
       let best: FootFrame | undefined;
@@ -75,7 +75,7 @@ export function scatter(tracks: Tracks, why: Evidence): PlotData {
 /** Planted feet in the colour of their side; those in the air as grey dots. */
 function dots(
   plot: uPlot,
-  ink: CanvasTheme,
+  theme: CanvasTheme,
   tracks: Tracks,
   side: "left" | "right",
   planted: number,
@@ -84,7 +84,7 @@ function dots(
 ) {
   const { ctx } = plot;
   const radius = (planted ? 2.1 : 1.5) * devicePixelRatio;
-  ctx.fillStyle = planted ? ink[side] : ink.edge;
+  ctx.fillStyle = planted ? theme[side] : theme.borderStrong;
   ctx.globalAlpha = 0.75;
   ctx.beginPath();
   for (let frame = 0; frame < tracks[side].planted.length; frame += stride) {
@@ -108,9 +108,9 @@ function boundary({ clustering }: Evidence): Float32Array {
   return lines.map((at, i) => (i % 2 ? max.height : max.speed) * (at / (size - 1)) ** 2);
 }
 
-function paintBoundary(plot: uPlot, ink: CanvasTheme, line: Float32Array) {
+function paintBoundary(plot: uPlot, theme: CanvasTheme, line: Float32Array) {
   const { ctx } = plot;
-  ctx.strokeStyle = ink.accent;
+  ctx.strokeStyle = theme.accent;
   ctx.lineWidth = 2 * devicePixelRatio;
   ctx.lineCap = "round";
   ctx.beginPath();
@@ -123,25 +123,25 @@ function paintBoundary(plot: uPlot, ink: CanvasTheme, line: Float32Array) {
   ctx.stroke();
 }
 
-function paintLimits(plot: uPlot, ink: CanvasTheme, { thresholds: { height, speed } }: Evidence) {
+function paintLimits(plot: uPlot, theme: CanvasTheme, { thresholds: { height, speed } }: Evidence) {
   const { left, top, width } = plot.bbox;
   const gap = 5 * devicePixelRatio;
   if (height !== undefined) {
-    paintLine(plot, "y", height, ink.accent);
+    paintLine(plot, "y", height, theme.accent);
     const y = plot.valToPos(height, "y", true) - 2 * gap;
-    paintText(plot, ink, `${formatValue(100 * height)} cm`, left + width - gap, y, "right");
+    paintText(plot, theme, `${formatValue(100 * height)} cm`, left + width - gap, y, "right");
   }
   if (speed !== undefined) {
-    paintLine(plot, "x", speed, ink.accent);
+    paintLine(plot, "x", speed, theme.accent);
     const x = plot.valToPos(speed, "x", true) + gap;
-    paintText(plot, ink, `${formatValue(speed)} m/s`, x, top + 2 * gap, "left");
+    paintText(plot, theme, `${formatValue(speed)} m/s`, x, top + 2 * gap, "left");
   }
 }
 
 /** What the axes count, inside the plot where nothing else is. */
-function paintUnits(plot: uPlot, ink: CanvasTheme) {
+function paintUnits(plot: uPlot, theme: CanvasTheme) {
   const { left, top, width, height } = plot.bbox;
   const gap = 6 * devicePixelRatio;
-  paintText(plot, ink, "cm", left + gap, top + 1.5 * gap, "left", ink.muted);
-  paintText(plot, ink, "m/s", left + width - gap, top + height - 1.5 * gap, "right", ink.muted);
+  paintText(plot, theme, "cm", left + gap, top + 1.5 * gap, "left", theme.muted);
+  paintText(plot, theme, "m/s", left + width - gap, top + height - 1.5 * gap, "right", theme.muted);
 }
