@@ -41,17 +41,17 @@ const edgesByCorners: Record<number, readonly (readonly [Edge, Edge])[]> = {
   6: [["bottom", "top"]],
   7: [["left", "top"]],
 };
-/** Saddles: edges that cut off, or join, the corners 1 and 4 of the mask. */
-const cutCorners = [edgesByCorners[1], edgesByCorners[4]].flatMap((line) => line ?? []);
-const joinCorners = [edgesByCorners[2], edgesByCorners[7]].flatMap((line) => line ?? []);
+// The two cases of a saddle: edges around the corners a and c, or around b and d.
+const aroundAC = [edgesByCorners[1], edgesByCorners[4]].flatMap((line) => line ?? []);
+const aroundBD = [edgesByCorners[2], edgesByCorners[7]].flatMap((line) => line ?? []);
 
 /** Returns the pairs of edges that the contour crosses in a cell. */
 function crossedEdges(
   cornerMask: number,
   isCentreBelow: boolean,
 ): readonly (readonly [Edge, Edge])[] {
-  if (cornerMask === 5) return isCentreBelow ? cutCorners : joinCorners;
-  if (cornerMask === 10) return isCentreBelow ? joinCorners : cutCorners;
+  if (cornerMask === 5) return isCentreBelow ? aroundAC : aroundBD;
+  if (cornerMask === 10) return isCentreBelow ? aroundBD : aroundAC;
   return edgesByCorners[cornerMask] ?? edgesByCorners[15 - cornerMask] ?? [];
 }
 

@@ -29,11 +29,11 @@ export function DetectPanel() {
           id="height"
           name="Height"
           value={height}
-          usual={thresholds.height}
-          text={(at) => `${(100 * at).toFixed(1)} cm`}
+          defaultValue={thresholds.height}
+          format={(at) => `${(100 * at).toFixed(1)} cm`}
           range={{ min: 0.005, max: 0.3, step: 0.005 }}
-          ends={["Low", "High"]}
-          set={(to) => setDetectOptions({ height: to })}
+          endLabels={["Low", "High"]}
+          onChange={(to) => setDetectOptions({ height: to })}
         />
       )}
       {bySpeed.includes(method) && (
@@ -41,11 +41,11 @@ export function DetectPanel() {
           id="speed"
           name="Speed"
           value={speed}
-          usual={thresholds.speed}
-          text={(at) => `${at.toFixed(2)} m/s`}
+          defaultValue={thresholds.speed}
+          format={(at) => `${at.toFixed(2)} m/s`}
           range={{ min: 0.05, max: 3, step: 0.05 }}
-          ends={["Slow", "Fast"]}
-          set={(to) => setDetectOptions({ speed: to })}
+          endLabels={["Slow", "Fast"]}
+          onChange={(to) => setDetectOptions({ speed: to })}
         />
       )}
       <Result />

@@ -6,7 +6,7 @@ import { pause, seek } from "../actions/playback";
 import type { Disagreement, Score } from "../model/types";
 import { frame } from "../store/playback";
 import { openClip, reference, score, scorePart, scores } from "../store/session";
-import { Facts } from "../ui/Facts";
+import { PropertyList } from "../ui/PropertyList";
 import { VirtualList } from "../ui/VirtualList";
 
 /** How our labels agree with someone else's. */
@@ -113,7 +113,7 @@ function Events({ of: { events } }: { of: Score }) {
   return (
     <div class="field">
       <h2>Plants</h2>
-      <Facts facts={facts} />
+      <PropertyList properties={facts} />
     </div>
   );
 }
@@ -159,7 +159,9 @@ function Disagreements({ of: { disagreements } }: { of: Score }) {
       </div>
       <VirtualList
         items={disagreements}
-        row={(item) => <Difference key={`${item.side} ${item.start}`} of={item} rate={rate} />}
+        renderRow={(item) => (
+          <Difference key={`${item.side} ${item.start}`} of={item} rate={rate} />
+        )}
       />
     </div>
   );

@@ -239,8 +239,8 @@ function Listed() {
       </p>
       <VirtualList
         items={namedSegments.value}
-        shown={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
-        row={(action) => <Row key={action.start} action={action} rate={rate} />}
+        visibleIndex={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
+        renderRow={(action) => <Row key={action.start} action={action} rate={rate} />}
       />
       {!referenceSegments.value && (
         <p class="note">Drop segments as JSON or CSV to see them below these.</p>
