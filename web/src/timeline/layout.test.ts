@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 import type { Annotation, Detection, Segmentation } from "../model/types";
-import { walker, walkerTrack } from "../testing/walker";
+import { createWalkingClip, createWalkingTrack } from "../testing/walking-clip";
 import { type LayoutInput, layoutTimeline } from "./layout";
 
-const clip = walker("walk.bvh", 2);
+const clip = createWalkingClip("walk.bvh", 2);
 const tracks = {
-  left: walkerTrack(clip, 0, 0.1, 0.6, 0, 17),
-  right: walkerTrack(clip, 0.5, 0.1, 0.6, 0, 22),
+  left: createWalkingTrack(clip, 0, 0.1, 0.6, 0, 17),
+  right: createWalkingTrack(clip, 0.5, 0.1, 0.6, 0, 22),
 };
 const robust: Detection = {
   options: { method: "robust", r: 0.001, w: 1 },
