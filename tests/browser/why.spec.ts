@@ -213,7 +213,7 @@ test("what a person said is the reason", async ({ app, page }) => {
   await open(app);
   await page.keyboard.press("e");
   await page.keyboard.press("Delete");
-  await expect(app.fact("Left in the air")).toHaveText("as you said");
+  await expect(app.fact("Left in the air")).toHaveText("edited");
 });
 
 test("where nothing was clustered the panel says so", async ({ app }) => {

@@ -107,7 +107,7 @@ function ColumnHeads() {
           >
             <button
               type="button"
-              title={column.about}
+              title={column.description}
               onClick={() => {
                 order.value = {
                   key: column.key,

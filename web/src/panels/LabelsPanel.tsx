@@ -3,7 +3,7 @@ import { compareWithTruth } from "../actions/compare";
 import { select, selection } from "../actions/edit";
 import { exportLabels } from "../actions/export";
 import { seekPlant } from "../actions/playback";
-import { certainPlant, type Plant, principalPart } from "../model/plants";
+import { minPlantConfidence, type Plant, principalPart } from "../model/plants";
 import type { SaveFormat } from "../model/types";
 import { frame } from "../store/playback";
 import { detection, openClip, plants, reference, source } from "../store/session";
@@ -71,7 +71,7 @@ function Listed() {
 function Row({ plant, rate }: { plant: Plant; rate: number }) {
   const now = useComputed(() => frame.value >= plant.start && frame.value < plant.end);
   const seconds = (frames: number) => (frames / rate).toFixed(2);
-  const doubtful = !plant.edited && plant.confidence < certainPlant;
+  const doubtful = !plant.edited && plant.confidence < minPlantConfidence;
   const isSelected = selection.value?.number === plant.number;
   const choose = () => {
     const part = principalPart(detection.value?.parts ?? {});
