@@ -20,13 +20,13 @@ test("clips stand side by side, linked in time, and go away again", async ({ app
     await expect(beside).toHaveAttribute("aria-pressed", "true");
   }
   await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
-  const shown = page.getByRole("list", { name: "Beside it" });
+  const shown = page.getByRole("list", { name: "Comparison clips" });
   await expect(shown.getByRole("listitem")).toHaveText(["bowling.bvh", "frog-jumps.bvh"]);
   await expect.poll(async () => (await app.picture()) === alone).toBe(false);
   // They come along when another clip is opened, and leave by a button.
   await page.keyboard.press("End");
-  await page.getByRole("button", { name: "Take bowling.bvh away" }).click();
+  await page.getByRole("button", { name: "Remove bowling.bvh from the comparison" }).click();
   await expect(shown.getByRole("listitem")).toHaveText(["frog-jumps.bvh"]);
-  await page.getByRole("button", { name: "Take frog-jumps.bvh away" }).click();
+  await page.getByRole("button", { name: "Remove frog-jumps.bvh from the comparison" }).click();
   await expect(shown).toBeHidden();
 });

@@ -142,17 +142,17 @@ async function expectColours(app: App, theme: "light" | "dark") {
     return {
       isDark: luminance("--panel") < 0.2,
       text: [
-        ratio("--ink", "--panel"),
+        ratio("--text", "--panel"),
         ratio("--muted", "--panel"),
-        ratio("--on-side", "--left"),
-        ratio("--on-side", "--right"),
+        ratio("--text-on-side", "--left"),
+        ratio("--text-on-side", "--right"),
       ],
       graphics: [
         ratio("--left", "--lane"),
         ratio("--right", "--lane"),
-        ratio("--why", "--lane"),
-        ratio("--edge", "--panel"),
-        ratio("--view-bone", "--view-ground"),
+        ratio("--accent", "--lane"),
+        ratio("--border-strong", "--panel"),
+        ratio("--view-bone", "--view-background"),
       ],
     };
   });

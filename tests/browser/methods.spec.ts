@@ -14,7 +14,7 @@ test("all sixteen methods are offered and label a clip", async ({ app, page }) =
   const lines = new Set<string>();
   for (const name of names) {
     await menu.selectOption(name);
-    await expect(app.timeline.locator(".why")).toBeHidden();
+    await expect(app.timeline.locator(".timeline-message")).toBeHidden();
     lines.add(await page.locator("#method-line").innerText());
     expect((await app.result("Left")).plants, name).toBeGreaterThan(0);
   }

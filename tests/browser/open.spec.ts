@@ -7,7 +7,7 @@ test("a dropped file shows its facts, its plants and its name in the title", asy
   await app.opened("curved-walk.bvh");
   await expect(app.head).toContainText("curved-walk.bvh");
   await expect(app.head).toContainText("245 frames · 120 Hz · 2.04 s");
-  await expect(app.stage).toHaveAccessibleName("The skeleton of curved-walk.bvh");
+  await expect(app.stage).toHaveAccessibleName("Skeleton of curved-walk.bvh");
   await expect(app.playhead).toHaveAttribute("aria-valuemax", "244");
   expect((await app.result("Left")).plants).toBeGreaterThan(0);
   expect((await app.result("Right")).plants).toBeGreaterThan(0);

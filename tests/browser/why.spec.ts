@@ -51,7 +51,7 @@ test("a point under the pointer lights its frame, and a click goes there", async
 }) => {
   await open(app);
   expect(await app.frame()).toBe(0);
-  const line = app.timeline.locator(".pointed-line");
+  const line = app.timeline.locator(".pointed-frame");
   await expect(line).toBeHidden();
   const view = await app.stage.screenshot();
   const at = await spot(norms(app), 0.9, 0.4);
@@ -74,7 +74,7 @@ test("a point under the pointer lights its frame, and a click goes there", async
 
 test("the points of the scatter are frames as well", async ({ app, page }) => {
   await open(app);
-  const line = app.timeline.locator(".pointed-line");
+  const line = app.timeline.locator(".pointed-frame");
   const at = await spot(scatter(app), 0.22, 0.8);
   await page.mouse.move(at.x, at.y);
   await expect(line).toBeVisible();
@@ -95,7 +95,7 @@ test("a frame pointed at on the timeline is marked in the plots", async ({ app, 
   await expect(app.view.getByText(/^Frame \d+$/)).toBeHidden();
   await app.tab("Detect");
   await page.mouse.move(x + 20, y + 40);
-  await expect(app.timeline.locator(".pointed-line")).toBeHidden();
+  await expect(app.timeline.locator(".pointed-frame")).toBeHidden();
 });
 
 test("the line of r is dragged, and labels and plots follow", async ({ app, page }) => {
@@ -105,7 +105,7 @@ test("the line of r is dragged, and labels and plots follow", async ({ app, page
   const labels = readLabels(await app.save("Labels"));
   await app.tab("Why");
   const field = await scatter(app).screenshot();
-  const grip = variance(app).locator(".level");
+  const grip = variance(app).locator(".drag-line");
   await grip.scrollIntoViewIfNeeded();
   await expect(grip).toHaveText("r 0.0010");
   const box = await grip.boundingBox();
@@ -132,7 +132,7 @@ test("the slider of r moves the line, and a wider window the norms", async ({ ap
   const sigma = output(app, /^σ 0\.\d\d\d$/);
   const usual = await sigma.textContent();
   await page.getByRole("slider", { name: "Sensitivity r" }).fill("0");
-  await expect(variance(app).locator(".level")).toHaveText("r 0.0002");
+  await expect(variance(app).locator(".drag-line")).toHaveText("r 0.0002");
   await expect(sigma).not.toHaveText(usual ?? "");
   await app.panel.getByRole("button", { name: "Reset sensitivity" }).click();
   await expect(sigma).toHaveText(usual ?? "");
@@ -196,7 +196,7 @@ test("thresholds are drawn, and other methods say that there is no evidence", as
   await expect(norms(app)).toBeHidden();
   const { x, y } = await spot(scatter(app), 0.25, 0.8);
   await page.mouse.move(x, y);
-  await expect(app.timeline.locator(".pointed-line")).toBeVisible();
+  await expect(app.timeline.locator(".pointed-frame")).toBeVisible();
   for (const [name, words] of [
     ["gmm", /no spectral evidence/],
     ["njw", /has no line in this plane/],
@@ -237,5 +237,5 @@ test("a long clip is explained", async ({ app, page }) => {
   await expect(norms(app)).toBeVisible();
   const { x, y } = await spot(norms(app), 0.7, 0.5);
   await page.mouse.move(x, y);
-  await expect(app.timeline.locator(".pointed-line")).toBeVisible();
+  await expect(app.timeline.locator(".pointed-frame")).toBeVisible();
 });

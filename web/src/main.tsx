@@ -17,7 +17,7 @@ import "./styles/score.css";
 import "./styles/segment.css";
 import "./styles/share.css";
 import "uplot/dist/uPlot.min.css";
-import "./styles/why.css";
+import "./styles/evidence.css";
 
 start();
 const root = document.getElementById("app");

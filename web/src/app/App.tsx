@@ -65,7 +65,7 @@ export function App() {
       {tableVisible.value && <Batch />}
       <Dialogs />
       <Toasts />
-      <p class="hidden" role="status">
+      <p class="visually-hidden" role="status">
         {announcement}
       </p>
       {filesDragged.value && (

@@ -61,7 +61,7 @@ function NoticesDialog() {
         {notices.value.map((notice, i) => (
           <li key={i}>
             <p>{notice.text}</p>
-            <p class="quiet">
+            <p class="muted">
               <code>{notice.code}</code>
               {locationText(notice) && ` ${locationText(notice)}`}
             </p>

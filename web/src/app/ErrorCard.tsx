@@ -34,7 +34,7 @@ export function ErrorCard() {
         </h2>
         <button
           type="button"
-          class="button plain icon-only"
+          class="button flat icon-only"
           aria-label="Dismiss"
           onClick={() => {
             errorReport.value = null;
@@ -44,7 +44,7 @@ export function ErrorCard() {
         </button>
       </div>
       <Reason of={held} />
-      {openClip.value && !held.action && <p class="quiet">{openClip.value.name} is still open.</p>}
+      {openClip.value && !held.action && <p class="muted">{openClip.value.name} is still open.</p>}
       <p class="failure-foot">
         <button type="button" class="button" onClick={copy}>
           {copied.value === report ? "Copied" : "Copy report"}
@@ -61,7 +61,7 @@ function Reason({ of: { failure: why, source } }: { of: ErrorReport }) {
   return (
     <>
       <p>{toSentence(why.message)}</p>
-      {where && <p class="quiet">At {where}:</p>}
+      {where && <p class="muted">At {where}:</p>}
       {excerpt && (
         // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard
         <pre tabIndex={0}>

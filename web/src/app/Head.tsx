@@ -18,7 +18,7 @@ export function Head() {
         {embedded ? "Shared clip" : "Plantigrade"}
       </h1>
       <About />
-      <span class="spring" />
+      <span class="spacer" />
       {embedded && <MadeWith />}
       {batchRows.value.length > 0 && (
         <button
@@ -58,7 +58,7 @@ export function Head() {
       {openClip.value && (
         <button
           type="button"
-          class="button strong share"
+          class="button primary share"
           aria-haspopup="dialog"
           onClick={openShareDialog}
         >

@@ -29,7 +29,7 @@ export function ShareDialog() {
           </p>
           <button
             type="button"
-            class={`button ${link ? "" : "strong"}`}
+            class={`button ${link ? "" : "primary"}`}
             disabled={isMaking.value}
             onClick={makePage}
           >
@@ -81,7 +81,7 @@ function LinkWay({ link }: { link: string }) {
         value={link}
         onFocus={(event) => event.currentTarget.select()}
       />
-      <button type="button" class="button strong" onClick={copy}>
+      <button type="button" class="button primary" onClick={copy}>
         {said.value}
       </button>
     </section>

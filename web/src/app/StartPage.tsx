@@ -10,10 +10,10 @@ export function StartPage() {
       <div class="welcome">
         <p class="sentence">Drop a BVH file to see every foot plant.</p>
         <p class="choices">
-          <button type="button" class="button strong big" onClick={pickFiles}>
+          <button type="button" class="button primary large" onClick={pickFiles}>
             Open a file
           </button>
-          <span class="quiet">
+          <span class="muted">
             Nothing leaves your computer. Up to {maxFileBytes / 2 ** 30} GiB.
           </span>
         </p>

@@ -14,7 +14,7 @@ export function Toasts() {
           )}
           <button
             type="button"
-            class="button plain icon-only"
+            class="button flat icon-only"
             aria-label="Dismiss"
             onClick={() => dismissToast(remark)}
           >

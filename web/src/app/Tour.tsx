@@ -64,23 +64,23 @@ export function Tour() {
     <aside class="tour" aria-label="Tour">
       <p aria-live="polite">{text}</p>
       <div class="tour-foot">
-        <span class="quiet">
+        <span class="muted">
           {at.value + 1} of {hints.length}
         </span>
-        <span class="spring" />
+        <span class="spacer" />
         {at.value > 0 && (
-          <button type="button" class="button plain" onClick={() => go(at.value - 1)}>
+          <button type="button" class="button flat" onClick={() => go(at.value - 1)}>
             Back
           </button>
         )}
-        <button type="button" class="button strong" onClick={() => go(at.value + 1)}>
+        <button type="button" class="button primary" onClick={() => go(at.value + 1)}>
           {isLast ? "Done" : "Next"}
         </button>
       </div>
       {!isLast && (
         <button
           type="button"
-          class="button plain icon-only"
+          class="button flat icon-only"
           aria-label="End the tour"
           onClick={() => go(hints.length)}
         >

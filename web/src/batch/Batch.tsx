@@ -44,7 +44,7 @@ function Head() {
   return (
     <div class="batch-head">
       <h2 id="batch-title">{all} clips</h2>
-      <p class="quiet" aria-live="off">
+      <p class="muted" aria-live="off">
         {done < all ? `${done} labelled` : "All labelled"}
         {method && ` by ${method.title}`}
       </p>
@@ -64,7 +64,7 @@ function Head() {
           Label again
         </button>
       )}
-      <span class="spring" />
+      <span class="spacer" />
       <input
         class="input"
         type="search"
@@ -76,7 +76,7 @@ function Head() {
         }}
       />
       <button type="button" class="button" disabled={done === 0} onClick={exportAll}>
-        Save all <span class="quiet">zip</span>
+        Save all <span class="muted">zip</span>
       </button>
       <button
         type="button"

@@ -47,7 +47,7 @@ function Cells({ row }: { row: BatchRow }) {
         <button type="button" title={row.source.name} onClick={() => openRow(row)}>
           {name?.text(row)}
         </button>
-        {row.summary?.edited && <span class="quiet"> edited</span>}
+        {row.summary?.edited && <span class="muted"> edited</span>}
         {row.summary && openClip.value && row.source !== source.value && <BesideButton row={row} />}
       </th>
       {row.summary ? (
@@ -62,7 +62,7 @@ function Cells({ row }: { row: BatchRow }) {
         ))
       ) : (
         <>
-          <td class="batch-why" colSpan={others.length - minor} title={why && toSentence(why)}>
+          <td class="batch-message" colSpan={others.length - minor} title={why && toSentence(why)}>
             {row.status === "failed" && toSentence(why ?? "")}
             {row.status === "running" && "Labelling…"}
             {row.status === "waiting" && "Waiting"}

@@ -31,7 +31,7 @@ export function EvidencePanel() {
     return <p class="note">{reason ? toSentence(reason) : "Looking for the reasons…"}</p>;
   }
   return (
-    <div class="why-panel">
+    <div class="evidence">
       <Parts />
       <Reading found={lastInput} />
       <Scatter found={lastInput} />
@@ -54,7 +54,7 @@ function Parts() {
   if (parts.length < 2) return null;
   return (
     <fieldset class="segmented parts">
-      <legend class="hidden">Part</legend>
+      <legend class="visually-hidden">Part</legend>
       {parts.map((part) => (
         <button
           key={part}
@@ -75,7 +75,7 @@ const atNow = () => pointedFrame.value?.frame ?? frame.value;
 function Reading({ found }: { found: ReadonlySignal<ExplanationInput> }) {
   const at = useComputed(atNow);
   return (
-    <div class="field reading" data-pointed={pointedFrame.value !== null}>
+    <div class="field frame-status" data-pointed={pointedFrame.value !== null}>
       <h2>Frame {at}</h2>
       <dl>
         <Foot found={found} side="left" />
@@ -117,14 +117,14 @@ function Scatter({ found }: { found: ReadonlySignal<ExplanationInput> }) {
     <div class="field">
       <div class="field-head">
         <h2>Height and speed</h2>
-        <p class="why-key" aria-hidden="true">
+        <p class="plot-legend" aria-hidden="true">
           <span class="left">
             <i class="dot" /> L
           </span>
           <span class="right">
             <i class="dot" /> R planted
           </span>
-          <span class="air">
+          <span class="swing">
             <i class="dot" /> air
           </span>
         </p>
@@ -175,7 +175,7 @@ function Curves({
       <div class="field">
         <div class="field-head">
           <h2>Running variance</h2>
-          <output class="green">knee {share} %</output>
+          <output class="accent">knee {share} %</output>
         </div>
         <Plot frame={varianceFrame} picture={variance} text={text} />
         <p class="note">
@@ -187,7 +187,7 @@ function Curves({
       <div class="field">
         <div class="field-head">
           <h2>Sorted norms</h2>
-          <output class="green">σ {sigma.toFixed(3)}</output>
+          <output class="accent">σ {sigma.toFixed(3)}</output>
         </div>
         <Plot frame={normsFrame} picture={norms} text={text} />
         <p class="note">

@@ -25,7 +25,7 @@ export function Plot({
   return (
     <div
       ref={host}
-      class="why-plot"
+      class="plot"
       data-height={frame.height}
       role="slider"
       tabIndex={0}

@@ -6,7 +6,7 @@ export type DragLine = ReturnType<typeof createDragLine>;
 /** The grip of a level that can be dragged up and down: an element of its own, wide enough for a finger. */
 export function createDragLine(plot: uPlot, host: HTMLElement) {
   const grip = document.createElement("div");
-  grip.className = "level";
+  grip.className = "drag-line";
   const text = document.createElement("b");
   grip.append(text);
   plot.over.append(grip);

@@ -19,7 +19,7 @@ export type Marks = ReturnType<typeof createMarks>;
 /** The feet at the playhead and those pointed at, on a canvas of their own: playing repaints no plot. */
 export function createMarks(plot: uPlot, frame: PlotSpec, inkOf: () => CanvasTheme) {
   const canvas = document.createElement("canvas");
-  canvas.className = "marks";
+  canvas.className = "plot-markers";
   plot.over.append(canvas);
   const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
   let due = 0;
@@ -130,7 +130,7 @@ function ring(
   pen.beginPath();
   pen.arc(x, y, own ? 7 : 5, 0, 7);
   pen.stroke();
-  pen.strokeStyle = ink.why;
+  pen.strokeStyle = ink.accent;
   pen.lineWidth = 2;
   pen.stroke();
 }

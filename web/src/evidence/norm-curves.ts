@@ -42,8 +42,9 @@ export function sortedNorms(evidence: Clustering): PlotData {
   return {
     ...curve(evidence, norms, niceCeiling(norms.at(-1) ?? 1)),
     paint(plot, ink) {
-      if (isAtKnee(evidence)) paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.why, true);
-      paintLine(plot, "y", sigma, ink.why);
+      if (isAtKnee(evidence))
+        paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.accent, true);
+      paintLine(plot, "y", sigma, ink.accent);
       const { left } = plot.bbox;
       const y = plot.valToPos(sigma, "y", true) - 9 * devicePixelRatio;
       paintText(plot, ink, `σ ${sigma.toFixed(3)}`, left + 6 * devicePixelRatio, y, "left");
@@ -67,8 +68,8 @@ export function runningVariance(evidence: Clustering, setR: (to: number) => void
     ...(atKnee && { level }),
     paint(plot, ink) {
       if (!atKnee) return;
-      paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.why, true);
-      paintLine(plot, "y", tolerance, ink.why);
+      paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.accent, true);
+      paintLine(plot, "y", tolerance, ink.accent);
     },
   };
 }

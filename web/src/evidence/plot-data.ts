@@ -74,7 +74,7 @@ export function paintText(
   x: number,
   y: number,
   align: CanvasTextAlign,
-  color = ink.why,
+  color = ink.accent,
 ) {
   const ratio = devicePixelRatio;
   ctx.save();

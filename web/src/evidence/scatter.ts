@@ -110,7 +110,7 @@ function boundary({ clustering }: Evidence): Float32Array {
 
 function paintBoundary(plot: uPlot, ink: CanvasTheme, line: Float32Array) {
   const { ctx } = plot;
-  ctx.strokeStyle = ink.why;
+  ctx.strokeStyle = ink.accent;
   ctx.lineWidth = 2 * devicePixelRatio;
   ctx.lineCap = "round";
   ctx.beginPath();
@@ -127,12 +127,12 @@ function paintLimits(plot: uPlot, ink: CanvasTheme, { thresholds: { height, spee
   const { left, top, width } = plot.bbox;
   const gap = 5 * devicePixelRatio;
   if (height !== undefined) {
-    paintLine(plot, "y", height, ink.why);
+    paintLine(plot, "y", height, ink.accent);
     const y = plot.valToPos(height, "y", true) - 2 * gap;
     paintText(plot, ink, `${formatValue(100 * height)} cm`, left + width - gap, y, "right");
   }
   if (speed !== undefined) {
-    paintLine(plot, "x", speed, ink.why);
+    paintLine(plot, "x", speed, ink.accent);
     const x = plot.valToPos(speed, "x", true) + gap;
     paintText(plot, ink, `${formatValue(speed)} m/s`, x, top + 2 * gap, "left");
   }

@@ -116,7 +116,7 @@ function Foot({ side, share }: { side: Side; share: number }) {
       </dt>
       <dd>
         {Math.round(100 * share)} % planted
-        <span class="quiet">
+        <span class="muted">
           {number} {number === 1 ? "plant" : "plants"}
         </span>
       </dd>

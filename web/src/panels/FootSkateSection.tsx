@@ -78,7 +78,7 @@ function Made({ made }: { made: CleanedClip }) {
   return (
     <>
       <fieldset class="segmented parts">
-        <legend class="hidden">What the view shows</legend>
+        <legend class="visually-hidden">What the view shows</legend>
         {views.map(([view, name]) => (
           <button
             key={view}
@@ -93,7 +93,7 @@ function Made({ made }: { made: CleanedClip }) {
         ))}
       </fieldset>
       <button type="button" class="button" onClick={saveCleaned}>
-        Save the cleaned clip <span class="quiet">BVH</span>
+        Save the cleaned clip <span class="muted">BVH</span>
       </button>
       {(left.length > 0 || made.notices.length > 0) && (
         <ul class="notes">

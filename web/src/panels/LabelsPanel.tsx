@@ -46,7 +46,7 @@ function Listed() {
       <ListHead title="Plants" count={plants.value.length}>
         {formats.map(([format, name, kind]) => (
           <button key={format} type="button" class="button" onClick={() => exportLabels(format)}>
-            {name} <span class="quiet">{kind}</span>
+            {name} <span class="muted">{kind}</span>
           </button>
         ))}
       </ListHead>
@@ -98,7 +98,7 @@ function Row({ plant, rate }: { plant: Plant; rate: number }) {
       <span>{seconds(plant.end - plant.start)}</span>
       <span class="sure" data-doubtful={doubtful}>
         {plant.edited ? "edited" : `${Math.floor(100 * plant.confidence)} %`}
-        {doubtful && <span class="hidden">, uncertain</span>}
+        {doubtful && <span class="visually-hidden">, uncertain</span>}
       </span>
     </button>
   );

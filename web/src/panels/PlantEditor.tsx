@@ -41,7 +41,7 @@ function HistoryButton({ id }: { id: "undo" | "redo" }) {
   return (
     <button
       type="button"
-      class="button plain icon-only"
+      class="button flat icon-only"
       aria-label={command.label}
       title={tooltip(id)}
       disabled={!isEnabled(command)}
@@ -62,7 +62,7 @@ function Selected() {
         <span class="dot" aria-hidden="true" />
         {plantRef.side === "left" ? "Left" : "Right"} {plantRef.part}
         {number !== undefined && `, plant ${number}`}
-        {isEdited && <span class="quiet"> · edited</span>}
+        {isEdited && <span class="muted"> · edited</span>}
       </p>
       <div class="rows edges">
         <Edge name="Start" value={plantRef.start} to={(start) => ({ start })} command="set-start" />

@@ -45,7 +45,7 @@ export function ScorePanel() {
 function Parts({ shown }: { shown: Score }) {
   return (
     <fieldset class="segmented parts">
-      <legend class="hidden">Part</legend>
+      <legend class="visually-hidden">Part</legend>
       {scores.value.map(({ part }) => (
         <button
           key={part}
@@ -129,10 +129,10 @@ function Disagreements({ of: { disagreements } }: { of: Score }) {
   const rate = openClip.value?.rate ?? 1;
   return (
     <div class="differences">
-      <div class="plants-head">
+      <div class="list-head">
         <h2>Differences</h2>
         <p class="steps">
-          <span class="quiet">{disagreements.length || "none"}</span>
+          <span class="muted">{disagreements.length || "none"}</span>
           {disagreements.length > 0 && (
             <>
               <button

@@ -260,11 +260,11 @@ function Save() {
     <>
       {formats.map(([format, name, kind]) => (
         <button key={format} type="button" class="button" onClick={() => exportSegments(format)}>
-          {name} <span class="quiet">{kind}</span>
+          {name} <span class="muted">{kind}</span>
         </button>
       ))}
       <button type="button" class="button" onClick={exportClips}>
-        Clips <span class="quiet">BVH, zip</span>
+        Clips <span class="muted">BVH, zip</span>
       </button>
     </>
   );

@@ -136,7 +136,7 @@ export function Timeline() {
     <section class="timeline" aria-label="Timeline" data-compared={reference.value !== null}>
       <Transport />
       <div class="tracks" ref={room}>
-        <canvas ref={canvas} class={still ? "gone" : undefined} />
+        <canvas ref={canvas} class={still ? "no-frames" : undefined} />
         {!still && <PointedLine layout={layout} width={width} />}
         {!still && <Playhead layout={layout} width={width} />}
         {still ? (
@@ -157,7 +157,7 @@ export function Timeline() {
           )
         )}
       </div>
-      <div class="hidden">
+      <div class="visually-hidden">
         <PlantTable />
         <SegmentTable />
       </div>
@@ -177,9 +177,12 @@ function Why({
   below?: number;
 }) {
   return (
-    <div class="why" ref={(element) => element?.style.setProperty("--below", `${below}px`)}>
+    <div
+      class="timeline-message"
+      ref={(element) => element?.style.setProperty("--lanes-height", `${below}px`)}
+    >
       <p>{toSentence(failure.message)}</p>
-      {failure.hint && <p class="quiet">{failure.hint}</p>}
+      {failure.hint && <p class="muted">{failure.hint}</p>}
       {toJoints && (
         <button
           type="button"

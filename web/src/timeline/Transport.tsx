@@ -28,13 +28,13 @@ export function Transport() {
         {time}
       </p>
       <p class="frame-count">
-        <span class="quiet">frame</span> {number}{" "}
-        <span class="quiet">/ {formatCount(held?.frames ?? 0)}</span>
+        <span class="muted">frame</span> {number}{" "}
+        <span class="muted">/ {formatCount(held?.frames ?? 0)}</span>
       </p>
-      <span class="spring" />
+      <span class="spacer" />
       <button
         type="button"
-        class="button plain loop"
+        class="button flat loop"
         aria-pressed={loop.value !== "off"}
         title={tooltip("loop")}
         onClick={commandOf("loop").run}
@@ -44,7 +44,7 @@ export function Transport() {
         <LoopName />
       </button>
       <label class="speed">
-        <span class="hidden">Speed</span>
+        <span class="visually-hidden">Speed</span>
         <select
           class="select small"
           title={`Speed (${keyOf("slower")} and ${keyOf("faster")})`}

@@ -51,7 +51,7 @@ export function paintSegmentationCurve(
   if (curve.threshold.length) {
     trace(pen, scene, curve.frames, curve.threshold, inner, bottom, scale, low);
     pen.setLineDash(dashes);
-    pen.strokeStyle = ink.why;
+    pen.strokeStyle = ink.accent;
     pen.lineWidth = 1.25;
     pen.stroke();
     pen.setLineDash(solid);
@@ -144,7 +144,7 @@ function dots(
   const apart = (span / extrema.length / (view.end - view.start)) * inner;
   if (apart < 5) return;
   const radius = apart < 12 ? 1.75 : 2.5;
-  pen.fillStyle = ink.why;
+  pen.fillStyle = ink.accent;
   pen.strokeStyle = ink.lane;
   pen.lineWidth = 1;
   for (const index of extrema) {

@@ -32,7 +32,7 @@ export function Dialog({ title, children }: { title: string; children: Component
       <div class="dialog-box">
         <div class="dialog-head">
           <h2 id="dialog-title">{title}</h2>
-          <button type="button" class="button plain icon-only" aria-label="Close" onClick={close}>
+          <button type="button" class="button flat icon-only" aria-label="Close" onClick={close}>
             <Icon name="close" />
           </button>
         </div>

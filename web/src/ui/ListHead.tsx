@@ -18,7 +18,7 @@ export function ListHead({
   const id = useId();
   return (
     <>
-      <div class="plants-head segments-head">
+      <div class="list-head list-head-compact">
         <h2>
           {title} <span class="number">{count}</span>
         </h2>
@@ -36,7 +36,7 @@ export function ListHead({
         </button>
       </div>
       {isSaving.value && (
-        <div class="save" id={id}>
+        <div class="save-buttons" id={id}>
           {children}
         </div>
       )}

@@ -33,7 +33,7 @@ export function Slider({ id, name, value, usual, text, spoken = text, range, end
         </h2>
         {value !== usual && (
           <button type="button" class="link" onClick={() => set(usual)}>
-            Reset<span class="hidden"> {name.split(" ")[0]?.toLowerCase()}</span>
+            Reset<span class="visually-hidden"> {name.split(" ")[0]?.toLowerCase()}</span>
           </button>
         )}
         <output for={id}>{text(value)}</output>
@@ -47,12 +47,12 @@ export function Slider({ id, name, value, usual, text, spoken = text, range, end
         value={position}
         // The part left of the thumb, which only Firefox can style by itself.
         ref={(input) => {
-          input?.style.setProperty("--share", String((position - min) / (max - min)));
+          input?.style.setProperty("--fraction", String((position - min) / (max - min)));
         }}
         aria-valuetext={spoken(value)}
         onInput={(event) => set(from(event.currentTarget.valueAsNumber))}
       />
-      <p class="ends" aria-hidden="true">
+      <p class="slider-ends" aria-hidden="true">
         <span>{ends[0]}</span>
         <span>{ends[1]}</span>
       </p>

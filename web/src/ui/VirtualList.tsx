@@ -29,7 +29,7 @@ export function VirtualList<T>({
   return (
     <div ref={box}>
       <ol
-        class="plants"
+        class="virtual-list"
         ref={(el) => el?.style.setProperty("height", `${items.length * rowHeight}px`)}
       >
         {items.slice(from, to).map((item, i) => (

@@ -7,7 +7,7 @@ export interface CanvasTheme {
   line: string;
   edge: string;
   raised: string;
-  why: string;
+  accent: string;
   muted: string;
   text: string;
   left: string;
@@ -31,17 +31,17 @@ export function readCanvasTheme(
   return {
     ground,
     lane: color("--lane"),
-    line: color("--line"),
-    edge: color("--edge"),
+    line: color("--border"),
+    edge: color("--border-strong"),
     raised: color("--raised"),
-    why: color("--why"),
+    accent: color("--accent"),
     muted: color("--muted"),
-    text: color("--ink"),
+    text: color("--text"),
     left,
     right,
-    onSide: color("--on-side"),
+    onSide: color("--text-on-side"),
     tint: { left: color("--left-tint"), right: color("--right-tint") },
-    unknown: hatch(pen, color("--edge"), ratio),
+    unknown: hatch(pen, color("--border-strong"), ratio),
     hatch: { left: hatch(pen, left, ratio), right: hatch(pen, right, ratio) },
     transition: hatch(pen, color("--muted"), ratio),
     erode: dots(pen, ground, ratio),

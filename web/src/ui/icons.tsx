@@ -50,7 +50,7 @@ export function Icon({ name }: { name: IconName }) {
 export function Mark() {
   return (
     <svg
-      class="mark"
+      class="logo"
       viewBox="6 0 20 32"
       width="14"
       height="22"
