@@ -8,14 +8,14 @@ const states: Record<string, (app: App) => Promise<void>> = {
   "the Detect tab": (app) => app.sample("bowling"),
   "the Why tab": async (app) => {
     await app.sample("bowling");
-    await app.tab("Why");
+    await app.tab("Evidence");
     await app.page.getByRole("slider", { name: "Sorted norms" }).press("ArrowRight");
     await expect(app.view.getByText(/^Frame \d+$/)).toBeVisible();
   },
   "the Why tab of a threshold": async (app) => {
     await app.sample("bowling");
     await app.page.getByRole("combobox", { name: "Method" }).selectOption("dual");
-    await app.tab("Why");
+    await app.tab("Evidence");
     await expect(app.panel).toContainText("thresholds");
   },
   "the Segment tab": async (app) => {
@@ -71,7 +71,7 @@ const states: Record<string, (app: App) => Promise<void>> = {
   "a table of many clips": async (app) => {
     await app.empty();
     await app.drop(bad("ragged-row"), good("no-motion"), good("plain"));
-    await expect(app.page.getByText(/^All labelled/)).toBeVisible();
+    await expect(app.page.getByText(/^All processed/)).toBeVisible();
   },
   "a plant being edited": async (app) => {
     await app.sample("curved-walk");

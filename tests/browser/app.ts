@@ -28,7 +28,7 @@ export interface Listed {
   name: string;
 }
 
-export type Tab = "Detect" | "Why" | "Segment" | "Labels" | "Score" | "Clip";
+export type Tab = "Detect" | "Evidence" | "Segment" | "Labels" | "Score" | "Clip";
 
 export class App {
   readonly state: Locator;
@@ -63,7 +63,7 @@ export class App {
     this.panel = page.getByRole("tabpanel");
     this.alert = page.getByRole("alert");
     this.dialog = page.getByRole("dialog");
-    this.remark = page.locator(".remark");
+    this.remark = page.locator(".toast");
     this.watch();
   }
 
@@ -218,7 +218,7 @@ export class App {
   async result(foot: "Left" | "Right"): Promise<{ share: number; plants: number }> {
     await this.tab("Detect");
     const text = this.fact(foot);
-    await expect(this.panel.locator(".result")).toHaveAttribute("aria-busy", "false");
+    await expect(this.panel.locator(".detect-result")).toHaveAttribute("aria-busy", "false");
     await expect(text).toHaveText(/\d+ % planted\s*\d+ plants?/);
     const [share = Number.NaN, plants = Number.NaN] =
       (await text.innerText()).match(/\d+/g)?.map(Number) ?? [];
@@ -289,7 +289,7 @@ export class App {
 
   /** Saves by a button of the Labels tab. */
   async save(
-    button: "Labels" | "Every frame" | "Intervals" | "Gait events" | "Arrays" | "Blender",
+    button: "Labels" | "Frames" | "Intervals" | "Gait events" | "Arrays" | "Blender",
   ): Promise<Saved> {
     await this.tab("Labels");
     await this.unfoldSave();

@@ -15,7 +15,7 @@ const row = (app: App, name: string) =>
 const names = (app: App) => table(app).getByRole("rowheader").getByRole("button").allInnerTexts();
 
 async function allLabelled(app: App) {
-  await expect(app.page.getByText(/^All labelled/)).toBeVisible();
+  await expect(app.page.getByText(/^All processed/)).toBeVisible();
 }
 
 const zip = (name: string, files: Record<string, Payload | string>): Payload => ({
@@ -123,7 +123,7 @@ test("an archive with one clip opens it; one that is broken or empty says so", a
   await expect(app.alert).toContainText("broken.zip could not be opened");
   await app.alert.getByRole("button", { name: "Dismiss" }).click();
   await app.drop(zip("none.zip", { "readme.txt": "nothing" }));
-  await expect(app.alert).toContainText("no BVH file in the archive");
+  await expect(app.alert).toContainText("contains no BVH file");
   await expect(app.alert).toContainText("curved-walk.bvh is still open");
 });
 
@@ -172,7 +172,9 @@ test("labels dropped with many clips stand beside those that bear their names", 
     truth("nobody.json"),
   );
   await allLabelled(app);
-  await expect(row(app, "nobody.json")).toContainText("No clip of this drop has the name");
+  await expect(row(app, "nobody.json")).toContainText(
+    "No clip of this drop has a matching file name",
+  );
   await row(app, "curved-walk.bvh").getByRole("button", { name: "curved-walk.bvh" }).click();
   await app.opened("curved-walk.bvh");
   await app.tab("Score");
@@ -191,8 +193,8 @@ test("a thousand files at once leave a page that works", async ({ app, page }) =
   await expect(page.getByRole("heading", { name: "1000 clips" })).toBeVisible();
   // It can be stopped, and goes on where it was.
   await page.getByRole("button", { name: "Stop" }).click();
-  await page.getByRole("button", { name: "Go on" }).click();
-  await expect(page.getByText(/^All labelled/)).toBeVisible({ timeout: 60_000 });
+  await page.getByRole("button", { name: "Resume" }).click();
+  await expect(page.getByText(/^All processed/)).toBeVisible({ timeout: 60_000 });
   expect(await table(app).getByRole("row").count()).toBeLessThan(60);
   await page.getByRole("searchbox", { name: "Filter by name" }).fill("failed");
   expect(await names(app)).toEqual(["clip-501.bvh"]);
@@ -214,6 +216,6 @@ test("edits of a clip count in the table, and options label it again", async ({ 
   await app.tab("Detect");
   await page.getByRole("combobox", { name: "Method" }).selectOption("paper");
   await page.getByRole("button", { name: "2 clips" }).click();
-  await page.getByRole("button", { name: "Label again" }).click();
-  await expect(page.getByText("All labelled by Paper")).toBeVisible();
+  await page.getByRole("button", { name: "Process again" }).click();
+  await expect(page.getByText("All processed · Paper")).toBeVisible();
 });

@@ -38,7 +38,7 @@ test("a sample can be compared with its truth, and the comparison removed", asyn
   await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
   await app.tab("Labels");
   const lanes = await app.tracks.screenshot();
-  await app.panel.getByRole("button", { name: "Compare with the truth" }).click();
+  await app.panel.getByRole("button", { name: "Compare with ground truth" }).click();
   await expect(page.getByRole("tabpanel", { name: "Score" })).toContainText("foot-drag-walk truth");
   expect(await app.tracks.screenshot()).not.toEqual(lanes);
   await app.panel.getByRole("button", { name: "Remove" }).click();
@@ -85,7 +85,7 @@ test("the score follows the method and its settings", async ({ app, page }) => {
 
 for (const [button, ending] of [
   ["Labels", "JSON"],
-  ["Every frame", "CSV"],
+  ["Frames", "CSV"],
 ] as const) {
   test(`labels saved as ${ending} agree with themselves`, async ({ app }) => {
     await app.sample("frog-jumps");

@@ -25,7 +25,7 @@ test("another up axis is taken up and given back", async ({ app, page }) => {
   await up.selectOption({ label: "Y" });
   await expect(app.fact("Up axis")).toHaveText("Y");
   await expect(app.head).toContainText("Y up");
-  await up.selectOption({ label: "As found" });
+  await up.selectOption({ label: "Detected" });
   await expect(app.fact("Up axis")).toHaveText("Z");
 });
 
@@ -39,7 +39,7 @@ test("another joint can be named as a foot's toe", async ({ app, page }) => {
     .poll(async () => readLabels(await app.save("Labels")).joints.left.toe)
     .toBe(found.left.heel);
   await app.tab("Clip");
-  await toe.selectOption({ label: "As found" });
+  await toe.selectOption({ label: "Detected" });
   await expect.poll(async () => readLabels(await app.save("Labels")).joints).toEqual(found);
 });
 

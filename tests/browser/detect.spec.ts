@@ -55,7 +55,7 @@ test("the paper's method labels toes only, and says so", async ({ app, page }) =
   await expect(app.panel.locator("#method-line")).toContainText(/toes/i);
   await expect.poll(() => both(app)).not.toEqual(contact);
   expect(await app.tracks.screenshot()).not.toEqual(lanes);
-  const { head, rows } = readTable(await app.save("Every frame"));
+  const { head, rows } = readTable(await app.save("Frames"));
   expect(head).toBe("frame,time,left_toe,right_toe");
   expect(rows).toHaveLength(744);
   const labels = readLabels(await app.save("Labels"));

@@ -97,18 +97,18 @@ test("everything goes by buttons and fields", async ({ app, page }) => {
   await field(app, "End").fill(String((second[1] ?? 0) - 10));
   await field(app, "End").press("Tab");
   await expect(app.panel.getByText("edited").first()).toBeVisible();
-  await app.panel.getByRole("button", { name: "As detected", exact: true }).click();
+  await app.panel.getByRole("button", { name: "Revert", exact: true }).click();
   await expect(field(app, "End")).toHaveValue(String(second[1]));
   expect(await saved(app)).toEqual(before);
   // Between the first plant and the second one there is room for another.
   await toFrame(app, (first[1] ?? 0) + 10);
   await app.panel.getByRole("combobox", { name: "Part" }).selectOption("heel");
-  await app.panel.getByRole("button", { name: "Add here" }).click();
+  await app.panel.getByRole("button", { name: "Add plant" }).click();
   const added = await saved(app);
   expect(contact(added)).toHaveLength(contact(before).length + 1);
   expect(added.left.heel).toHaveLength((before.left.heel?.length ?? 0) + 1);
   expect(added.left.toe).toEqual(before.left.toe);
-  await app.panel.getByRole("button", { name: "All as detected" }).click();
+  await app.panel.getByRole("button", { name: "Revert all" }).click();
   expect(await saved(app)).toEqual(before);
   await page.getByRole("button", { name: "Undo" }).click();
   expect(await saved(app)).toEqual(added);
@@ -148,7 +148,7 @@ test("labels of someone else become one's own, and are saved as edited", async (
     mimeType: "application/json",
     buffer: Buffer.from(JSON.stringify({ left, right: none })),
   });
-  await app.panel.getByRole("button", { name: "Make these labels mine" }).click();
+  await app.panel.getByRole("button", { name: "Adopt reference labels" }).click();
   const mine = await saved(app);
   expect(spans(mine)).toEqual(theirs);
   expect(contact(mine, "right")).toEqual([]);

@@ -160,7 +160,7 @@ test("a file is opened, labelled, looked through, corrected and saved", async ({
     expect(await labels(page)).not.toBe(expected);
     await chord(page, "Control", "z");
     expect(JSON.parse(await labels(page))).toEqual(JSON.parse(expected));
-    for (const tab of ["Segment", "Clip", "Detect", "Why"]) {
+    for (const tab of ["Segment", "Clip", "Detect", "Evidence"]) {
       await click(page, "tab", tab);
       await page.waitForSelector(`[role=tabpanel]`);
     }

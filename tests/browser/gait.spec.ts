@@ -12,14 +12,14 @@ test("a walk has its cadence, times and lengths, left beside right", async ({ ap
   await expect(table.getByRole("row", { name: /^Step width/ })).toHaveText(/1\d cm\s*1\d cm/);
   const cadence = Number.parseFloat(await app.fact("Cadence").innerText());
   expect(Math.abs(cadence - 112)).toBeLessThan(4);
-  await expect(app.fact("Both feet down")).toContainText("% of a stride");
+  await expect(app.fact("Double support")).toContainText("% of a stride");
 });
 
 test("a limp leans to one side, and a run has flight", async ({ app }) => {
   await app.sample("limp-to-run");
   await app.tab("Clip");
-  await expect(app.fact("Stance, right to left")).toHaveText(/^\d+ % more$/);
-  await expect(app.fact("No foot down")).toContainText("% of a stride");
+  await expect(app.fact("Stance, right vs. left")).toHaveText(/^\d+ % longer$/);
+  await expect(app.fact("Flight")).toContainText("% of a stride");
 });
 
 test("edits change the measures, and jumps have none", async ({ app, page }) => {
@@ -35,6 +35,6 @@ test("edits change the measures, and jumps have none", async ({ app, page }) => 
   await expect(stance).not.toHaveText(before);
   await app.sample("frog-jumps");
   await app.tab("Clip");
-  await expect(app.panel.getByRole("heading", { name: "Joints of the feet" })).toBeVisible();
+  await expect(app.panel.getByRole("heading", { name: "Foot joints" })).toBeVisible();
   await expect(app.panel.getByRole("heading", { name: "Gait" })).toBeHidden();
 });

@@ -15,7 +15,7 @@ test("1 to 4 turn the camera, as the buttons do", async ({ app, page }) => {
 test("a question mark lists the keys and Escape puts the list away", async ({ app, page }) => {
   await app.sample("curved-walk");
   await page.keyboard.press("?");
-  await expect(app.dialog).toHaveAccessibleName("Keys");
+  await expect(app.dialog).toHaveAccessibleName("Keyboard shortcuts");
   await expect(app.dialog).toContainText("Previous, next plant edge");
   await page.keyboard.press("Escape");
   await expect(app.dialog).toBeHidden();
@@ -28,7 +28,7 @@ test("the list of keys gives the focus back to the button that opened it", async
   page,
 }) => {
   await app.empty();
-  const button = app.head.getByRole("button", { name: "Keys" });
+  const button = app.head.getByRole("button", { name: "Keyboard shortcuts" });
   await button.focus();
   await page.keyboard.press("Enter");
   await expect(app.dialog).toBeVisible();
@@ -56,7 +56,7 @@ test("a slider that has the focus keeps its arrow keys", async ({ app, page }) =
 test("tabs are chosen by the arrow keys", async ({ app, page }) => {
   await app.sample("curved-walk");
   await page.getByRole("tab", { name: "Detect" }).focus();
-  for (const name of ["Why", "Segment", "Labels", "Clip", "Detect"]) {
+  for (const name of ["Evidence", "Segment", "Labels", "Clip", "Detect"]) {
     await page.keyboard.press("ArrowRight");
     await expect(page.getByRole("tab", { name })).toBeFocused();
     await expect(page.getByRole("tabpanel", { name })).toBeVisible();

@@ -48,7 +48,7 @@ for (const [i, path] of recordings.entries()) {
 /** Checks the page on both devices, one of them light and the other dark. */
 async function expectLooks(app: App, index: number) {
   const { page } = app;
-  const table = readTable(await app.save("Every frame"));
+  const table = readTable(await app.save("Frames"));
   await app.tab("Detect");
   for (const [j, viewport] of Object.values(devices).entries()) {
     const theme = (index + j) % 2 ? "light" : "dark";
@@ -56,7 +56,7 @@ async function expectLooks(app: App, index: number) {
     await page.emulateMedia({ colorScheme: theme });
     await expect(page.locator("html")).toHaveAttribute("data-theme", theme);
     // Choosing a tab raises the panel on a phone.
-    const lower = page.getByRole("button", { name: "Lower the panel" });
+    const lower = page.getByRole("button", { name: "Collapse panel" });
     if (await lower.isVisible()) await lower.click();
     await expectColours(app, theme);
     await page.keyboard.press("Home");

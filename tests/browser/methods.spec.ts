@@ -56,9 +56,9 @@ test("a method that takes long can be cancelled, and the labels before stay", as
   const before = await app.result("Left");
   const menu = page.getByRole("combobox", { name: "Method" });
   await menu.selectOption("njw");
-  const bar = page.getByRole("progressbar", { name: /^Finding plants/ });
+  const bar = page.getByRole("progressbar", { name: /^Detecting plants/ });
   await expect(bar).toBeVisible();
-  await expect(app.panel.locator(".result")).toHaveCSS("opacity", "0.5");
+  await expect(app.panel.locator(".detect-result")).toHaveCSS("opacity", "0.5");
   await page.getByRole("button", { name: "Cancel" }).click();
   await expect(bar).toBeHidden();
   await expect(menu).toHaveValue("robust");
@@ -72,7 +72,7 @@ test("a method that takes long can be cancelled, and the labels before stay", as
   await menu.selectOption("paper");
   await expect(bar).toBeHidden();
   await expect(app.head.getByRole("alert")).toBeHidden();
-  expect(readTable(await app.save("Every frame")).head).toBe("frame,time,left_toe,right_toe");
+  expect(readTable(await app.save("Frames")).head).toBe("frame,time,left_toe,right_toe");
 });
 
 test("a method that labels contact alone has its lanes, pills and tables", async ({
@@ -81,7 +81,7 @@ test("a method that labels contact alone has its lanes, pills and tables", async
 }) => {
   await app.sample("limp-to-run");
   await page.getByRole("combobox", { name: "Method" }).selectOption("min-speed");
-  const { head, rows } = readTable(await app.save("Every frame"));
+  const { head, rows } = readTable(await app.save("Frames"));
   expect(head).toBe("frame,time,left_contact,right_contact");
   const planted = rows.findIndex((row) => row.left_contact === "1");
   for (let i = 0; i < planted; i++) await page.keyboard.press("ArrowRight");
@@ -96,7 +96,7 @@ test("every plant of the list says how sure it is, and doubt is named", async ({
   const plants = app.panel.getByRole("listitem").getByRole("button");
   await expect.poll(() => plants.filter({ hasText: "uncertain" }).count()).toBeGreaterThan(0);
   for (const plant of await plants.all()) {
-    const percent = Number((await plant.locator(".sure").textContent())?.match(/^\d+/)?.[0]);
+    const percent = Number((await plant.locator(".confidence").textContent())?.match(/^\d+/)?.[0]);
     await expect(plant).toContainText(percent < 95 ? "uncertain" : "%");
     if (percent >= 95) await expect(plant).not.toContainText("uncertain");
   }

@@ -39,7 +39,7 @@ test("after one visit the app opens, labels and shares without a network", async
   expect((await app.result("Left")).plants).toBeGreaterThan(2);
   expect((await app.sharePage()).name).toBe("bowling.html");
   await app.drop(sample("ballet"), sample("skipping"));
-  await expect(page.getByText(/^All labelled/)).toBeVisible();
+  await expect(page.getByText(/^All processed/)).toBeVisible();
   expect(app.complaints()).toEqual([]);
 });
 
@@ -61,12 +61,12 @@ test("a new version comes with the next load, and what is open goes on", async (
   await next.empty();
   const script = next.page.locator("script[type=module]");
   await expect(script).toHaveAttribute("src", /index-newer\.js$/);
-  await expect(old.remark).toContainText("A new version is ready");
+  await expect(old.remark).toContainText("A new version is available");
   await expect(next.remark).toHaveCount(0);
 
   // Workers that the old page has not started yet are still to be had.
   await old.drop(sample("ballet"), sample("skipping"));
-  await expect(page.getByText(/^All labelled/)).toBeVisible();
+  await expect(page.getByText(/^All processed/)).toBeVisible();
   await old.remark.getByRole("button", { name: "Reload" }).click();
   await expect(page.locator("script[type=module]")).toHaveAttribute("src", /index-newer\.js$/);
   expect(old.complaints()).toEqual([]);

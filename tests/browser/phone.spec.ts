@@ -37,10 +37,10 @@ test("the panel rises and sinks on a phone", async ({ app, page }) => {
   await app.sample("frog-jumps");
   const r = page.getByRole("slider", { name: "Sensitivity r" });
   await expect(r).not.toBeInViewport();
-  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await page.getByRole("button", { name: "Expand panel" }).tap();
   await expect(r).toBeInViewport({ ratio: 1 });
   await expectNoSideways(app);
-  await page.getByRole("button", { name: "Lower the panel" }).tap();
+  await page.getByRole("button", { name: "Collapse panel" }).tap();
   await expect(r).not.toBeInViewport();
   await page.getByRole("tab", { name: "Labels" }).tap();
   const undo = page.getByRole("button", { name: "Undo" });
@@ -107,9 +107,9 @@ test("pills make room for the raised panel", async ({ app, page }) => {
   await app.sample("frog-jumps");
   const pill = app.view.getByText(/^Left (planted|in the air)/);
   await expect(pill).toBeInViewport({ ratio: 1 });
-  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await page.getByRole("button", { name: "Expand panel" }).tap();
   await expect(pill).toBeHidden();
-  await page.getByRole("button", { name: "Lower the panel" }).tap();
+  await page.getByRole("button", { name: "Collapse panel" }).tap();
   await expect(pill).toBeVisible();
 });
 
@@ -139,7 +139,7 @@ test("a comparison fits the timeline of a short phone", async ({ app, page }) =>
 test("a comparison fits a phone", async ({ app, page }) => {
   await app.sample("frog-jumps");
   await app.drop(clip("samples/frog-jumps.json"));
-  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await page.getByRole("button", { name: "Expand panel" }).tap();
   await expect(page.getByRole("tabpanel", { name: "Score" })).toBeVisible();
   await expectNoSideways(app);
   const open = page.getByRole("button", { name: "Open", exact: true });

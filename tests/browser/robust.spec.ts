@@ -41,7 +41,7 @@ test("a fault in the core replaces the worker, and edits are kept", async ({ app
   await expect.poll(async () => (await spans(app))?.length).toBe(2);
   await app.tab("Clip");
   await expect(app.alert).toContainText("curved-walk.bvh could not be measured");
-  await expect(app.alert).toContainText("your edits are kept");
+  await expect(app.alert).toContainText("your edits were not lost");
   await app.alert.getByRole("button", { name: "Dismiss" }).click();
   // The next worker has the clip and the edits again.
   await expect.poll(async () => (await spans(app))?.length).toBe(2);

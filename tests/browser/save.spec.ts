@@ -41,7 +41,7 @@ function expectSpans(
 
 test("the table of frames has a row a frame that agrees with the JSON", async ({ app }) => {
   await app.sample("bowling");
-  const saved = await app.save("Every frame");
+  const saved = await app.save("Frames");
   expect(saved.name).toBe("bowling.frames.csv");
   const { head, rows } = readTable(saved);
   expect(head).toBe(

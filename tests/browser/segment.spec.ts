@@ -14,7 +14,7 @@ interface SegmentsDocument {
 const read = (text: string): SegmentsDocument => JSON.parse(text);
 
 const menu = (app: App) => app.panel.getByRole("combobox", { name: "Method" });
-const progress = (app: App) => app.page.getByText("Finding segments in");
+const progress = (app: App) => app.page.getByText("Segmenting");
 const name = (app: App, number: number) =>
   app.panel.getByRole("textbox", { name: `Name of segment ${number}`, exact: true });
 
@@ -85,7 +85,7 @@ test("the options that matter to a method are offered", async ({ app, page }) =>
   await app.pressRuler(0.5);
   const frame = await app.frame();
   const template = app.panel.getByRole("combobox", { name: "Template" });
-  await template.selectOption({ label: "This frame" });
+  await template.selectOption({ label: "Current frame" });
   await expect(template).toHaveValue(String(frame));
   // What is saved is what is shown: until the clip is cut anew, that is what was before.
   await expect(async () => {
@@ -278,7 +278,7 @@ test("a long segmentation can be cancelled at once, and what was there stays", a
   await menu(app).selectOption("mvu");
   const cancel = app.page.getByRole("button", { name: "Cancel" });
   await expect(cancel).toBeVisible();
-  const bar = app.page.getByRole("progressbar", { name: /^Finding segments/ });
+  const bar = app.page.getByRole("progressbar", { name: /^Segmenting/ });
   await expect.poll(async () => Number(await bar.getAttribute("value"))).toBeGreaterThan(0);
   const frames = await cancel.evaluate(async (button) => {
     (button as HTMLButtonElement).click();

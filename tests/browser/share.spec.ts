@@ -7,7 +7,7 @@ import { file, good, repeated, sample } from "./clips";
 /** All that a link has to bring back. */
 async function stateOf(app: App) {
   const link = await app.link();
-  const labels = (await app.save("Every frame")).text;
+  const labels = (await app.save("Frames")).text;
   const segments = (await app.saveSegments("Table")).text;
   return { link, labels, segments, frame: await app.frame() };
 }
@@ -86,7 +86,7 @@ test("what a link says wrongly is left out, and told", async ({ app, page }) => 
   );
   await app.opened("bowling.bvh");
   await expect(app.remark).toContainText(
-    "The link contains “method=magic”, “r=<img src=x onerror=alert(1)>”, which is not valid",
+    "The link contains “method=magic”, “r=<img src=x onerror=alert(1)>”, which is invalid",
   );
   expect(await app.frame()).toBe(60);
   await app.tab("Detect");
@@ -100,7 +100,7 @@ test("no link is given to a file of one's own", async ({ app, page }) => {
   await app.with(good("plain"));
   await app.head.getByRole("button", { name: "Share" }).focus();
   await page.keyboard.press("Enter");
-  await expect(app.dialog).toContainText("A link cannot carry a file of your own");
+  await expect(app.dialog).toContainText("There is no link to a local file");
   await expect(app.dialog.getByRole("textbox")).toHaveCount(0);
   await page.keyboard.press("Escape");
   await expect(app.dialog).toHaveCount(0);
@@ -224,7 +224,7 @@ test("a page in one file opens other clips, one and many", async ({ app, browser
   await there.app.drop(good("plain"));
   await there.app.opened("plain.bvh");
   await there.app.drop(sample("ballet"), sample("skipping"));
-  await expect(there.app.page.getByText(/^All labelled/)).toBeVisible();
+  await expect(there.app.page.getByText(/^All processed/)).toBeVisible();
   expectSound(there);
   await there.context.close();
 });
@@ -256,7 +256,7 @@ test("a page that takes long to make says how far it is, and can be stopped", as
   await app.share();
   const save = app.dialog.getByRole("button", { name: "Save page" });
   await save.click();
-  const bar = app.dialog.getByRole("progressbar", { name: /^Making limp-to-run/ });
+  const bar = app.dialog.getByRole("progressbar", { name: /^Creating limp-to-run/ });
   await expect(bar).toBeVisible();
   expect(Number(await bar.getAttribute("value"))).toBeGreaterThan(0);
   // At once: by the time a mouse has got there it might be made.

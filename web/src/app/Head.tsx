@@ -10,6 +10,7 @@ import { Icon, Logo } from "../ui/icons";
 import { formatCount, formatDuration, formatRate } from "../util/format";
 import { MadeWith } from "./MadeWith";
 
+/** The header of the page. */
 export function Head() {
   return (
     <header class="head">
@@ -17,7 +18,7 @@ export function Head() {
         <Logo />
         {embedded ? "Shared clip" : "Plantigrade"}
       </h1>
-      <About />
+      <ClipSummary />
       <span class="spacer" />
       {embedded && <MadeWith />}
       {batchRows.value.length > 0 && (
@@ -44,14 +45,14 @@ export function Head() {
       <button
         type="button"
         class="button icon-only keys"
-        aria-label="Keys"
+        aria-label={commandOf("keys").label}
         title={tooltip("keys")}
         onClick={commandOf("keys").run}
       >
         ?
       </button>
       {(openClip.value || tableVisible.value) && (
-        <button type="button" class="button open-high" title={tooltip("open")} onClick={pickFiles}>
+        <button type="button" class="button open-top" title={tooltip("open")} onClick={pickFiles}>
           Open
         </button>
       )}
@@ -69,24 +70,24 @@ export function Head() {
   );
 }
 
-/** What is open, in one line. */
-function About() {
-  const held = openClip.value;
-  if (!held) return null;
-  const facts = held.frames
+/** Name, length, rate and units of the open clip, and the number of notices. */
+function ClipSummary() {
+  const clip = openClip.value;
+  if (!clip) return null;
+  const facts = clip.frames
     ? [
-        `${formatCount(held.frames)} frames`,
-        formatRate(held.rate),
-        formatDuration(held.frames / held.rate),
+        `${formatCount(clip.frames)} frames`,
+        formatRate(clip.rate),
+        formatDuration(clip.frames / clip.rate),
       ]
     : ["rest pose only"];
-  facts.push(`${held.unit ? `${held.unit}, ` : ""}${held.up.replace("-", "−").toUpperCase()} up`);
-  const heard = notices.value.length;
+  facts.push(`${clip.unit ? `${clip.unit}, ` : ""}${clip.up.replace("-", "−").toUpperCase()} up`);
+  const noticeCount = notices.value.length;
   return (
-    <p class="about">
-      <strong title={held.name}>{held.name}</strong>
-      <span class="facts-line">{facts.join(" · ")}</span>
-      {heard > 0 && (
+    <p class="clip-summary">
+      <strong title={clip.name}>{clip.name}</strong>
+      <span class="clip-facts">{facts.join(" · ")}</span>
+      {noticeCount > 0 && (
         <button
           type="button"
           class="link"
@@ -95,7 +96,7 @@ function About() {
             dialog.value = "notices";
           }}
         >
-          {heard} {heard === 1 ? "notice" : "notices"}
+          {noticeCount} {noticeCount === 1 ? "notice" : "notices"}
         </button>
       )}
     </p>

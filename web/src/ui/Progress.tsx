@@ -3,7 +3,7 @@ import { jobs, opening } from "../store/jobs";
 import { openClip } from "../store/session";
 
 /** Titles of the stages of opening a clip. */
-const stages = { fetch: "Downloading", read: "Reading", detect: "Finding plants in" } as const;
+const stages = { fetch: "Downloading", read: "Reading", detect: "Detecting plants in" } as const;
 
 /** Returns the opening or the oldest job, in the form in which it is shown. */
 function shownJob() {
