@@ -20,11 +20,11 @@ async function read(file: Blob): Promise<WasmClip> {
 }
 
 /** Returns the time of the fastest of several runs, in milliseconds, and the result of the last. */
-async function bestTime<T>(runs: number, work: () => T | Promise<T>): Promise<[number, T]> {
+async function bestTime<T>(runs: number, run: () => T | Promise<T>): Promise<[number, T]> {
   let best = Number.POSITIVE_INFINITY;
   for (;;) {
     const start = performance.now();
-    const result = await work();
+    const result = await run();
     best = Math.min(best, performance.now() - start);
     if (--runs <= 0) return [best, result];
   }
@@ -37,7 +37,7 @@ async function medianDetectionTime(runs: number, params: () => DetectOptions) {
   const means: number[] = [];
   for (let run = 0; run < runs; run++) {
     let sum = 0;
-    for (let time = 0; time < repeats; time++) {
+    for (let repeat = 0; repeat < repeats; repeat++) {
       const options = params();
       sum += (await bestTime(1, () => clip?.detect(options).free()))[0];
     }

@@ -136,7 +136,7 @@ function paintFoot(
   ctx.fillText(side === "left" ? "L" : "R", x, y + 0.5);
 }
 
-/** Draws a foot at the pointed frame; `isNearest` emphasises the foot whose point is nearest to the pointer. */
+/** Draws a foot at the pointed frame, emphasised if its point is the nearest to the pointer. */
 function paintPointed(
   ctx: CanvasRenderingContext2D,
   theme: CanvasTheme,

@@ -62,9 +62,7 @@ export function createFakeEngine(): ClipEngine {
         return {
           ok: false,
           failure: {
-            message: clip?.frames
-              ? "no feet were found in this skeleton"
-              : "the clip has no frames",
+            message: clip?.frames ? "no feet detected in this skeleton" : "the clip has no frames",
             hint: clip?.frames
               ? "Name the ankles and toes under Clip."
               : "Only its rest pose is shown.",

@@ -11,7 +11,7 @@ interface Props {
   bottom?: number;
 }
 
-/** Shown in place of the lanes of the feet if there are none. */
+/** A message instead of the lanes of the feet, if there are none. */
 export function LanesMessage({ message, hint, offersJoints, bottom = 0 }: Props) {
   const openClipPanel = () => {
     activeTab.value = "clip";

@@ -191,7 +191,7 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
     lanes.push({ kind, part, left: tracks.left, right: tracks.right, y, height });
     y += height + 8;
   }
-  // Without labels a message takes the place of the lanes of the feet.
+  // Without labels a message replaces the lanes of the feet.
   if (!lanes.length) y = availableHeight - reservedHeight - (curveCount ? height + 8 : 0);
   for (const lane of segments) add(lane);
   if (visibleCurves.includes("curve")) {
@@ -217,7 +217,7 @@ function segmentLanes({ segmentation, referenceSegments }: LayoutInput, size: Si
   return lanes;
 }
 
-/** Returns the parts whose reference labels are shown: all, or only the principal one if space is short. */
+/** Returns the parts whose reference labels are shown: all, or the principal one if space is short. */
 function visibleReferenceParts(
   parts: Detection["parts"],
   reference: Annotation,
