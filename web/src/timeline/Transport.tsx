@@ -43,7 +43,7 @@ export function Transport() {
         <Icon name="loop" />
         <LoopLabel />
       </button>
-      <label class="speed">
+      <label>
         <span class="visually-hidden">Speed</span>
         <select
           class="select small"
