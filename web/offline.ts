@@ -9,7 +9,7 @@ export const offline = () =>
     manifest: {
       name: "Plantigrade",
       short_name: "Plantigrade",
-      description: "Find every foot plant in a motion capture clip.",
+      description: "Detects foot plants in motion capture.",
       id: "./",
       start_url: "./",
       scope: "./",
