@@ -1,15 +1,15 @@
-/** The app as one that is installed and opens without a network. */
+/** Web app manifest and service worker. */
 
 import { VitePWA } from "vite-plugin-pwa";
 
 export const offline = () =>
   VitePWA({
-    // The app registers it itself, when it has nothing left to load.
+    // Registered by the app after loading.
     injectRegister: null,
     manifest: {
       name: "Plantigrade",
       short_name: "Plantigrade",
-      description: "Find every foot plant in a motion capture clip.",
+      description: "Detects foot plants in motion capture.",
       id: "./",
       start_url: "./",
       scope: "./",
@@ -31,9 +31,9 @@ export const offline = () =>
       dontCacheBustURLsMatching: /assets\//,
       inlineWorkboxRuntime: true,
       sourcemap: false,
-      // The page that installed it is served by it too.
+      // The worker also serves the page that installed it.
       clientsClaim: true,
-      // With a network the page is the newest, as it would be without all this.
+      // The page itself is loaded from the network if possible, so that it is the newest version.
       directoryIndex: null,
       navigateFallback: null,
       runtimeCaching: [

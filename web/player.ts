@@ -1,6 +1,6 @@
 /**
- * The page in one file: the app built once more with everything it needs inside, and room for a
- * clip. The site has it as a file that is asked for when somebody shares.
+ * Builds the single-file page: the app with all its resources inlined, and empty blocks for a clip.
+ * The site contains it as a file that is downloaded when a clip is shared.
  */
 
 import { createHash } from "node:crypto";
@@ -9,9 +9,9 @@ import { join } from "node:path";
 import { build, type Plugin } from "vite";
 import { blockIds } from "./src/model/player-html.ts";
 
-const name = "virtual:player";
+const moduleName = "virtual:player";
 
-/** Gives the app the address of the page. */
+/** Provides the URL of the page as a virtual module. */
 export function player(): Plugin {
   let isBuild = true;
   return {
@@ -19,16 +19,20 @@ export function player(): Plugin {
     configResolved(config) {
       isBuild = config.command === "build";
     },
-    resolveId: (id) => (id === name ? `\0${name}` : undefined),
+    resolveId: (id) => (id === moduleName ? `\0${moduleName}` : undefined),
     async load(id) {
-      if (id !== `\0${name}`) return undefined;
+      if (id !== `\0${moduleName}`) return undefined;
       if (!isBuild) return 'export default "/player.html"';
-      const made = this.emitFile({ type: "asset", name: "player.html", source: await page() });
-      return `export default import.meta.ROLLUP_FILE_URL_${made}`;
+      const reference = this.emitFile({
+        type: "asset",
+        name: "player.html",
+        source: await buildPage(),
+      });
+      return `export default import.meta.ROLLUP_FILE_URL_${reference}`;
     },
     configureServer(server) {
       server.middlewares.use("/player.html", (_, response) => {
-        page().then(
+        buildPage().then(
           (html) => response.end(html),
           (error) => response.writeHead(500).end(String(error)),
         );
@@ -37,15 +41,15 @@ export function player(): Plugin {
   };
 }
 
-async function page(): Promise<string> {
+async function buildPage(): Promise<string> {
   const built = await build({
     configFile: false,
     root: import.meta.dirname,
     logLevel: "warn",
     publicDir: false,
-    plugins: [inside()],
+    plugins: [playerModules()],
     oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-    worker: { format: "iife", plugins: () => [inside()] },
+    worker: { format: "iife", plugins: () => [playerModules()] },
     build: {
       write: false,
       assetsInlineLimit: Number.POSITIVE_INFINITY,
@@ -70,19 +74,20 @@ async function page(): Promise<string> {
   return html(code[0] ?? "", styles[0] ?? "");
 }
 
-/** For `x.ts` there may be an `x.player.ts` that stands in for it here. */
-function inside(): Plugin {
+/** Replaces modules: where `x.player.ts` exists, it is used instead of `x.ts`. */
+function playerModules(): Plugin {
   return {
-    name: "inside",
+    name: "player-modules",
     enforce: "pre",
     async resolveId(id, importer, options) {
-      if (id === name) return `\0${name}`;
-      const found = await this.resolve(id, importer, { ...options, skipSelf: true });
-      const other = found?.id.replace(/\.ts$/, ".player.ts");
-      return other && other !== found?.id && existsSync(other) ? other : undefined;
+      if (id === moduleName) return `\0${moduleName}`;
+      const resolved = await this.resolve(id, importer, { ...options, skipSelf: true });
+      const replacement = resolved?.id.replace(/\.ts$/, ".player.ts");
+      const exists = replacement && replacement !== resolved?.id && existsSync(replacement);
+      return exists ? replacement : undefined;
     },
-    load: (id) => (id === `\0${name}` ? 'export default ""' : undefined),
-    // The bindings would fetch the core themselves if nobody gave it to them: here someone does.
+    load: (id) => (id === `\0${moduleName}` ? 'export default ""' : undefined),
+    // Removes the default URL of the wasm module, which the player passes to the bindings.
     transform: (code, id) =>
       id.endsWith("plantigrade.js")
         ? code.replace(/new URL\('plantigrade_bg.wasm', import.meta.url\)/, "undefined")
@@ -91,9 +96,9 @@ function inside(): Plugin {
 }
 
 function html(code: string, style: string): string {
-  // It has a block of its own, packed: a second one would double the page.
-  if (code.includes("data:application/wasm")) throw new Error("The core is in the script too.");
-  // Neither may end its element.
+  // The wasm module is in a compressed block; a copy in the script would double the size.
+  if (code.includes("data:application/wasm")) throw new Error("The script contains the core.");
+  // Script and style must not end their elements.
   const script = code.replace(/<(?=\/script|!--)/gi, "\\x3c");
   const css = style.replace(/<(?=\/style)/gi, "\\3c ");
   const hash = (text: string) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -108,7 +113,7 @@ function html(code: string, style: string): string {
     "form-action 'none'",
   ].join("; ");
   const icon = readFileSync(join(import.meta.dirname, "public/icon.svg")).toString("base64");
-  const rooms = blockIds
+  const blocks = blockIds
     .filter((block) => block !== "title")
     .map((block) => `<script type="text/plain" id="${block}"></script>\n`);
   return `<!doctype html>
@@ -124,8 +129,8 @@ function html(code: string, style: string): string {
 </head>
 <body>
 <div id="app"></div>
-<noscript>This page needs JavaScript: it shows a clip on your computer, and sends nothing.</noscript>
-${rooms.join("")}<script type="module">${script}</script>
+<noscript>This page requires JavaScript. It sends no data.</noscript>
+${blocks.join("")}<script type="module">${script}</script>
 </body>
 </html>
 `;
