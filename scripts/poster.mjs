@@ -1,6 +1,6 @@
 /**
- * `node scripts/poster.mjs`: takes the pictures that the empty page shows until its figure moves,
- * for wide and narrow pages, light and dark. The site has to be built without them first.
+ * `node scripts/poster.mjs`: renders the still images of the start page, for wide and narrow screens,
+ * light and dark. Requires a site that was built without them.
  */
 
 import { mkdirSync, writeFileSync } from "node:fs";
@@ -15,11 +15,11 @@ const sizes = { wide: { width: 1600, height: 900 }, narrow: { width: 480, height
 
 const { chromium: executablePath } = await browser();
 const site = await preview({ root: join(root, "web"), logLevel: "warn" });
-const held = await playwright.launch({ executablePath, args: ["--no-sandbox"] });
+const chromium = await playwright.launch({ executablePath, args: ["--no-sandbox"] });
 mkdirSync(folder, { recursive: true });
 for (const [shape, viewport] of Object.entries(sizes)) {
   for (const colorScheme of ["light", "dark"]) {
-    const page = await held.newPage({
+    const page = await chromium.newPage({
       viewport,
       colorScheme,
       reducedMotion: "reduce",
@@ -28,10 +28,10 @@ for (const [shape, viewport] of Object.entries(sizes)) {
     await page.goto(site.resolvedUrls.local[0]);
     await page.mouse.move(2, 2);
     await page.locator(".stage canvas").waitFor();
-    // Until the labels have come, and the figure has its footprints.
+    // Waits for the detection, after which footprints are drawn.
     await page.waitForTimeout(5000);
     await page.addStyleTag({ content: "body :not(:has(.stage), .stage, .stage *) { opacity: 0 }" });
-    const taken = await page.locator(".stage").screenshot();
+    const screenshot = await page.locator(".stage").screenshot();
     const picture = await page.evaluate(
       async (data) => {
         const bitmap = await createImageBitmap(await (await fetch(data)).blob());
@@ -40,11 +40,11 @@ for (const [shape, viewport] of Object.entries(sizes)) {
         const blob = await canvas.convertToBlob({ type: "image/webp", quality: 0.7 });
         return Array.from(new Uint8Array(await blob.arrayBuffer()));
       },
-      `data:image/png;base64,${taken.toString("base64")}`,
+      `data:image/png;base64,${screenshot.toString("base64")}`,
     );
     writeFileSync(join(folder, `${shape}-${colorScheme}.webp`), Buffer.from(picture));
     await page.close();
   }
 }
-await held.close();
+await chromium.close();
 await site.close();
