@@ -1,15 +1,15 @@
-/** Web app manifest and service worker. */
+/** Service worker and manifest: the app can be installed and works offline. */
 
 import { VitePWA } from "vite-plugin-pwa";
 
 export const offline = () =>
   VitePWA({
-    // Registered by the app after loading.
+    // The app registers the service worker itself, after everything else has loaded.
     injectRegister: null,
     manifest: {
       name: "Plantigrade",
       short_name: "Plantigrade",
-      description: "Detects foot plants in motion capture.",
+      description: "Find every foot plant in a motion capture clip.",
       id: "./",
       start_url: "./",
       scope: "./",
@@ -31,9 +31,9 @@ export const offline = () =>
       dontCacheBustURLsMatching: /assets\//,
       inlineWorkboxRuntime: true,
       sourcemap: false,
-      // The worker also serves the page that installed it.
+      // Also serves the page that registered it.
       clientsClaim: true,
-      // The page itself is loaded from the network if possible, so that it is the newest version.
+      // Online, the page is always loaded from the network, so that updates apply immediately.
       directoryIndex: null,
       navigateFallback: null,
       runtimeCaching: [

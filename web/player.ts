@@ -1,6 +1,6 @@
 /**
- * Builds the single-file page: the app with all its resources inlined, and empty blocks for a clip.
- * The site contains it as a file that is downloaded when a clip is shared.
+ * The player: a second build of the app as a single HTML file with empty blocks for a clip. The site
+ * downloads it when a clip is shared as one file.
  */
 
 import { createHash } from "node:crypto";
@@ -9,9 +9,9 @@ import { join } from "node:path";
 import { build, type Plugin } from "vite";
 import { blockIds } from "./src/model/player-html.ts";
 
-const moduleName = "virtual:player";
+const moduleId = "virtual:player";
 
-/** Provides the URL of the page as a virtual module. */
+/** Vite plugin: builds the player and provides its URL as the module `virtual:player`. */
 export function player(): Plugin {
   let isBuild = true;
   return {
@@ -19,16 +19,16 @@ export function player(): Plugin {
     configResolved(config) {
       isBuild = config.command === "build";
     },
-    resolveId: (id) => (id === moduleName ? `\0${moduleName}` : undefined),
+    resolveId: (id) => (id === moduleId ? `\0${moduleId}` : undefined),
     async load(id) {
-      if (id !== `\0${moduleName}`) return undefined;
+      if (id !== `\0${moduleId}`) return undefined;
       if (!isBuild) return 'export default "/player.html"';
-      const reference = this.emitFile({
+      const assetId = this.emitFile({
         type: "asset",
         name: "player.html",
         source: await buildPage(),
       });
-      return `export default import.meta.ROLLUP_FILE_URL_${reference}`;
+      return `export default import.meta.ROLLUP_FILE_URL_${assetId}`;
     },
     configureServer(server) {
       server.middlewares.use("/player.html", (_, response) => {
@@ -41,15 +41,16 @@ export function player(): Plugin {
   };
 }
 
+/** Builds the app as one script and one style sheet, and returns the page that contains both. */
 async function buildPage(): Promise<string> {
-  const built = await build({
+  const result = await build({
     configFile: false,
     root: import.meta.dirname,
     logLevel: "warn",
     publicDir: false,
-    plugins: [playerModules()],
+    plugins: [singleFilePlugin()],
     oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-    worker: { format: "iife", plugins: () => [playerModules()] },
+    worker: { format: "iife", plugins: () => [singleFilePlugin()] },
     build: {
       write: false,
       assetsInlineLimit: Number.POSITIVE_INFINITY,
@@ -63,31 +64,33 @@ async function buildPage(): Promise<string> {
       },
     },
   });
-  const output = [built].flat().flatMap((part) => ("output" in part ? part.output : []));
+  const output = [result].flat().flatMap((bundle) => ("output" in bundle ? bundle.output : []));
   const code = output.filter((file) => file.type === "chunk").map((file) => file.code);
   const styles = output.flatMap((file) =>
     file.type === "asset" && file.fileName.endsWith(".css") ? String(file.source) : [],
   );
   if (code.length !== 1 || styles.length !== 1 || output.length !== 2) {
-    throw new Error(`The page must be one script and one style: ${output.map((f) => f.fileName)}`);
+    const files = output.map((file) => file.fileName).join(", ");
+    throw new Error(`The player must consist of one script and one style sheet, not of ${files}.`);
   }
-  return html(code[0] ?? "", styles[0] ?? "");
+  return toHtml(code[0] ?? "", styles[0] ?? "");
 }
 
-/** Replaces modules: where `x.player.ts` exists, it is used instead of `x.ts`. */
-function playerModules(): Plugin {
+/** Vite plugin of the player build: replaces a module `x.ts` by `x.player.ts` if that exists. */
+function singleFilePlugin(): Plugin {
   return {
-    name: "player-modules",
+    name: "single-file",
     enforce: "pre",
     async resolveId(id, importer, options) {
-      if (id === moduleName) return `\0${moduleName}`;
+      if (id === moduleId) return `\0${moduleId}`;
       const resolved = await this.resolve(id, importer, { ...options, skipSelf: true });
       const replacement = resolved?.id.replace(/\.ts$/, ".player.ts");
-      const exists = replacement && replacement !== resolved?.id && existsSync(replacement);
-      return exists ? replacement : undefined;
+      return replacement && replacement !== resolved?.id && existsSync(replacement)
+        ? replacement
+        : undefined;
     },
-    load: (id) => (id === `\0${moduleName}` ? 'export default ""' : undefined),
-    // Removes the default URL of the wasm module, which the player passes to the bindings.
+    load: (id) => (id === `\0${moduleId}` ? 'export default ""' : undefined),
+    // The bindings must not refer to the wasm file; the player passes the module to them.
     transform: (code, id) =>
       id.endsWith("plantigrade.js")
         ? code.replace(/new URL\('plantigrade_bg.wasm', import.meta.url\)/, "undefined")
@@ -95,17 +98,21 @@ function playerModules(): Plugin {
   };
 }
 
-function html(code: string, style: string): string {
-  // The wasm module is in a compressed block; a copy in the script would double the size.
-  if (code.includes("data:application/wasm")) throw new Error("The script contains the core.");
-  // Script and style must not end their elements.
+/** Returns the page, with a content security policy that allows only its script and style. */
+function toHtml(code: string, style: string): string {
+  // The wasm module has its own compressed block.
+  if (code.includes("data:application/wasm")) {
+    throw new Error("The player script contains the wasm module a second time.");
+  }
+  // Neither text may contain the end tag of its element.
   const script = code.replace(/<(?=\/script|!--)/gi, "\\x3c");
   const css = style.replace(/<(?=\/style)/gi, "\\3c ");
-  const hash = (text: string) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+  const cspHash = (text: string) =>
+    `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
   const policy = [
     "default-src 'none'",
-    `script-src ${hash(script)} 'wasm-unsafe-eval'`,
-    `style-src ${hash(css)}`,
+    `script-src ${cspHash(script)} 'wasm-unsafe-eval'`,
+    `style-src ${cspHash(css)}`,
     "worker-src blob:",
     "img-src data: blob:",
     "font-src data:",
@@ -129,7 +136,7 @@ function html(code: string, style: string): string {
 </head>
 <body>
 <div id="app"></div>
-<noscript>This page requires JavaScript. It sends no data.</noscript>
+<noscript>This page requires JavaScript. It shows a clip on this computer and sends no data.</noscript>
 ${blocks.join("")}<script type="module">${script}</script>
 </body>
 </html>

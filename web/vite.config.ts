@@ -3,7 +3,7 @@ import { defineConfig } from "vitest/config";
 import { offline } from "./offline.ts";
 import { player } from "./player.ts";
 
-/** Content security policy of the built page. `https:` allows clips of `#url=` links. */
+/** Content security policy of the built page. `https:` is for clips that a `#url=` link names. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -42,10 +42,10 @@ export default defineConfig({
     assetsInlineLimit: 0,
     target: "es2023",
     chunkSizeWarningLimit: 700,
-    // The build of the single-file page runs inside of a plugin, which is slow.
+    // The player is built by a plugin, which takes long.
     rolldownOptions: {
       checks: { pluginTimings: false },
-      // Makes V8 compile all functions in the background while loading, not when a clip is opened.
+      // Hint to V8 to compile functions in the background during loading, not when a clip is opened.
       output: { postBanner: "//# allFunctionsCalledOnLoad" },
     },
   },

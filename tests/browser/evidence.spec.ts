@@ -185,16 +185,16 @@ test("shows thresholds, and reports methods without evidence", async ({ app, pag
   const method = page.getByRole("combobox", { name: "Method" });
   await method.selectOption("dual");
   await app.tab("Evidence");
-  await expect(app.panel).toContainText("clusters nothing, so it has no σ and no r");
+  await expect(app.panel).toContainText("does not use clustering, so it has no σ and no r");
   await expect(app.fact("Left planted")).toHaveText(/cm, below 5\.00;\s*0\.\d\d m\/s, below 0\.50/);
   await expect(norms(app)).toBeHidden();
   const { x, y } = await pointIn(scatter(app), 0.25, 0.8);
   await page.mouse.move(x, y);
   await expect(app.timeline.locator(".pointed-frame")).toBeVisible();
   for (const [name, words] of [
-    ["gmm", /no spectral evidence/],
-    ["njw", /has no line in this plane/],
-    ["sigma", /method’s own/],
+    ["gmm", /not a spectral method/],
+    ["njw", /no boundary is drawn/],
+    ["sigma", /determines σ in another way/],
   ] as const) {
     await app.tab("Detect");
     await method.selectOption(name);
@@ -221,7 +221,7 @@ test("reports that no frame was clustered", async ({ app }) => {
     buffer: Buffer.from(`${head}${text}\n`),
   });
   await app.tab("Evidence");
-  await expect(app.panel).toContainText("Nothing was clustered");
+  await expect(app.panel).toContainText("The frames were not clustered");
   await expect(norms(app)).toBeHidden();
 });
 

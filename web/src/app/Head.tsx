@@ -6,7 +6,7 @@ import { embedded } from "../store/embedded";
 import { notices, openClip } from "../store/session";
 import { nextTheme, themeChoice } from "../store/theme";
 import { dialog } from "../store/view";
-import { Icon, Mark } from "../ui/icons";
+import { Icon, Logo } from "../ui/icons";
 import { formatCount, formatDuration, formatRate } from "../util/format";
 import { MadeWith } from "./MadeWith";
 
@@ -15,7 +15,7 @@ export function Head() {
   return (
     <header class="head">
       <h1 class="brand">
-        <Mark />
+        <Logo />
         {embedded ? "Shared clip" : "Plantigrade"}
       </h1>
       <ClipSummary />

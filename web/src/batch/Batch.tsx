@@ -116,7 +116,7 @@ function ColumnHeaders() {
               }}
             >
               {column.title}
-              {key === column.key && <Icon name={direction > 0 ? "less" : "more"} />}
+              {key === column.key && <Icon name={direction > 0 ? "collapse" : "expand"} />}
             </button>
           </th>
         ))}

@@ -1,7 +1,7 @@
 import { setOverrides } from "../actions/detect";
 import type { Clip, Overrides, Up } from "../model/types";
 import { openClip, overrides, source } from "../store/session";
-import { Facts } from "../ui/Facts";
+import { PropertyList } from "../ui/PropertyList";
 import { formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
 import { FootSkateSection } from "./FootSkateSection";
 import { GaitSection } from "./GaitSection";
@@ -17,7 +17,7 @@ export function ClipPanel() {
     <>
       <div class="field">
         <h2>Clip</h2>
-        <Facts facts={factsOf(clip)} />
+        <PropertyList properties={factsOf(clip)} />
       </div>
       <FootSkateSection />
       <GaitSection />

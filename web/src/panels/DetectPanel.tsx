@@ -30,11 +30,11 @@ export function DetectPanel() {
           id="height"
           name="Height"
           value={height}
-          usual={defaults.height}
-          text={(metres) => `${(100 * metres).toFixed(1)} cm`}
+          defaultValue={defaults.height}
+          format={(metres) => `${(100 * metres).toFixed(1)} cm`}
           range={{ min: 0.005, max: 0.3, step: 0.005 }}
-          ends={["Low", "High"]}
-          set={(value) => setDetectOptions({ height: value })}
+          endLabels={["Low", "High"]}
+          onChange={(value) => setDetectOptions({ height: value })}
         />
       )}
       {speedMethods.includes(method) && (
@@ -42,11 +42,11 @@ export function DetectPanel() {
           id="speed"
           name="Speed"
           value={speed}
-          usual={defaults.speed}
-          text={(value) => `${value.toFixed(2)} m/s`}
+          defaultValue={defaults.speed}
+          format={(value) => `${value.toFixed(2)} m/s`}
           range={{ min: 0.05, max: 3, step: 0.05 }}
-          ends={["Slow", "Fast"]}
-          set={(value) => setDetectOptions({ speed: value })}
+          endLabels={["Slow", "Fast"]}
+          onChange={(value) => setDetectOptions({ speed: value })}
         />
       )}
       <Result />

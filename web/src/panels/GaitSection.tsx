@@ -1,5 +1,5 @@
 import { gait } from "../store/session";
-import { Facts } from "../ui/Facts";
+import { PropertyList } from "../ui/PropertyList";
 
 const titles: Record<string, string> = {
   stance_s: "Stance",
@@ -56,7 +56,7 @@ export function GaitSection() {
             ))}
         </tbody>
       </table>
-      <Facts facts={facts} />
+      <PropertyList properties={facts} />
     </div>
   );
 }

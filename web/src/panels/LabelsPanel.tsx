@@ -60,7 +60,7 @@ function PlantList() {
       {plants.value.length ? (
         <VirtualList
           items={plants.value}
-          row={(plant) => <Row key={plant.number} plant={plant} rate={rate} />}
+          renderRow={(plant) => <Row key={plant.number} plant={plant} rate={rate} />}
         />
       ) : (
         <p class="note">No foot is planted in this clip.</p>

@@ -6,7 +6,7 @@ import { jumpTo } from "../actions/playback";
 import type { Disagreement, Score } from "../model/types";
 import { frame } from "../store/playback";
 import { openClip, reference, score, scorePart, scores } from "../store/session";
-import { Facts } from "../ui/Facts";
+import { PropertyList } from "../ui/PropertyList";
 import { VirtualList } from "../ui/VirtualList";
 
 /** Agreement of the labels with a reference. */
@@ -120,7 +120,7 @@ function Events({ score: { events } }: { score: Score }) {
   return (
     <div class="field">
       <h2>Plants</h2>
-      <Facts facts={facts} />
+      <PropertyList properties={facts} />
     </div>
   );
 }
@@ -166,7 +166,7 @@ function Disagreements({ score: { disagreements } }: { score: Score }) {
       </div>
       <VirtualList
         items={disagreements}
-        row={(item) => (
+        renderRow={(item) => (
           <DisagreementRow key={`${item.side} ${item.start}`} disagreement={item} rate={rate} />
         )}
       />

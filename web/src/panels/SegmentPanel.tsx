@@ -243,8 +243,8 @@ function SegmentList() {
       </p>
       <VirtualList
         items={namedSegments.value}
-        shown={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
-        row={(segment) => <Row key={segment.start} segment={segment} rate={rate} />}
+        visibleIndex={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
+        renderRow={(segment) => <Row key={segment.start} segment={segment} rate={rate} />}
       />
       {!referenceSegments.value && (
         <p class="note">Drop a segment file (JSON or CSV) to compare it with these segments.</p>

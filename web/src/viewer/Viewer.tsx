@@ -110,8 +110,11 @@ const problemText = {
 function mountStage(host: HTMLElement): () => void {
   let unmounted = false;
   let dispose = () => {};
-  const wanted = Promise.race([firstInteraction, untilTruthy(() => opening.value || clip.value)]);
-  void Promise.all([wanted.then(() => import("./stage")), untilTruthy(() => clip.value)]).then(
+  const stageNeeded = Promise.race([
+    firstInteraction,
+    untilTruthy(() => opening.value || clip.value),
+  ]);
+  void Promise.all([stageNeeded.then(() => import("./stage")), untilTruthy(() => clip.value)]).then(
     ([{ Stage }]) => {
       if (unmounted) return;
       let stage: Stage;
