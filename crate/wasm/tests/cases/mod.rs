@@ -2,7 +2,8 @@
 
 use js_sys::Function;
 use plantigrade::bvh;
-use plantigrade::labels::{Document, Part, Side};
+use plantigrade::foot::{Part, Side};
+use plantigrade::formats::PlantsDocument;
 use plantigrade::plants::{self, Feet};
 use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::Skeleton;
@@ -50,7 +51,7 @@ fn clip_info_matches_the_file() {
 #[wasm_bindgen_test]
 fn labels_equal_those_of_the_core() {
     let clip = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
-    let feet = Feet::of(&clip, &Skeleton::main(&clip, &Default::default())).unwrap();
+    let feet = Feet::new(&clip, &Skeleton::main(&clip, &Default::default())).unwrap();
     let expected = plants::detect(&feet, plants::ValidParams::default());
     let detection = walk().detect(options("robust")).unwrap();
     assert_eq!(detection.parts(), ["contact", "toe", "heel"]);
@@ -106,7 +107,7 @@ fn labels_follow_from_the_evidence() {
 
 #[wasm_bindgen_test]
 fn methods_without_decision_field_report_it() {
-    let clip = walk();
+    let mut clip = walk();
     let found = clip.detect(options("njw")).unwrap();
     assert!(!found.evidence("toe").unwrap().to_rust().unwrap().has_field);
     assert!(found.decision_field("toe", &[0.0], &[0.0]).is_err());
@@ -118,7 +119,7 @@ fn methods_without_decision_field_report_it() {
 
 #[wasm_bindgen_test]
 fn edits_apply_until_they_are_removed() {
-    let clip = walk();
+    let mut clip = walk();
     let mut found = clip.detect(options("robust")).unwrap();
     let before = found.intervals("contact", "left").unwrap();
     let edit = EditInfo {
@@ -154,7 +155,7 @@ fn edits_apply_until_they_are_removed() {
 
 #[wasm_bindgen_test]
 fn labels_read_back_from_npz() {
-    let clip = walk();
+    let mut clip = walk();
     let found = clip.detect(options("robust")).unwrap();
     let archive = clip.save(&found, "npz", "walk.bvh".into(), None).unwrap();
     let read = WasmAnnotation::new(&archive, 245).unwrap();
@@ -167,7 +168,7 @@ fn labels_read_back_from_npz() {
 
 #[wasm_bindgen_test]
 fn clean_up_removes_slides() {
-    let clip = walk();
+    let mut clip = walk();
     let found = clip.detect(options("robust")).unwrap();
     let slides: Vec<f64> =
         clip.skate(&found).unwrap().iter().map(|slide| slide.to_rust().unwrap().max_distance).collect();
@@ -183,17 +184,17 @@ fn clean_up_removes_slides() {
     assert_eq!(read.frame_count(), 245);
     // The saved file itself no longer slides in those frames.
     let skeleton = Skeleton::main(&read, &Default::default());
-    let feet = Feet::of(&bvh::parse(WALK, bvh::Options::default()).unwrap().clip, &skeleton).unwrap();
+    let feet = Feet::new(&bvh::parse(WALK, bvh::Options::default()).unwrap().clip, &skeleton).unwrap();
     let contacts = Contacts::from(&plants::detect(&feet, plants::ValidParams::default()));
     let saved = skate::measure(&read, &skeleton, &contacts).unwrap();
     assert_eq!(saved.plants.len(), 5);
-    assert!(saved.plants.iter().all(|slide| slide.farthest < 2e-3), "{:?}", saved.plants);
+    assert!(saved.plants.iter().all(|slide| slide.distance < 2e-3), "{:?}", saved.plants);
     assert!(cleaned.notices().unwrap().is_empty());
 }
 
 #[wasm_bindgen_test]
 fn gait_of_a_walk_is_plausible() {
-    let clip = walk();
+    let mut clip = walk();
     let found = clip.detect(options("robust")).unwrap();
     let gait = clip.gait(&found).unwrap().to_rust().unwrap();
     assert!((100.0..125.0).contains(&gait.cadence.unwrap()), "{gait:?}");
@@ -222,18 +223,18 @@ fn overrides_replace_earlier_ones() {
 
 #[wasm_bindgen_test]
 fn documents_read_back() {
-    let clip = walk();
+    let mut clip = walk();
     let labels = clip.detect(options("robust")).unwrap();
     let text = save_text(&clip, &labels, "json");
-    let document: Document = serde_json::from_str(&text).unwrap();
-    assert_eq!((document.frames, document.source.name.as_str()), (245, "walk.bvh"));
+    let document: PlantsDocument = serde_json::from_str(&text).unwrap();
+    assert_eq!((document.header.frames, document.header.source.name.as_str()), (245, "walk.bvh"));
     let table = save_text(&clip, &labels, "csv");
     assert_eq!(table.lines().count(), 246);
 }
 
 #[wasm_bindgen_test]
 fn labels_agree_with_the_truth() {
-    let clip = walk();
+    let mut clip = walk();
     let labels = clip.detect(options("robust")).unwrap();
     let truth = include_str!("../../../../samples/curved-walk.json");
     let other = WasmAnnotation::new(truth.as_bytes(), 245).unwrap();
@@ -247,7 +248,7 @@ fn labels_agree_with_the_truth() {
 
 #[wasm_bindgen_test]
 fn every_listed_method_labels_its_parts() {
-    let clip = walk();
+    let mut clip = walk();
     for method in plantigrade_wasm::methods().unwrap() {
         let method = method.to_rust().unwrap();
         assert_eq!(clip.detect(options(&method.name)).unwrap().parts(), method.parts, "{}", method.name);
@@ -320,7 +321,8 @@ fn segments_read_back_under_given_names() {
     let count = found.segments().unwrap().len();
     let names: Vec<String> = (1..=count).map(|number| format!("move {number}")).collect();
     for format in ["json", "csv", "babel"] {
-        let text = clip.save_segments(&found, names.clone(), format, "limp.bvh".into(), None).unwrap();
+        let file = clip.save_segments(&found, names.clone(), format, "limp.bvh".into(), None).unwrap();
+        let text = String::from_utf8(file).unwrap();
         assert!(has_segments(&text, "limp") && !has_segments("frame,left_toe\n", "limp"));
         let other = WasmSegmentAnnotation::new(&text, "limp", &clip).unwrap();
         let read = other.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap().label);
