@@ -291,7 +291,7 @@ export class App {
 
   /** Saves labels by a button of the Labels tab. */
   async save(
-    button: "Labels" | "Frames" | "Intervals" | "Gait events" | "Arrays" | "Blender",
+    button: "Labels" | "Every frame" | "Intervals" | "Gait events" | "Arrays" | "Blender",
   ): Promise<SavedFile> {
     await this.tab("Labels");
     await this.expandSaveMenu();

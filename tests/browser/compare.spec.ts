@@ -82,7 +82,7 @@ test("updates the score when the method changes", async ({ app, page }) => {
 
 for (const [button, ending] of [
   ["Labels", "JSON"],
-  ["Frames", "CSV"],
+  ["Every frame", "CSV"],
 ] as const) {
   test(`labels saved as ${ending} agree with the detection`, async ({ app }) => {
     await app.openSample("frog-jumps");

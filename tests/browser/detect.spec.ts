@@ -55,7 +55,7 @@ test("the paper method labels toes only", async ({ app, page }) => {
   await expect(app.panel.locator("#method-line")).toContainText(/toes/i);
   await expect.poll(() => both(app)).not.toEqual(contact);
   expect(await app.tracks.screenshot()).not.toEqual(tracks);
-  const { header, rows } = readTable(await app.save("Frames"));
+  const { header, rows } = readTable(await app.save("Every frame"));
   expect(header).toBe("frame,time,left_toe,right_toe");
   expect(rows).toHaveLength(744);
   const labels = readLabels(await app.save("Labels"));

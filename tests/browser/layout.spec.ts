@@ -48,7 +48,7 @@ for (const [i, path] of recordings.entries()) {
 /** Checks the page on both devices, one of them light and the other dark. */
 async function expectLooks(app: App, index: number) {
   const { page } = app;
-  const table = readTable(await app.save("Frames"));
+  const table = readTable(await app.save("Every frame"));
   await app.tab("Detect");
   for (const [j, viewport] of Object.values(devices).entries()) {
     const theme = (index + j) % 2 ? "light" : "dark";

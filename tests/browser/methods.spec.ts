@@ -69,13 +69,13 @@ test("cancels a slow detection and keeps the previous labels", async ({ app, pag
   await menu.selectOption("paper");
   await expect(bar).toBeHidden();
   await expect(app.head.getByRole("alert")).toBeHidden();
-  expect(readTable(await app.save("Frames")).header).toBe("frame,time,left_toe,right_toe");
+  expect(readTable(await app.save("Every frame")).header).toBe("frame,time,left_toe,right_toe");
 });
 
 test("shows a method that labels contact only", async ({ app, page }) => {
   await app.openSample("limp-to-run");
   await page.getByRole("combobox", { name: "Method" }).selectOption("min-speed");
-  const { header, rows } = readTable(await app.save("Frames"));
+  const { header, rows } = readTable(await app.save("Every frame"));
   expect(header).toBe("frame,time,left_contact,right_contact");
   const planted = rows.findIndex((row) => row.left_contact === "1");
   for (let i = 0; i < planted; i++) await page.keyboard.press("ArrowRight");

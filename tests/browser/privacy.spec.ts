@@ -15,6 +15,6 @@ test("opens, labels and saves without network requests", async ({ app, page, con
   await app.drop(sample("one-leg-hop"));
   await app.waitForClip("one-leg-hop.bvh");
   await page.getByRole("slider", { name: "Sensitivity r" }).fill("1");
-  expect(readTable(await app.save("Frames")).rows).toHaveLength(336);
+  expect(readTable(await app.save("Every frame")).rows).toHaveLength(336);
   expect(requested.filter((url) => !url.startsWith("blob:"))).toEqual([]);
 });

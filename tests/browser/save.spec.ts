@@ -41,7 +41,7 @@ function expectSpans(
 
 test("the frame table agrees with the JSON document", async ({ app }) => {
   await app.openSample("bowling");
-  const saved = await app.save("Frames");
+  const saved = await app.save("Every frame");
   expect(saved.name).toBe("bowling.frames.csv");
   const { header, rows } = readTable(saved);
   expect(header).toBe(

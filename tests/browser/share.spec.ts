@@ -7,7 +7,7 @@ import { file, good, repeated, sample } from "./clips";
 /** Returns everything that a link must restore. */
 async function stateOf(app: App) {
   const link = await app.link();
-  const labels = (await app.save("Frames")).text;
+  const labels = (await app.save("Every frame")).text;
   const segments = (await app.saveSegments("Table")).text;
   return { link, labels, segments, frame: await app.frame() };
 }

@@ -10,8 +10,11 @@ import load, {
   type DetectOptions,
   type EditInfo,
   type Failure,
+  type FormatInfo,
   type GaitInfo,
   methods as listMethods,
+  plantFormats as listPlantFormats,
+  segmentFormats as listSegmentFormats,
   segmentMethods as listSegmentMethods,
   type MethodInfo,
   type NoticeInfo,
@@ -30,6 +33,7 @@ export type {
   ClipInfo,
   DetectOptions,
   EditInfo,
+  FormatInfo,
   GaitInfo,
   MethodInfo,
   NoticeInfo,
@@ -42,9 +46,6 @@ export type {
 
 export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
-/** A JSON document; CSV tables of frames, plants or gait events; NumPy arrays; a Blender script. */
-export type LabelFormat = "json" | "csv" | "intervals" | "events" | "npz" | "blender";
-export type SegmentFormat = "json" | "csv" | "babel";
 
 /** An operation that failed; `failure` has `line`, `column` and `hint` where known. */
 export class PlantigradeError extends Error {
@@ -62,18 +63,18 @@ let loading: Promise<unknown> | undefined;
  * @param source URL, response, bytes or compiled module. Default: the file in the package.
  */
 export function init(source?: Parameters<typeof load>[0]): Promise<void> {
-  loading ??= (source === undefined ? packagedModule() : Promise.resolve(source)).then((from) =>
-    load({ module_or_path: from as WebAssembly.Module }),
+  loading ??= (source === undefined ? packagedModule() : Promise.resolve(source)).then((module) =>
+    load({ module_or_path: module as WebAssembly.Module }),
   );
   return loading.then(() => {});
 }
 
 /** Returns the module in the package: its URL, or its bytes in Node, which cannot fetch files. */
 async function packagedModule(): Promise<URL | BufferSource> {
-  const address = new URL("./plantigrade_bg.wasm", import.meta.url);
-  if (address.protocol !== "file:") return address;
+  const url = new URL("./plantigrade_bg.wasm", import.meta.url);
+  if (url.protocol !== "file:") return url;
   const { readFile } = await import("node:fs/promises");
-  return readFile(address);
+  return readFile(url);
 }
 
 /** Returns all detection methods, the default first. */
@@ -81,6 +82,12 @@ export const methods = (): MethodInfo[] => rethrow(listMethods);
 
 /** Returns all segmentation methods, the default first. */
 export const segmentMethods = (): SegmentMethodInfo[] => rethrow(listSegmentMethods);
+
+/** Returns all file formats of plants, the default first. */
+export const plantFormats = (): FormatInfo[] => rethrow(listPlantFormats);
+
+/** Returns all file formats of segments, the default first. */
+export const segmentFormats = (): FormatInfo[] => rethrow(listSegmentFormats);
 
 /** A clip of motion capture. */
 export class Clip {
@@ -221,10 +228,11 @@ export class Plants {
   /**
    * Returns the labels as a file.
    *
+   * @param format Name of one of the `plantFormats()`.
    * @param name File name of the clip.
    * @param sha256 Hash of the bytes of the clip, if known.
    */
-  save(format: LabelFormat, name: string, sha256?: string): Uint8Array {
+  save(format: string, name: string, sha256?: string): Uint8Array {
     return rethrow(() => this.clip.save(this.inner, format, name, sha256));
   }
 
@@ -255,10 +263,17 @@ export class Segmentation {
     return rethrow(() => this.inner.notices());
   }
 
-  /** Returns the segments as a file, under `names` in order. Default: the method's labels. */
-  save(format: SegmentFormat, name: string, names?: string[]): string {
-    const labels = names ?? this.segments.map(({ label }) => label);
-    return rethrow(() => this.clip.saveSegments(this.inner, labels, format, name));
+  /**
+   * Returns the segments as the text of a file.
+   *
+   * @param format Name of one of the `segmentFormats()`.
+   * @param name File name of the clip.
+   * @param labels Labels of the segments in order. Default: those of the method.
+   */
+  save(format: string, name: string, labels?: string[]): string {
+    const given = labels ?? this.segments.map(({ label }) => label);
+    const file = rethrow(() => this.clip.saveSegments(this.inner, given, format, name));
+    return new TextDecoder().decode(file);
   }
 
   free(): void {

@@ -1,9 +1,8 @@
 //! Clips and their reader.
 
-use std::cell::OnceCell;
-
 use js_sys::Float32Array;
 use plantigrade::bvh::{Clip, Options, Parsed, Reader};
+use plantigrade::formats::{PlantExport, PlantFormat, Source};
 use plantigrade::notice::Notice;
 use plantigrade::plants::{self, Detector, Feet, Params};
 use plantigrade::skeleton::{self, Role, Skeleton};
@@ -12,7 +11,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::detection::WasmDetection;
 use crate::positions;
-use crate::types::{ClipInfo, DetectOptions, Failure, Overrides, from_js, to_js};
+use crate::types::{ClipInfo, DetectOptions, Failure, Overrides, from_js, parse_name, to_js};
 
 /// Longest clip whose foot tracks are cached between detections, in frames; they occupy 24 MB.
 const MAX_CACHED_FRAMES: usize = 100_000;
@@ -45,13 +44,7 @@ impl WasmReader {
     pub fn finish(self) -> Result<WasmClip, Failure> {
         let Parsed { clip, notices } = self.0.finish()?;
         let skeleton = Skeleton::main(&clip, &skeleton::Overrides::default());
-        Ok(WasmClip {
-            original_frame_time: clip.frame_time(),
-            clip,
-            notices,
-            skeleton,
-            detector: OnceCell::new(),
-        })
+        Ok(WasmClip { original_frame_time: clip.frame_time(), clip, notices, skeleton, detector: None })
     }
 }
 
@@ -77,7 +70,7 @@ pub struct WasmClip {
     notices: Vec<Notice>,
     skeleton: Skeleton,
     /// Foot tracks and intermediate results, valid for the current skeleton.
-    detector: OnceCell<Detector>,
+    detector: Option<Detector>,
 }
 
 #[wasm_bindgen]
@@ -118,7 +111,7 @@ impl WasmClip {
         let frame_time = overrides.rate.map_or(self.original_frame_time, |rate| 1.0 / rate);
         self.clip.set_frame_time(frame_time);
         self.skeleton = Skeleton::main(&self.clip, &checked);
-        self.detector = OnceCell::new();
+        self.detector = None;
         Ok(())
     }
 
@@ -126,23 +119,23 @@ impl WasmClip {
     ///
     /// # Errors
     /// If the clip has no motion or no feet, or an option is invalid.
-    pub fn detect(&self, options: Ts<DetectOptions>) -> Result<WasmDetection, Failure> {
+    pub fn detect(&mut self, options: Ts<DetectOptions>) -> Result<WasmDetection, Failure> {
         let params = Params::try_from(&from_js(&options)?)?.check()?;
-        let detection = match self.detector.get() {
+        let detection = match &mut self.detector {
             Some(detector) => detector.detect(params),
             None => {
-                let feet = Feet::of(&self.clip, &self.skeleton)?;
+                let feet = Feet::new(&self.clip, &self.skeleton)?;
                 if feet.frame_count() > MAX_CACHED_FRAMES {
                     plants::detect_once(feet, params)
                 } else {
-                    self.detector.get_or_init(|| Detector::new(feet)).detect(params)
+                    self.detector.insert(Detector::new(feet)).detect(params)
                 }
             }
         };
         Ok(WasmDetection::new(detection, self.skeleton.metres_per_unit, self.clip.frame_time()))
     }
 
-    /// The labels of a detection as a file: `json`, `csv`, `intervals`, `events`, `npz` or `blender`.
+    /// Returns the plants of a detection as a file in a format that `plantFormats` lists.
     ///
     /// # Errors
     /// If the format does not exist.
@@ -153,6 +146,13 @@ impl WasmClip {
         name: String,
         sha256: Option<String>,
     ) -> Result<Vec<u8>, Failure> {
-        detection.save(format, name, sha256, &self.clip, &self.skeleton, &self.notices)
+        let format: PlantFormat = parse_name(format)?;
+        Ok(format.write(&PlantExport {
+            source: Source { name, sha256 },
+            clip: &self.clip,
+            notices: &self.notices,
+            skeletons: vec![(&self.skeleton, detection.core())],
+            as_array: false,
+        }))
     }
 }

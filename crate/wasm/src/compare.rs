@@ -1,6 +1,7 @@
 //! Annotations read from files, and the agreement of a detection with them.
 
-use plantigrade::labels::{self, Labelling};
+use plantigrade::formats;
+use plantigrade::plants::Annotation;
 use plantigrade::score::{self, DisagreementKind, PartScore};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
@@ -11,7 +12,7 @@ use crate::{WasmClip, WasmDetection};
 
 /// Labels of the clip read from a file.
 #[wasm_bindgen]
-pub struct WasmAnnotation(Labelling);
+pub struct WasmAnnotation(Annotation);
 
 #[wasm_bindgen]
 impl WasmAnnotation {
@@ -22,7 +23,7 @@ impl WasmAnnotation {
     /// If the file has none of these formats, or belongs to another clip.
     #[wasm_bindgen(constructor)]
     pub fn new(file: &[u8], frames: usize) -> Result<WasmAnnotation, Failure> {
-        Ok(WasmAnnotation(labels::read_bytes(file, frames)?))
+        Ok(WasmAnnotation(formats::read_plants(file, frames)?))
     }
 
     /// Names of the labelled parts.
@@ -122,7 +123,7 @@ pub struct DisagreementInfo {
 
 impl From<PartScore> for ScoreInfo {
     fn from(score: PartScore) -> ScoreInfo {
-        let row = |row: &score::Row| ScoreRow {
+        let row = |row: &score::AccuracyRow| ScoreRow {
             fuzzy: row.fuzzy,
             lenient: row.lenient,
             strict: row.strict,

@@ -1,10 +1,7 @@
 //! The detected plants of a clip.
 
-use plantigrade::bvh::Clip;
-use plantigrade::labels::{self, Document, Edit, Labelled, Source};
-use plantigrade::notice::Notice;
-use plantigrade::plants::{Detection, FootLabels, PartLabels};
-use plantigrade::skeleton::Skeleton;
+use plantigrade::intervals::intervals;
+use plantigrade::plants::{self, Detection, Edit, FootLabels, PartLabels};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -27,31 +24,6 @@ impl WasmDetection {
 
     pub(crate) fn core(&self) -> &Detection {
         self.edited.as_ref().unwrap_or(&self.detected)
-    }
-
-    pub(crate) fn save(
-        &self,
-        format: &str,
-        name: String,
-        sha256: Option<String>,
-        clip: &Clip,
-        skeleton: &Skeleton,
-        notices: &[Notice],
-    ) -> Result<Vec<u8>, Failure> {
-        let several = clip.roots().count() > 1;
-        let root = several.then(|| clip.joints()[skeleton.root].name.as_str());
-        let labelled = [Labelled { root, detection: self.core() }];
-        let frame_time = clip.frame_time();
-        let text = match format {
-            "json" => Document::of(Source { name, sha256 }, clip, skeleton, self.core(), notices).to_json(),
-            "csv" => labels::frames_csv(&labelled, frame_time),
-            "intervals" => labels::intervals_csv(&labelled, frame_time),
-            "events" => labels::events_csv(&labelled, frame_time),
-            "blender" => labels::blender_script(&labelled, &name, frame_time),
-            "npz" => return Ok(labels::npz(&labelled, &name, frame_time)),
-            _ => return Err(ArgumentError::Format(format.into()).into()),
-        };
-        Ok(text.into_bytes())
     }
 
     pub(crate) fn metres_per_unit(&self) -> f64 {
@@ -85,7 +57,8 @@ impl WasmDetection {
     pub fn edit(&mut self, edits: Vec<Ts<EditInfo>>) -> Result<(), Failure> {
         let edits =
             edits.iter().map(|edit| Ok(from_js(edit)?.into())).collect::<Result<Vec<Edit>, Failure>>()?;
-        self.edited = (!edits.is_empty()).then(|| labels::edited(&self.detected, &edits, self.frame_time));
+        self.edited =
+            (!edits.is_empty()).then(|| plants::apply_edits(&self.detected, &edits, self.frame_time));
         Ok(())
     }
 
@@ -97,7 +70,7 @@ impl WasmDetection {
     /// Height of the ground in the clip's positions, in metres.
     #[wasm_bindgen(getter)]
     pub fn floor(&self) -> f64 {
-        self.core().floor * self.metres_per_unit
+        self.core().ground_height * self.metres_per_unit
     }
 
     /// Assumptions and doubts of the detector.
@@ -133,14 +106,14 @@ impl WasmDetection {
 
     /// Plants as half-open frame ranges: start, end, start, end, ….
     pub fn intervals(&self, part: &str, side: &str) -> Result<Vec<u32>, Failure> {
-        let ranges = labels::intervals(&self.foot(part, side)?.planted);
+        let ranges = intervals(&self.foot(part, side)?.planted);
         Ok(ranges.into_iter().flat_map(|range| [range.start as u32, range.end as u32]).collect())
     }
 
     /// For each of these plants 1 if an edit determines it, else 0.
     pub fn edited(&self, part: &str, side: &str) -> Result<Vec<u8>, Failure> {
         let (detection, labels, side) = (self.core(), self.part(part)?, parse_side(side)?);
-        let ranges = labels::intervals(&labels.foot(side).planted);
+        let ranges = intervals(&labels.foot(side).planted);
         Ok(ranges.iter().map(|range| u8::from(detection.is_edited(side, labels.part, range))).collect())
     }
 }

@@ -1,6 +1,6 @@
 //! The evidence behind the labels: the clustered samples and the parameters of the clustering.
 
-use plantigrade::plants::{Evidence, Limits};
+use plantigrade::plants::{Evidence, Thresholds};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -83,7 +83,7 @@ impl WasmDetection {
             tolerance: evidence.tolerance,
             threshold: evidence.threshold,
             planted_is_high: evidence.planted_is_high,
-            planted_median: evidence.planted_middle,
+            planted_median: evidence.planted_median,
             has_field: evidence.field.is_some(),
         })
     }
@@ -109,7 +109,7 @@ impl WasmDetection {
     /// method thresholds instead; NaN where a frame was not clustered.
     #[wasm_bindgen(js_name = decisionValues)]
     pub fn decision_values(&self, part: &str, side: &str) -> Result<Vec<f32>, Failure> {
-        self.by_frame(part, side, |evidence| &evidence.roots)
+        self.by_frame(part, side, |evidence| &evidence.values)
     }
 
     /// Decision values of a foot at constant height (metres) and speed (metres per second):
@@ -121,7 +121,7 @@ impl WasmDetection {
         let units = |metres: &[f64]| -> Vec<f64> {
             metres.iter().map(|metres| metres / self.metres_per_unit()).collect()
         };
-        Ok(to_f32(&field.roots(&units(heights), &units(speeds))))
+        Ok(to_f32(&field.sqrt_degrees(&units(heights), &units(speeds))))
     }
 
     /// The height and speed thresholds of the method; absent if it has none.
@@ -129,7 +129,7 @@ impl WasmDetection {
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn thresholds(&self) -> Result<Ts<ThresholdInfo>, Failure> {
-        let Limits { height, speed } = self.core().params.limits();
+        let Thresholds { height, speed } = self.core().params.thresholds();
         to_js(&ThresholdInfo { height, speed })
     }
 }

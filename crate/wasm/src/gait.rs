@@ -99,8 +99,8 @@ impl WasmClip {
     /// # Errors
     /// If the clip has no motion or no feet.
     pub fn gait(&self, detection: &WasmDetection) -> Result<Ts<GaitInfo>, Failure> {
-        let feet = Feet::of(self.core(), self.skeleton())?;
-        to_js(&GaitInfo::from(Gait::of(&feet, detection.core())))
+        let feet = Feet::new(self.core(), self.skeleton())?;
+        to_js(&GaitInfo::from(Gait::from_detection(&feet, detection.core())))
     }
 }
 

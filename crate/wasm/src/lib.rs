@@ -18,13 +18,16 @@ pub use compare::{DisagreementInfo, EventScoreInfo, ScoreInfo, ScoreRow, WasmAnn
 pub use detection::WasmDetection;
 pub use evidence::{EvidenceInfo, ThresholdInfo};
 pub use gait::{BilateralMeasure, GaitInfo, MeanSd, SymmetryInfo};
-pub use segmentation::{CutScore, WasmSegmentAnnotation, WasmSegmentation, has_segments, segment_methods};
+pub use segmentation::{
+    CutScore, WasmSegmentAnnotation, WasmSegmentation, has_segments, segment_formats, segment_methods,
+};
 pub use skate::{CleanedPlantInfo, SlideInfo, WasmCleanedClip};
 pub use types::{
-    ArgumentError, ClipInfo, DetectOptions, EditInfo, Failure, JointInfo, MethodInfo, NoticeInfo, Overrides,
-    SegmentInfo, SegmentMethodInfo, SegmentOptions,
+    ArgumentError, ClipInfo, DetectOptions, EditInfo, Failure, FormatInfo, JointInfo, MethodInfo, NoticeInfo,
+    Overrides, SegmentInfo, SegmentMethodInfo, SegmentOptions,
 };
 
+use plantigrade::formats::PlantFormat;
 use plantigrade::plants::Method;
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -35,7 +38,16 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// Only if the conversion to JavaScript fails.
 #[wasm_bindgen]
 pub fn methods() -> Result<Vec<Ts<MethodInfo>>, Failure> {
-    Method::ALL.into_iter().map(|method| types::to_js(&MethodInfo::from(method))).collect()
+    Method::ALL.iter().map(|&method| types::to_js(&MethodInfo::from(method))).collect()
+}
+
+/// All file formats of plants, the default first.
+///
+/// # Errors
+/// Only if the conversion to JavaScript fails.
+#[wasm_bindgen(js_name = plantFormats)]
+pub fn plant_formats() -> Result<Vec<Ts<FormatInfo>>, Failure> {
+    PlantFormat::ALL.iter().map(|&format| types::to_js(&FormatInfo::from(format))).collect()
 }
 
 /// Reports panics in the console before the module traps.

@@ -2,7 +2,7 @@
 
 use js_sys::Float32Array;
 use plantigrade::bvh::Clip;
-use plantigrade::motion;
+use plantigrade::kinematics;
 use plantigrade::skeleton::Skeleton;
 
 /// Number of poses computed at a time.
@@ -11,7 +11,7 @@ const CHUNK: usize = 1024;
 /// Joint positions of all poses, written to JavaScript memory in chunks: wasm memory never shrinks,
 /// so that a copy of all poses there would occupy it for good.
 pub(crate) fn all(skeleton: &Skeleton, clip: &Clip) -> Float32Array {
-    let (poses, width) = (motion::pose_count(clip), clip.joints().len() * 3);
+    let (poses, width) = (kinematics::pose_count(clip), clip.joints().len() * 3);
     let all = Float32Array::new_with_length((poses * width) as u32);
     for start in (0..poses).step_by(CHUNK) {
         let end = poses.min(start + CHUNK);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use js_sys::Function;
-use plantigrade::labels::{self, SegmentsDocument, Source};
+use plantigrade::formats::{self, SegmentExport, SegmentFormat, SegmentsDocument, Source};
 use plantigrade::score::{self, Tolerance, TrueCut};
 use plantigrade::segments::{self, Method, Segment, Segmentation};
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::WasmClip;
 use crate::types::{
-    ArgumentError, Failure, NoticeInfo, SegmentInfo, SegmentMethodInfo, SegmentOptions, from_js, to_js,
+    ArgumentError, Failure, FormatInfo, NoticeInfo, SegmentInfo, SegmentMethodInfo, SegmentOptions, from_js,
+    parse_name, to_js,
 };
 
 /// All segmentation methods, the default first.
@@ -22,7 +23,16 @@ use crate::types::{
 /// Only if the conversion to JavaScript fails.
 #[wasm_bindgen(js_name = segmentMethods)]
 pub fn segment_methods() -> Result<Vec<Ts<SegmentMethodInfo>>, Failure> {
-    Method::ALL.into_iter().map(|method| to_js(&SegmentMethodInfo::from(method))).collect()
+    Method::ALL.iter().map(|&method| to_js(&SegmentMethodInfo::from(method))).collect()
+}
+
+/// All file formats of segments, the default first.
+///
+/// # Errors
+/// Only if the conversion to JavaScript fails.
+#[wasm_bindgen(js_name = segmentFormats)]
+pub fn segment_formats() -> Result<Vec<Ts<FormatInfo>>, Failure> {
+    SegmentFormat::ALL.iter().map(|&format| to_js(&FormatInfo::from(format))).collect()
 }
 
 /// The segments of a clip.
@@ -49,7 +59,7 @@ impl WasmClip {
         Ok(WasmSegmentation(segments::segment(self.core(), self.skeleton(), params, &mut report)?))
     }
 
-    /// The segments under the given names as a file: `json`, `csv` or `babel`.
+    /// Returns the segments with the given labels as a file in a format that `segmentFormats` lists.
     ///
     /// # Errors
     /// If the format does not exist.
@@ -57,21 +67,17 @@ impl WasmClip {
     pub fn save_segments(
         &self,
         segmentation: &WasmSegmentation,
-        names: Vec<String>,
+        labels: Vec<String>,
         format: &str,
         name: String,
         sha256: Option<String>,
-    ) -> Result<String, Failure> {
+    ) -> Result<Vec<u8>, Failure> {
+        let format: SegmentFormat = parse_name(format)?;
         let source = Source { name, sha256 };
         let mut document =
-            SegmentsDocument::of(source, self.core(), self.skeleton(), &segmentation.0, self.notices());
-        document.with_labels(&names);
-        Ok(match format {
-            "json" => document.to_json(),
-            "csv" => labels::segments_csv(&[document]),
-            "babel" => labels::babel_json(&[document]),
-            _ => return Err(ArgumentError::Format(format.into()).into()),
-        })
+            SegmentsDocument::new(source, self.core(), self.skeleton(), &segmentation.0, self.notices());
+        document.set_labels(&labels);
+        Ok(format.write(&SegmentExport { documents: vec![document], as_array: false }))
     }
 
     /// The frames `start..end` as the bytes of a BVH file.
@@ -83,7 +89,7 @@ impl WasmClip {
         if start >= end || end > frames {
             return Err(ArgumentError::FrameRange { start, end, frames }.into());
         }
-        Ok(plantigrade::bvh::write(&self.core().part(start..end)).into_bytes())
+        Ok(plantigrade::bvh::write(&self.core().slice(start..end)).into_bytes())
     }
 }
 
@@ -154,7 +160,7 @@ impl WasmSegmentation {
 /// True if a text contains segments, valid or not, of the clip with that name (without extension).
 #[wasm_bindgen(js_name = hasSegments)]
 pub fn has_segments(text: &str, clip: &str) -> bool {
-    labels::has_segments(text, clip)
+    formats::has_segments(text, clip)
 }
 
 /// Segments of the clip read from a file.
@@ -175,8 +181,8 @@ impl WasmSegmentAnnotation {
     pub fn new(text: &str, name: &str, clip: &WasmClip) -> Result<WasmSegmentAnnotation, Failure> {
         let (frames, rate) = (clip.core().frame_count(), clip.core().rate());
         Ok(WasmSegmentAnnotation {
-            segments: labels::read_segments(text, name, frames, rate)?,
-            cuts: labels::read_cuts(text, name, frames, rate)?,
+            segments: formats::read_segments(text, name, frames, rate)?,
+            cuts: formats::read_cuts(text, name, frames, rate)?,
         })
     }
 

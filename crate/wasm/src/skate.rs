@@ -90,7 +90,7 @@ impl WasmCleanedClip {
             end: plant.frames.end,
             before: plant.before,
             after: plant.after,
-            skip_reason: plant.why_not.map(|reason| reason.to_string()),
+            skip_reason: plant.skip_reason.map(|reason| reason.to_string()),
         });
         plants.map(|plant| to_js(&plant)).collect()
     }
@@ -121,7 +121,7 @@ impl From<&Slide> for SlideInfo {
             side: slide.side.name().into(),
             start: slide.frames.start,
             end: slide.frames.end,
-            max_distance: slide.farthest,
+            max_distance: slide.distance,
         }
     }
 }

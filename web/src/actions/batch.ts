@@ -44,7 +44,7 @@ export async function resumeBatch() {
   const { signal } = controller;
   const options = { detect: detectOptions.value, segment: segmentOptions.value };
   batchRequest.value = options;
-  const request = { ...options, formats: [], segmentFormats: [] };
+  const request = { ...options, save: false };
   const waiting = batchRows.value.filter(({ status }) => status === "waiting");
   await Promise.all(waiting.map((row) => summarizeRow(row, request, signal)));
   if (signal.aborted) return;
@@ -118,16 +118,11 @@ export async function openRow({ source }: BatchRow): Promise<void> {
   for (const { name, data } of source.labels ?? []) await compareWith(name, data);
 }
 
-const allFormats = {
-  formats: ["json", "csv", "intervals", "events", "npz"],
-  segmentFormats: ["json", "csv"],
-} as const;
-
 /** Downloads labels and segments of all clips, and the table, in one archive. */
 export async function exportAll(): Promise<void> {
   const done = batchRows.value.filter(({ status }) => status === "done");
   const request: BatchRequest = {
-    ...allFormats,
+    save: true,
     ...(batchRequest.peek() ?? { detect: detectOptions.value, segment: segmentOptions.value }),
   };
   const names = uniqueNames(done.map(({ source }) => stemOf(source.name)));
@@ -140,7 +135,8 @@ export async function exportAll(): Promise<void> {
           signal,
         );
         if (!result.ok) throw new Error(`${name}: ${result.failure.message}`);
-        for (const { suffix, data } of result.files) await zip.add(`${names[i]}${suffix}`, data);
+        for (const { extension, data } of result.files)
+          await zip.add(`${names[i]}.${extension}`, data);
         onProgress?.(++count / done.length);
       };
       await Promise.all(done.map(addFiles));

@@ -379,7 +379,7 @@ const list = [
     help: "Save labels as JSON",
     keys: [{ key: "s", mod: true }],
     isGlobal: true,
-    run: () => exportLabels("json"),
+    run: () => exportLabels(),
   },
   {
     id: "keys",

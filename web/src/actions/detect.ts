@@ -6,14 +6,19 @@ import type { DetectOptions, Overrides } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
 import { errorReport, messageOf, reportFailure } from "../store/errors";
 import { createExclusiveJob } from "../store/jobs";
-import { detectMethods, detectOptions } from "../store/settings";
+import { detectMethods, detectOptions, plantFormats } from "../store/settings";
 import { latestOnly } from "../util/latest-only";
 import { updateScores } from "./compare";
 import { followSelection } from "./edit";
 import { runSegmentation, stopSegmenting } from "./segment";
 
-async function listMethods() {
-  if (!detectMethods.value.length) detectMethods.value = await engine.methods();
+async function listMethodsAndFormats() {
+  if (detectMethods.value.length) return;
+  const [methods, formats] = await Promise.all([engine.methods(), engine.plantFormats()]);
+  batch(() => {
+    detectMethods.value = methods;
+    plantFormats.value = formats;
+  });
 }
 
 // The wait is long because a stopped worker has to read the file again.
@@ -31,7 +36,7 @@ export async function runDetection(options: DetectOptions = detectOptions.value)
       job.run(
         async (callOptions) => {
           // Requested together, so that the worker need not wait for the page.
-          const listed = listMethods();
+          const listed = listMethodsAndFormats();
           const [detected] = await Promise.all([engine.detect(options, callOptions), listed]);
           return detected;
         },

@@ -1,29 +1,33 @@
 /** Saving labels, segments and clips. */
 
 import { engine } from "../engine";
-import { labelFormats, segmentFormats } from "../model/file-formats";
 import { segmentFileNames, segmentTitle } from "../model/segments";
-import type { SaveFormat, SegmentFormat } from "../model/types";
+import type { FileFormat } from "../model/types";
 import { runJob } from "../store/jobs";
 import { clip, detection, namedSegments, openClip } from "../store/session";
+import { plantFormats } from "../store/settings";
 import { stemOf } from "../util/file-names";
 import { download } from "./download";
 
-/** Downloads the labels. */
-export async function exportLabels(format: SaveFormat): Promise<void> {
-  if (!openClip.value || !detection.value) return;
-  const [suffix, type] = labelFormats[format];
-  await download(stem() + suffix, async () => new Blob([await engine.save(format)], { type }));
+/** Downloads the labels. Default format: the first one. */
+export async function exportLabels(format = plantFormats.value[0]): Promise<void> {
+  if (!openClip.value || !detection.value || !format) return;
+  await downloadAs(format, () => engine.save(format.name));
 }
 
 /** Downloads the segments under their names. */
-export async function exportSegments(format: SegmentFormat): Promise<void> {
-  const [suffix, type] = segmentFormats[format];
+export async function exportSegments(format: FileFormat): Promise<void> {
   const names = namedSegments.value.map(segmentTitle);
-  await download(
-    stem() + suffix,
-    async () => new Blob([await engine.saveSegments(format, names)], { type }),
-  );
+  await downloadAs(format, () => engine.saveSegments(format.name, names));
+}
+
+/** Downloads a file that is named after the clip. */
+function downloadAs(
+  { extension, mediaType }: FileFormat,
+  save: () => Promise<Uint8Array<ArrayBuffer>>,
+): Promise<void> {
+  const fileName = `${stem()}.${extension}`;
+  return download(fileName, async () => new Blob([await save()], { type: mediaType }));
 }
 
 /** Downloads an archive with each segment as a BVH file. */

@@ -8,15 +8,20 @@ import { type ClipSession, session } from "../store/clip-session";
 import { messageOf } from "../store/errors";
 import { createExclusiveJob } from "../store/jobs";
 import { renamedSegment, segmentNames } from "../store/session";
-import { segmentMethods, segmentOptions } from "../store/settings";
+import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
 import { activeTab, sheetOpen } from "../store/view";
 import { latestOnly } from "../util/latest-only";
 import { updateCutScores } from "./compare";
 
 const job = createExclusiveJob("Segmenting", 300);
 
-async function listMethods() {
-  if (!segmentMethods.value.length) segmentMethods.value = await engine.segmentMethods();
+async function listMethodsAndFormats() {
+  if (segmentMethods.value.length) return;
+  const [methods, formats] = await Promise.all([engine.segmentMethods(), engine.segmentFormats()]);
+  batch(() => {
+    segmentMethods.value = methods;
+    segmentFormats.value = formats;
+  });
 }
 
 /** Segments the open clip. */
@@ -30,7 +35,7 @@ export async function runSegmentation(
       job.run(
         async (callOptions) => {
           // Requested together, so that the worker need not wait for the page.
-          const listed = listMethods();
+          const listed = listMethodsAndFormats();
           const [segmented] = await Promise.all([engine.segment(options, callOptions), listed]);
           return segmented;
         },

@@ -55,6 +55,8 @@ function fakeCalls(log: string[]) {
     hash: async () => undefined,
     methods: async () => [],
     segmentMethods: async () => [],
+    plantFormats: async () => [],
+    segmentFormats: async () => [],
     async compare(file) {
       const text = await file.text();
       log.push(`compare ${text}`);
@@ -69,7 +71,7 @@ function fakeCalls(log: string[]) {
     scoreSegments: async () => [],
     async saveSegments() {
       log.push("save segments");
-      return "";
+      return new Uint8Array();
     },
     cut: async () => new Blob(),
     async save() {

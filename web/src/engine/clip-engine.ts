@@ -56,6 +56,8 @@ const simpleCalls: {
 } = {
   methods: ["worker", 0],
   segmentMethods: ["worker", 0],
+  plantFormats: ["worker", 0],
+  segmentFormats: ["worker", 0],
   hash: ["clip", 0],
   evidence: ["clip", 2],
   referenceEdits: ["clip", 0],

@@ -1,16 +1,14 @@
 /** Requests to the batch worker, and its results. */
 
 import type { SegmentName } from "./segments";
-import type { DetectOptions, Edit, SaveFormat, SegmentFormat, SegmentOptions } from "./types";
+import type { DetectOptions, Edit, SegmentOptions } from "./types";
 
 /** What to compute for each file of a batch. */
 export interface BatchRequest {
   detect: DetectOptions;
   segment: SegmentOptions;
-  /** Formats in which labels are returned as files. */
-  formats: readonly SaveFormat[];
-  /** Formats in which segments are returned as files. */
-  segmentFormats: readonly SegmentFormat[];
+  /** True to return plants and segments as files, in all formats. */
+  save: boolean;
 }
 
 /** Summary of one clip, for a row of the table. */
@@ -46,7 +44,7 @@ export interface StoredChanges {
 
 /** A file to be saved. */
 export interface SavedFile {
-  /** Suffix of the file name, with its extension. */
-  suffix: string;
-  data: string | Uint8Array;
+  /** File extension, without the leading dot. */
+  extension: string;
+  data: Uint8Array;
 }

@@ -23,6 +23,7 @@ export type {
   DisagreementInfo as Disagreement,
   EditInfo as Edit,
   Failure,
+  FormatInfo as FileFormat,
   GaitInfo as Gait,
   JointInfo as Joint,
   MethodInfo as DetectionMethod,
@@ -39,10 +40,6 @@ export type {
 export type Up = ClipInfo["up"];
 export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
-/** JSON document; CSV of frames, plants or gait events; NumPy arrays; Blender script. */
-export type SaveFormat = "json" | "csv" | "intervals" | "events" | "npz" | "blender";
-/** JSON document, CSV table, or BABEL JSON. */
-export type SegmentFormat = "json" | "csv" | "babel";
 
 /** The outcome of a call that may fail for a reason that concerns the user. */
 export type Result<T> = ({ ok: true } & T) | { ok: false; failure: Failure };

@@ -4,21 +4,13 @@ import { select, selection } from "../actions/edit";
 import { exportLabels } from "../actions/export";
 import { seekPlant } from "../actions/playback";
 import { minPlantConfidence, type Plant, principalPart } from "../model/plants";
-import type { SaveFormat } from "../model/types";
 import { frame } from "../store/playback";
 import { detection, openClip, plants, reference, source } from "../store/session";
+import { plantFormats } from "../store/settings";
+import { FormatButton } from "../ui/FormatButton";
 import { ListHead } from "../ui/ListHead";
 import { VirtualList } from "../ui/VirtualList";
 import { PlantEditor } from "./PlantEditor";
-
-const formats: readonly (readonly [SaveFormat, string, string])[] = [
-  ["json", "Labels", "JSON"],
-  ["csv", "Frames", "CSV"],
-  ["intervals", "Intervals", "CSV"],
-  ["events", "Gait events", "CSV"],
-  ["npz", "Arrays", "NPZ"],
-  ["blender", "Blender", "Python"],
-];
 
 /** Editing, listing, saving and comparing labels. */
 export function LabelsPanel() {
@@ -45,10 +37,8 @@ function PlantList() {
   return (
     <div class="field">
       <ListHead title="Plants" count={plants.value.length}>
-        {formats.map(([format, name, kind]) => (
-          <button key={format} type="button" class="button" onClick={() => exportLabels(format)}>
-            {name} <span class="muted">{kind}</span>
-          </button>
+        {plantFormats.value.map((format) => (
+          <FormatButton key={format.name} format={format} onClick={() => exportLabels(format)} />
         ))}
       </ListHead>
       <p class="list-columns plant-columns" aria-hidden="true">

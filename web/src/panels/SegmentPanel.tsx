@@ -17,7 +17,8 @@ import {
   segmentation,
   segmentFailure,
 } from "../store/session";
-import { segmentMethods, segmentOptions } from "../store/settings";
+import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
+import { FormatButton } from "../ui/FormatButton";
 import { Icon } from "../ui/icons";
 import { ListHead } from "../ui/ListHead";
 import { VirtualList } from "../ui/VirtualList";
@@ -253,19 +254,11 @@ function SegmentList() {
   );
 }
 
-const formats = [
-  ["json", "Segments", "JSON"],
-  ["csv", "Table", "CSV"],
-  ["babel", "BABEL", "JSON"],
-] as const;
-
 function SaveButtons() {
   return (
     <>
-      {formats.map(([format, name, kind]) => (
-        <button key={format} type="button" class="button" onClick={() => exportSegments(format)}>
-          {name} <span class="muted">{kind}</span>
-        </button>
+      {segmentFormats.value.map((format) => (
+        <FormatButton key={format.name} format={format} onClick={() => exportSegments(format)} />
       ))}
       <button type="button" class="button" onClick={exportClips}>
         Clips <span class="muted">BVH, zip</span>

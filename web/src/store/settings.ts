@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import type {
   DetectionMethod,
   DetectOptions,
+  FileFormat,
   SegmentationMethod,
   SegmentOptions,
 } from "../model/types";
@@ -19,3 +20,9 @@ export const detectMethods = signal<readonly DetectionMethod[]>([]);
 
 /** All segmentation methods, the default first; empty until the worker has listed them. */
 export const segmentMethods = signal<readonly SegmentationMethod[]>([]);
+
+/** All file formats of plants, the default first; empty until the worker has listed them. */
+export const plantFormats = signal<readonly FileFormat[]>([]);
+
+/** All file formats of segments, the default first; empty until the worker has listed them. */
+export const segmentFormats = signal<readonly FileFormat[]>([]);

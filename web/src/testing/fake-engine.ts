@@ -135,6 +135,8 @@ export function createFakeEngine(): ClipEngine {
         },
       });
     },
+    plantFormats: async () => [],
+    segmentFormats: async () => [],
     async segmentMethods() {
       const method = { description: "A method for tests.", options: [] };
       return [
@@ -185,7 +187,8 @@ export function createFakeEngine(): ClipEngine {
     async scoreSegments() {
       return segmentAnnotation ? [{ within: 0.5, precision: 1, recall: 0.5, f1: 2 / 3 }] : [];
     },
-    saveSegments: async (format, names) => JSON.stringify({ format, names }),
+    saveSegments: async (format, names) =>
+      new TextEncoder().encode(JSON.stringify({ format, names })),
     cut: async (parts) => new Blob(parts.map(({ name }) => name)),
     save: async (format) => new TextEncoder().encode(`{"format": "${format}"}`),
     cancel() {

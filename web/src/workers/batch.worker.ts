@@ -2,11 +2,15 @@
 
 import * as Comlink from "comlink";
 import type { BatchRequest, ClipSummary, SavedFile, StoredChanges } from "../model/batch";
-import { labelFormats, segmentFormats } from "../model/file-formats";
 import { nameSegments, segmentTitle } from "../model/segments";
 import { summarizeSlides } from "../model/slides";
 import type { Clip, Detection, DetectOptions, OnProgress, Result } from "../model/types";
-import type { WasmClip, WasmDetection } from "../wasm/plantigrade";
+import {
+  plantFormats,
+  segmentFormats,
+  type WasmClip,
+  type WasmDetection,
+} from "../wasm/plantigrade";
 import { clipToPlain, detectionToPlain, transferables } from "./to-plain";
 import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
 
@@ -105,9 +109,8 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
     const skate = summarizeSlides(clip.skate(value).map(({ maxDistance }) => maxDistance));
     if (skate) summary.skate = skate;
     summary.notices += value.notices().length;
-    for (const format of request.formats) {
-      const data = clip.save(value, format, name, hash);
-      files.push({ suffix: labelFormats[format][0], data });
+    for (const { name: format, extension } of request.save ? plantFormats() : []) {
+      files.push({ extension, data: clip.save(value, format, name, hash) });
     }
   } else summary.missing.push(detected.failure.message);
   const segmented = await toResult(() => clip.segment(request.segment, () => {}));
@@ -117,9 +120,8 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
     const segments = value.segments();
     summary.segments = segments.length;
     const names = nameSegments(segments, changes.names).map(segmentTitle);
-    for (const format of request.segmentFormats) {
-      const data = clip.saveSegments(value, names, format, name, hash);
-      files.push({ suffix: segmentFormats[format][0], data });
+    for (const { name: format, extension } of request.save ? segmentFormats() : []) {
+      files.push({ extension, data: clip.saveSegments(value, names, format, name, hash) });
     }
   } else summary.missing.push(segmented.failure.message);
   return { summary, files };

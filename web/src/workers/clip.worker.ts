@@ -13,24 +13,25 @@ import type {
   Edit,
   EditedParts,
   Evidence,
+  FileFormat,
   Gait,
   HeightSpeed,
   OnProgress,
   Overrides,
   Part,
   Result,
-  SaveFormat,
   Score,
   SegmentAnnotation,
   Segmentation,
   SegmentationMethod,
-  SegmentFormat,
   SegmentOptions,
   Slide,
 } from "../model/types";
 import {
   hasSegments,
   methods,
+  plantFormats,
+  segmentFormats,
   segmentMethods,
   WasmAnnotation,
   type WasmCleanedClip,
@@ -161,6 +162,18 @@ const api = {
     return segmentMethods();
   },
 
+  /** Returns all file formats of plants, the default first. */
+  async plantFormats(): Promise<FileFormat[]> {
+    await wasmReady;
+    return plantFormats();
+  },
+
+  /** Returns all file formats of segments, the default first. */
+  async segmentFormats(): Promise<FileFormat[]> {
+    await wasmReady;
+    return segmentFormats();
+  },
+
   /** Returns all detection methods, the default first. */
   async methods(): Promise<DetectionMethod[]> {
     await wasmReady;
@@ -232,12 +245,12 @@ const api = {
   },
 
   /** Returns the segments under the given names, in order, as a file. */
-  async saveSegments(format: SegmentFormat, names: string[]): Promise<string> {
+  async saveSegments(format: string, names: string[]): Promise<Uint8Array<ArrayBuffer>> {
     const open = current();
     const { name, clip, segmentation } = open;
     if (!segmentation) throw new Error("There are no segments to save.");
     const hash = format === "json" ? await hashOf(open) : undefined;
-    return clip.saveSegments(segmentation, names, format, name, hash);
+    return clip.saveSegments(segmentation, names, format, name, hash) as Uint8Array<ArrayBuffer>;
   },
 
   /** Writes parts of the clip as BVH files into a zip archive. */
@@ -254,7 +267,7 @@ const api = {
   },
 
   /** Returns the labels as a file. */
-  async save(format: SaveFormat): Promise<Uint8Array<ArrayBuffer>> {
+  async save(format: string): Promise<Uint8Array<ArrayBuffer>> {
     const open = current();
     const { name, clip, detection } = open;
     if (!detection) throw new Error("There are no labels to save.");

@@ -99,7 +99,7 @@ impl Overrides {
         };
         positive("rate", self.rate)?;
         let role = |(name, &joint): (&String, &i32)| {
-            let role = Role::named(name).ok_or_else(|| ArgumentError::Role(name.clone()))?;
+            let role = Role::from_name(name).ok_or_else(|| ArgumentError::Role(name.clone()))?;
             match usize::try_from(joint) {
                 Err(_) => Ok((role, None)),
                 Ok(joint) if joint < joints => Ok((role, Some(joint))),

@@ -1,7 +1,7 @@
 //! Detection options, methods and edits.
 
-use plantigrade::labels::{Edit, Part, Side};
-use plantigrade::plants::{Family, Method, Params};
+use plantigrade::foot::{Part, Side};
+use plantigrade::plants::{Edit, Method, Params};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
@@ -40,7 +40,7 @@ impl TryFrom<&DetectOptions> for Params {
             method,
             tolerance: options.r,
             window: options.w,
-            scale: None,
+            sigma: None,
             height: options.height.unwrap_or(default.height),
             speed: options.speed.unwrap_or(default.speed),
             exact: options.exact.unwrap_or_default(),
@@ -67,16 +67,11 @@ pub struct MethodInfo {
 
 impl From<Method> for MethodInfo {
     fn from(method: Method) -> MethodInfo {
-        let family = match method.family() {
-            Family::Spectral => "spectral",
-            Family::Mixture => "mixture",
-            Family::Threshold => "threshold",
-        };
         MethodInfo {
             name: method.name().into(),
             title: method.title().into(),
-            description: method.about().into(),
-            family: family.into(),
+            description: method.description().into(),
+            family: method.family().name().into(),
             parts: method.parts().iter().map(|part| part.name().into()).collect(),
         }
     }

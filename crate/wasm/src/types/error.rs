@@ -11,8 +11,6 @@ pub enum ArgumentError {
     UnlabelledPart(String),
     /// Neither `left` nor `right`.
     Side(String),
-    /// Not the name of a file format.
-    Format(String),
     /// Not the name of a role.
     Role(String),
     /// Not the index of a joint of the clip.
@@ -49,7 +47,6 @@ impl fmt::Display for ArgumentError {
             Self::MissingPart(part) => write!(f, "there are no labels of {part:?}"),
             Self::UnlabelledPart(part) => write!(f, "this method does not label {part:?}"),
             Self::Side(name) => write!(f, "the side must be left or right, not {name:?}"),
-            Self::Format(name) => write!(f, "there is no format {name:?}"),
             Self::Role(name) => write!(f, "there is no role {name:?}"),
             Self::Joint(index) => write!(f, "there is no joint {index}"),
             Self::NotPositive { name, value } => write!(f, "the {name} must be greater than 0, not {value}"),

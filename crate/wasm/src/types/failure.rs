@@ -1,7 +1,7 @@
 //! Failures and notices.
 
 use plantigrade::bvh::Error;
-use plantigrade::labels::LabelsError;
+use plantigrade::formats::ReadError;
 use plantigrade::notice::Notice;
 use plantigrade::plants::{DetectError, ParamError};
 use plantigrade::segments::{self, SegmentError};
@@ -49,12 +49,12 @@ impl From<Failure> for JsValue {
 impl From<Error> for Failure {
     fn from(error: Error) -> Failure {
         Failure {
-            message: error.problem.to_string(),
-            line: error.place.map(|place| place.line),
-            column: error.place.map(|place| place.column),
+            message: error.kind.to_string(),
+            line: error.location.map(|location| location.line),
+            column: error.location.map(|location| location.column),
             caret: error.excerpt.as_ref().map(|excerpt| excerpt.caret),
             excerpt: error.excerpt.map(|excerpt| excerpt.text),
-            hint: Some(error.problem.hint().into()),
+            hint: Some(error.kind.hint().into()),
         }
     }
 }
@@ -79,7 +79,7 @@ impl_from_display!(
     ParamError,
     SegmentError,
     segments::ParamError,
-    LabelsError
+    ReadError
 );
 
 /// A repair, an assumption or a doubt.
@@ -104,8 +104,8 @@ impl From<&Notice> for NoticeInfo {
         NoticeInfo {
             code: notice.code.name(),
             text: notice.text.clone(),
-            line: notice.place.map(|place| place.line),
-            column: notice.place.map(|place| place.column),
+            line: notice.location.map(|location| location.line),
+            column: notice.location.map(|location| location.column),
         }
     }
 }

@@ -4,18 +4,20 @@ mod clip;
 mod detection;
 mod error;
 mod failure;
+mod format;
 mod segmentation;
 
 pub use clip::{ClipInfo, JointInfo, Overrides};
 pub use detection::{DetectOptions, EditInfo, MethodInfo};
 pub use error::ArgumentError;
 pub use failure::{Failure, NoticeInfo};
+pub use format::FormatInfo;
 pub use segmentation::{SegmentInfo, SegmentMethodInfo, SegmentOptions};
 
 use std::fmt::Display;
 use std::str::FromStr;
 
-use plantigrade::labels::Side;
+use plantigrade::foot::Side;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tsify::{Ts, Tsify};

@@ -77,7 +77,7 @@ impl From<segments::Method> for SegmentMethodInfo {
         SegmentMethodInfo {
             name: method.name().into(),
             title: method.title().into(),
-            description: method.about().into(),
+            description: method.description().into(),
             dims,
             options,
         }

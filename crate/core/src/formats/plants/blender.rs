@@ -9,7 +9,7 @@ use crate::intervals::intervals;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "blender",
-    title: "Blender script",
+    title: "Blender",
     description: "A Python script that sets markers and contact keys in Blender.",
     extension: "blender.py",
     qualified_extension: "blender.py",

@@ -12,7 +12,7 @@ use crate::plants::Annotation;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "json",
-    title: "JSON",
+    title: "Labels",
     description: "Plants per foot and part, with the parameters that were used.",
     extension: "json",
     qualified_extension: "plants.json",

@@ -15,7 +15,7 @@ use crate::plants::{Annotation, Detection};
 
 pub(super) const FRAMES: FormatInfo<Writer, Reader> = FormatInfo {
     name: "csv",
-    title: "CSV per frame",
+    title: "Every frame",
     description: "One row per frame, with a column of 0 and 1 per foot and part.",
     extension: "csv",
     qualified_extension: "frames.csv",
@@ -26,7 +26,7 @@ pub(super) const FRAMES: FormatInfo<Writer, Reader> = FormatInfo {
 
 pub(super) const INTERVALS: FormatInfo<Writer, Reader> = FormatInfo {
     name: "intervals",
-    title: "CSV per plant",
+    title: "Intervals",
     description: "One row per plant, with its frames and times.",
     extension: "intervals.csv",
     qualified_extension: "intervals.csv",

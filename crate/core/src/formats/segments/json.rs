@@ -11,7 +11,7 @@ use crate::formats::segments::file::SegmentFile;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "json",
-    title: "JSON",
+    title: "Segments",
     description: "Segments with the parameters that were used.",
     extension: "segments.json",
     qualified_extension: "segments.json",

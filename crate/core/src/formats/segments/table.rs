@@ -12,7 +12,7 @@ use crate::segments::Kind;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "csv",
-    title: "CSV",
+    title: "Table",
     description: "One row per segment.",
     extension: "segments.csv",
     qualified_extension: "segments.csv",

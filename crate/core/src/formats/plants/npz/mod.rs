@@ -18,7 +18,7 @@ use crate::plants::FootLabels;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "npz",
-    title: "NumPy arrays",
+    title: "Arrays",
     description: "Arrays for NumPy with named columns, and the confidence.",
     extension: "npz",
     qualified_extension: "contacts.npz",
