@@ -57,7 +57,7 @@ fn joints_and_unit_can_be_set() {
     let labels = |options: &[&str]| {
         let output = plantigrade(&[&["detect", walk, "--format", "csv", "--out", out], options].concat());
         assert_eq!(code(&output), 0, "{}", stderr(&output));
-        fs::read_to_string(folder.path().join("curved-walk.csv")).expect("labels")
+        fs::read_to_string(folder.path().join("curved-walk.frames.csv")).expect("labels")
     };
     let toes = [format!("left_toe={}", joint("right_toe")), format!("right_toe={}", joint("left_toe"))];
     let own = labels(&[]);
@@ -265,9 +265,9 @@ fn segment_fails_only_for_clips_without_motion() {
         let file = fs::metadata(out.path().join(name)).expect(name);
         file.modified().expect("a time")
     };
-    let first = (modified("plain.json"), modified("plain.segments.json"));
+    let first = (modified("plain.plants.json"), modified("plain.segments.json"));
     run(&[]);
-    assert_eq!((modified("plain.json"), modified("plain.segments.json")), first, "results are reused");
+    assert_eq!((modified("plain.plants.json"), modified("plain.segments.json")), first, "results are reused");
     run(&["--published"]);
     assert_ne!(modified("plain.segments.json"), first.1, "other parameters change the results");
 }

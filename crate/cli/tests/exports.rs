@@ -80,8 +80,8 @@ fn exported(formats: &[&str]) -> tempfile::TempDir {
 
 fn npz_archives_can_be_read_back() {
     let folder = exported(&["npz", "csv"]);
-    let bytes = fs::read(folder.path().join("curved-walk.npz")).expect("an archive");
-    let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
+    let bytes = fs::read(folder.path().join("curved-walk.contacts.npz")).expect("an archive");
+    let table = fs::read(folder.path().join("curved-walk.frames.csv")).expect("a table");
     let labels = formats::read_plants(&bytes, 245).expect("labels");
     assert_eq!(labels, formats::read_plants(&table, 245).expect("labels"));
     let piped = plantigrade(&["detect", "curved-walk.bvh", "--format", "npz"]);
@@ -98,12 +98,12 @@ fn numpy_and_pandas_read_exports() {
     fs::write(path, two.stdout).expect("written");
     let script = r#"
 import numpy, pandas
-arrays = numpy.load("curved-walk.npz")
+arrays = numpy.load("curved-walk.contacts.npz")
 assert list(arrays["columns"]) == ["left_heel", "left_toe", "right_heel", "right_toe"]
 assert arrays["contacts"].shape == arrays["confidence"].shape == (245, 4)
 assert arrays["contacts"].dtype == bool and arrays["confidence"].dtype == numpy.float32
 assert (arrays["confidence"] >= 0.5).all() and arrays["source"] == "curved-walk.bvh"
-frames = pandas.read_csv("curved-walk.csv")
+frames = pandas.read_csv("curved-walk.frames.csv")
 for table in ("contacts", "contact"):
     names = arrays["columns" if table == "contacts" else "contact_columns"]
     assert (frames[list(names)].to_numpy() == arrays[table]).all()
@@ -116,7 +116,7 @@ for save, name in [(numpy.savez, "stored.npz"), (numpy.savez_compressed, "packed
     save(name, contacts=frames[names].to_numpy(), columns=numpy.array(names))
 "#;
     python(script, folder.path());
-    let table = fs::read(folder.path().join("curved-walk.csv")).expect("a table");
+    let table = fs::read(folder.path().join("curved-walk.frames.csv")).expect("a table");
     let table = formats::read_plants(&table, 245).expect("labels");
     for name in ["stored.npz", "packed.npz"] {
         let bytes = fs::read(folder.path().join(name)).expect(name);
@@ -163,7 +163,7 @@ for _ in range(2):
 
 events = [line.split(",") for line in open("curved-walk.events.csv").read().split("\n")[1:-1]]
 assert [(m.frame, m.name) for m in markers] == [(int(e[1]) + 1, e[2] + " " + e[3]) for e in events]
-rows = [line.split(",") for line in open("curved-walk.csv").read().split("\n")[:-1]]
+rows = [line.split(",") for line in open("curved-walk.frames.csv").read().split("\n")[:-1]]
 curves = {curve.data_path[2:-2]: curve.keyframe_points for curve in armature.animation_data.action.fcurves}
 assert sorted(curves) == sorted(rows[0][2:]), curves.keys()
 for name, keys in curves.items():

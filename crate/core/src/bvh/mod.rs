@@ -12,6 +12,7 @@ mod hierarchy;
 mod lines;
 mod motion_section;
 mod number;
+mod options;
 mod reader;
 #[cfg(test)]
 mod tests;
@@ -19,5 +20,6 @@ mod writer;
 
 pub use clip::{Axis, Channel, Clip, END_SITE, Joint, JointKind, PositionRule};
 pub use error::{Error, ErrorKind, Excerpt};
-pub use reader::{Limits, Options, Parsed, Reader, parse};
+pub use options::{Limits, Options};
+pub use reader::{Parsed, Reader, parse};
 pub use writer::write;

@@ -5,10 +5,8 @@ pub(crate) struct FormatInfo<Writer, Reader> {
     pub name: &'static str,
     pub title: &'static str,
     pub description: &'static str,
-    /// File extension in an output folder, without the leading dot.
+    /// File extension, without the leading dot; it differs from those of all other formats.
     pub extension: &'static str,
-    /// File extension next to the clip and files of other formats, without the leading dot.
-    pub qualified_extension: &'static str,
     /// Media (MIME) type.
     pub media_type: &'static str,
     pub write: Writer,

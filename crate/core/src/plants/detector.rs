@@ -1,7 +1,7 @@
 //! Repeated detection on one clip.
 
-use crate::plants::methods::{DetectionCache, Input};
-use crate::plants::{Detection, Feet, ValidParams};
+use crate::plants::methods::DetectionCache;
+use crate::plants::{Detection, Feet, ValidParams, detect};
 
 /// Detects plants of one clip repeatedly and reuses intermediate results.
 ///
@@ -26,7 +26,6 @@ impl Detector {
 
     /// Detects the plants; see [`detect`](crate::plants::detect).
     pub fn detect(&mut self, params: ValidParams) -> Detection {
-        let cache = Some(&mut self.cache);
-        crate::plants::run(Input { feet: &self.feet, standing: None, params, cache })
+        detect::run(&self.feet, None, params, Some(&mut self.cache))
     }
 }

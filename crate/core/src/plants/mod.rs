@@ -12,10 +12,13 @@
 //! threshold. [`Method::Robust`] is the default, [`Method::Paper`] the published method.
 
 mod annotation;
+mod apply_edits;
+mod detect;
 mod detection;
 mod detector;
-mod edits;
+mod edit;
 mod feet;
+mod labels;
 mod methods;
 mod params;
 mod postprocess;
@@ -23,70 +26,18 @@ mod signal;
 mod spectral;
 
 pub use annotation::Annotation;
-pub use detection::{Detection, FootLabels, PartLabels};
+pub use apply_edits::apply_edits;
+pub use detect::{detect, detect_once, detect_with_standing};
+pub use detection::Detection;
 pub use detector::Detector;
-pub use edits::{Edit, apply_edits};
+pub use edit::Edit;
 pub use feet::{DetectError, Feet, FootTracks};
-pub use methods::{Family, Method};
-pub use params::{ParamError, Params, Thresholds, ValidParams};
+pub use labels::{FootLabels, PartLabels};
+pub use methods::{Family, Method, Thresholds};
+pub use params::{ParamError, Params, ValidParams};
 pub use spectral::affinity::Kernel;
 pub use spectral::field::DegreeField;
 pub use spectral::threshold::Evidence;
-
-use crate::kinematics::Track;
-use crate::notice::Notice;
-use methods::{Input, Output};
-use postprocess::{ground_height, plausibility};
-
-/// Detects the frames in which each foot is planted.
-///
-/// Accepts any frame rate, unit and up axis; the labels of spectral methods are invariant to them.
-/// The time is proportional to the number of frames, except for some of the methods for comparison,
-/// whose time is quadratic.
-pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
-    run(Input { feet, standing: None, params, cache: None })
-}
-
-/// Detects like [`detect`] and consumes the feet, which needs a sixth less memory for long clips.
-pub fn detect_once(mut feet: Feet, params: ValidParams) -> Detection {
-    let summary = FeetSummary::new(&feet);
-    feet.hips = Track::new();
-    for foot in &mut feet.tracks {
-        foot.tip = None;
-    }
-    run_with_summary(summary, Input { feet: &feet, standing: None, params, cache: None })
-}
-
-/// Detects like [`detect`] and clusters the samples of a standing clip of the same character along,
-/// which helps if the whole clip is small movement (paper, section 3.5).
-///
-/// Methods that do not use the samples of the paper ignore the standing clip.
-pub fn detect_with_standing(feet: &Feet, standing: &Feet, params: ValidParams) -> Detection {
-    run(Input { feet, standing: Some(standing), params, cache: None })
-}
-
-fn run(input: Input) -> Detection {
-    run_with_summary(FeetSummary::new(input.feet), input)
-}
-
-/// Results that need all tracks of the feet; the methods need ankles and toes only.
-struct FeetSummary {
-    rate_notice: Option<Notice>,
-    lowest: [Vec<f64>; 2],
-}
-
-impl FeetSummary {
-    fn new(feet: &Feet) -> FeetSummary {
-        FeetSummary { rate_notice: plausibility::rate(feet), lowest: ground_height::lowest(feet) }
-    }
-}
-
-fn run_with_summary(summary: FeetSummary, mut input: Input) -> Detection {
-    let Output { parts, mut notices } = input.params.method().detect(&mut input);
-    notices.extend(summary.rate_notice.into_iter().chain(plausibility::airborne(&parts)));
-    let ground_height = ground_height::height(&summary.lowest, &parts[0]);
-    Detection { params: input.params, ground_height, parts, notices, edits: Vec::new() }
-}
 
 #[cfg(test)]
 mod tests;

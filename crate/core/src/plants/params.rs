@@ -1,6 +1,6 @@
 //! Parameters of detection and their rules.
 
-use crate::plants::Method;
+use crate::plants::methods::{Method, Settings, Thresholds};
 use crate::plants::spectral::degree::Summation;
 
 /// Parameters of detection; the defaults suit any clip.
@@ -93,19 +93,6 @@ impl Params {
     }
 }
 
-/// Thresholds that a method compares with; `None` if it does not use one.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Thresholds {
-    /// Height, in metres.
-    pub height: Option<f64>,
-    /// Speed, in metres per second.
-    pub speed: Option<f64>,
-}
-
-impl Thresholds {
-    pub(crate) const NONE: Thresholds = Thresholds { height: None, speed: None };
-}
-
 impl ValidParams {
     /// See [`Params::method`].
     pub fn method(&self) -> Method {
@@ -139,11 +126,18 @@ impl ValidParams {
 
     /// Returns the thresholds that the method compares with.
     pub fn thresholds(&self) -> Thresholds {
-        self.0.method.thresholds(&self.0)
+        self.0.method.thresholds(self.0.height, self.0.speed)
     }
 
-    pub(crate) fn summation(&self) -> Summation {
-        if self.0.exact { Summation::AllPairs } else { Summation::Cells }
+    /// Returns the parameters as the method receives them.
+    pub(crate) fn settings(&self) -> Settings {
+        Settings {
+            tolerance: self.0.tolerance,
+            window: self.0.window,
+            sigma: self.0.sigma,
+            thresholds: self.thresholds(),
+            summation: if self.0.exact { Summation::AllPairs } else { Summation::Cells },
+        }
     }
 
     /// See [`Params::sigma`].

@@ -1,9 +1,7 @@
 //! Parameters of segmentation and their rules.
 
-use std::fmt;
-use std::str::FromStr;
-
-use crate::segments::{Method, MethodOption};
+use crate::segments::methods::{Method, MethodOption, Settings};
+use crate::segments::{Residual, Template};
 
 /// Parameters of segmentation; the defaults suit any clip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,83 +18,6 @@ pub struct Params {
     /// If true, the method follows its publication exactly where the default differs; see each
     /// method.
     pub published: bool,
-}
-
-/// Definition of the residual: a function of the eigenvalues beyond the first d.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Residual {
-    /// Their sum, which increases with the variation of the motion.
-    #[default]
-    Absolute,
-    /// Their fraction of the sum of all eigenvalues, as published; nearly constant.
-    Ratio,
-}
-
-/// Template pose with which all poses are compared.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Template {
-    /// The mean of all poses after alignment.
-    #[default]
-    Mean,
-    /// The skeleton with all rotations zero.
-    TPose,
-    /// A frame of the clip, from 0.
-    Frame(usize),
-}
-
-impl fmt::Display for Residual {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Residual::Absolute => "absolute",
-            Residual::Ratio => "ratio",
-        })
-    }
-}
-
-impl FromStr for Residual {
-    type Err = OptionError;
-
-    fn from_str(name: &str) -> Result<Residual, OptionError> {
-        match name {
-            "absolute" => Ok(Residual::Absolute),
-            "ratio" => Ok(Residual::Ratio),
-            _ => Err(OptionError::Residual(name.into())),
-        }
-    }
-}
-
-/// Formats as `mean`, `tpose` or the frame number.
-impl fmt::Display for Template {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Template::Mean => f.write_str("mean"),
-            Template::TPose => f.write_str("tpose"),
-            Template::Frame(frame) => frame.fmt(f),
-        }
-    }
-}
-
-impl FromStr for Template {
-    type Err = OptionError;
-
-    fn from_str(name: &str) -> Result<Template, OptionError> {
-        match name {
-            "mean" => Ok(Template::Mean),
-            "tpose" => Ok(Template::TPose),
-            frame => frame.parse().map(Template::Frame).map_err(|_| OptionError::Template(name.into())),
-        }
-    }
-}
-
-/// Value of an option that cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum OptionError {
-    /// Not a [`Residual`].
-    #[error("the residual must be absolute or ratio, not {0:?}")]
-    Residual(String),
-    /// Not a [`Template`].
-    #[error("the template must be mean, tpose or a frame number, not {0:?}")]
-    Template(String),
 }
 
 /// Parameters that satisfy their rules; see [`Params::check`].
@@ -128,6 +49,12 @@ impl Params {
 }
 
 impl ValidParams {
+    /// Returns the parameters as the method receives them.
+    pub(crate) fn settings(&self) -> Settings {
+        let Params { residual, template, published, .. } = self.0;
+        Settings { dims: self.dims().unwrap_or_default(), residual, template, published }
+    }
+
     /// See [`Params::method`].
     pub fn method(&self) -> Method {
         self.0.method

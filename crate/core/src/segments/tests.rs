@@ -4,8 +4,9 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::bvh::{Axis, Channel, Joint, JointKind};
-use crate::skeleton::Overrides;
+use crate::bvh::{Axis, Channel, Clip, Joint, JointKind};
+use crate::notice::Code;
+use crate::skeleton::{Overrides, Skeleton};
 
 /// A spine, a head, arms and legs; each joint rotates about one axis.
 const BODY: [(&str, usize, [f64; 3]); 13] = [

@@ -10,8 +10,9 @@ use crate::foot::Side;
 use crate::kinematics::Kinematics;
 use crate::notice::{Code, Notice};
 use crate::skate::constraints::{Correction, Planted, Settings};
+use crate::skate::foot_data::{FootData, SkateError};
 use crate::skate::leg::{Joints, Leg};
-use crate::skate::{FootData, euler, knee, leg, root};
+use crate::skate::{Contacts, euler, knee, leg, root};
 use crate::skeleton::{Role, Skeleton};
 
 /// Options of the clean-up.
@@ -101,8 +102,27 @@ const HELD_TOLERANCE: f64 = 0.001;
 /// Movements smaller than this count as zero, in leg lengths.
 const NEGLIGIBLE: f64 = 1e-9;
 
+/// Holds every planted foot still. Only the rotations of legs and feet and the position of the hips
+/// change.
+///
+/// Heel and toe are held as labelled: the foot rolls over its heel, is flat, and rolls over its
+/// toe. If only toes are labelled (the method of the paper), the toe is held and the foot rotates
+/// as before. If only contact is labelled, the pitch of the foot determines the part. The time is
+/// proportional to the number of frames.
+///
+/// # Errors
+/// Those of [`measure`](crate::skate::measure).
+pub fn clean(
+    clip: &Clip,
+    skeleton: &Skeleton,
+    contacts: &Contacts,
+    options: &Options,
+) -> Result<Cleaned, SkateError> {
+    Ok(run(clip, skeleton, FootData::new(clip, skeleton, contacts)?, options))
+}
+
 /// Cleans up a clip.
-pub(crate) fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> Cleaned {
+fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> Cleaned {
     let before = feet.skate(skeleton);
     let frames = |seconds: f64| {
         let frames = (seconds / clip.frame_time()).round();

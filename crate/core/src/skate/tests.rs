@@ -3,10 +3,10 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::bvh::{self, Channel, Joint};
-use crate::foot::Part;
+use crate::bvh::{self, Channel, Clip, Joint};
+use crate::foot::{Part, Side};
 use crate::notice::Code;
-use crate::skeleton::{Overrides, Role};
+use crate::skeleton::{Overrides, Role, Skeleton};
 
 const SAMPLE: &[u8] = include_bytes!("../../../../samples/curved-walk.bvh");
 const TRUTH: &str = include_str!("../../../../samples/curved-walk.json");

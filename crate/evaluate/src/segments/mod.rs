@@ -4,6 +4,7 @@ pub mod failures;
 pub mod generated;
 pub mod recorded;
 pub mod recorded_figures;
+mod recorded_trials;
 
 use plantigrade::bvh::Clip;
 use plantigrade::score::{self, CutTally, Tolerance, TrueCut};

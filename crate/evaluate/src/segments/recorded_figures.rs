@@ -2,7 +2,7 @@
 
 use plantigrade::segments::{Curve, Kind, Method, Segment, Segmentation};
 
-use super::recorded::Recorded;
+use super::recorded_trials::Recorded;
 use super::{Case, MVU_PUBLISHED, params_of, segmentation};
 use crate::figure::{Panel, Series, draw};
 use crate::report::Report;

@@ -3,33 +3,20 @@
 mod balance;
 mod flight;
 mod height;
+mod pelvis_pose;
 mod reach;
 mod support;
 
+pub use pelvis_pose::PelvisPose;
 pub(crate) use reach::hip;
 
 use crate::character::Proportions;
 use crate::foot_path::{FootPath, FootPose};
 use crate::math::Random;
 use crate::math::{GRID_RATE, TimeGrid};
-use crate::math::{Rot, Vec3, forward, heading_rotation, leftward, rotation_about};
 use crate::math::{Track, gaussian_blur, smooth_noise};
+use crate::math::{Vec3, forward, heading_rotation, leftward, rotation_about};
 use crate::plan::Plan;
-
-/// Pose of the pelvis, with the quantities that drive the upper body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PelvisPose {
-    /// Position of the pelvis joint, in metres.
-    pub position: Vec3,
-    /// Orientation.
-    pub rotation: Rot,
-    /// Heading of the body to the left, in radians.
-    pub heading: f64,
-    /// Distance that the left foot is ahead of the right, in metres.
-    pub stride: f64,
-    /// Load on the left foot minus that on the right, as fractions of the total.
-    pub balance: f64,
-}
 
 /// Cut-off frequency of standing sway, in Hz.
 const SWAY_CUTOFF: f64 = 0.35;

@@ -2,7 +2,7 @@
 
 use plantigrade::foot::Side;
 
-use super::PelvisPose;
+use super::pelvis_pose::PelvisPose;
 use crate::character::{Proportions, lateral_sign};
 use crate::foot_path::FootPose;
 use crate::math::TimeGrid;

@@ -14,7 +14,7 @@ pub struct FormatInfo {
     pub title: String,
     /// Description in a sentence.
     pub description: String,
-    /// File extension next to the clip and files of other formats, without the leading dot.
+    /// File extension, without the leading dot.
     pub extension: String,
     /// Media (MIME) type.
     pub media_type: String,
@@ -28,7 +28,7 @@ macro_rules! impl_from_format {
                     name: format.name().into(),
                     title: format.title().into(),
                     description: format.description().into(),
-                    extension: format.qualified_extension().into(),
+                    extension: format.extension().into(),
                     media_type: format.media_type().into(),
                 }
             }

@@ -8,6 +8,7 @@ use plantigrade::score::{self, CutTally, Tolerance};
 use plantigrade::segments::{self, ValidParams};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
+use super::trials;
 use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
@@ -17,9 +18,9 @@ type Tallies = [Option<CutTally>; Tolerance::REPORTED.len()];
 
 /// Scores all clips of a folder that have truth. Returns the number of inputs that failed.
 pub fn run(args: &ScoreArgs) -> Result<usize, UsageError> {
-    let params = args.segments.check(super::method(args)?)?;
+    let params = args.segments.check(trials::method(args)?)?;
     let expected = "NAME.segments.json, NAME.json or segmentation*.json";
-    let (trials, failures) = super::trials(args, expected, |input, read| trial(input, params, read))?;
+    let (trials, failures) = trials::trials(args, expected, |input, read| trial(input, params, read))?;
     if !trials.is_empty() {
         print(&trials);
     }

@@ -9,6 +9,7 @@ use plantigrade::plants::{self, Detection, Feet, ValidParams};
 use plantigrade::score::{self, Events, FUZZY_PERIODS, Tally};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
+use super::trials;
 use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
@@ -23,8 +24,8 @@ struct Trial {
 
 /// Scores all clips of a folder that have truth. Returns the number of inputs that failed.
 pub fn run(args: &ScoreArgs) -> Result<usize, UsageError> {
-    let params = args.plants.check(super::method(args)?)?;
-    let (trials, failures) = super::trials(args, "NAME.json", |input, read| trial(input, params, read))?;
+    let params = args.plants.check(trials::method(args)?)?;
+    let (trials, failures) = trials::trials(args, "NAME.json", |input, read| trial(input, params, read))?;
     let is_requested = |part: &Part| args.part.as_deref().is_none_or(|name| name == part.name());
     for part in Part::ALL.into_iter().filter(is_requested) {
         if trials.iter().any(|trial| pairs(trial, part).is_some()) {

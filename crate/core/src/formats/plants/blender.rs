@@ -12,7 +12,6 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     title: "Blender",
     description: "A Python script that sets markers and contact keys in Blender.",
     extension: "blender.py",
-    qualified_extension: "blender.py",
     media_type: "text/x-python",
     write: |export| blender_script(export).into_bytes(),
     read: None,

@@ -7,17 +7,17 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::formats::document::to_json;
+use crate::formats::document::{ReadError, to_json};
 use crate::formats::format_info::FormatInfo;
 use crate::formats::segments::document::SegmentsDocument;
 use crate::formats::segments::export::{Reader, Writer};
+use crate::formats::segments::file::TimedActions;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "babel",
     title: "BABEL",
     description: "Actions in the format of BABEL.",
     extension: "babel.json",
-    qualified_extension: "babel.json",
     media_type: "application/json",
     write: |export| babel_json(&export.documents).into_bytes(),
     // BABEL files are JSON and are read with the other JSON files.
@@ -27,7 +27,7 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
 /// One motion with its actions.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub(crate) struct Sequence {
+struct Sequence {
     babel_sid: Value,
     /// Path of the motion.
     feat_p: Option<String>,
@@ -98,20 +98,15 @@ fn default_name(index: usize) -> String {
     format!("segment {}", index + 1)
 }
 
-impl Sequence {
-    /// Returns the duration, in seconds.
-    pub fn seconds(&self) -> Option<f64> {
-        self.dur
-    }
-
-    /// Returns the actions that have times: start and end in seconds, and name, which may be empty.
-    pub fn actions(self) -> impl Iterator<Item = (f64, f64, String)> {
-        let labels = self.frame_ann.unwrap_or_default().labels;
-        labels.into_iter().enumerate().filter_map(|(index, action)| {
-            let name = action.raw_label.filter(|name| *name != default_name(index)).unwrap_or_default();
-            Some((action.start_t?, action.end_t?, name))
-        })
-    }
+/// Reads the actions of a sequence that have times.
+pub(crate) fn read_sequence(sequence: Value) -> Result<TimedActions, ReadError> {
+    let sequence: Sequence = serde_json::from_value(sequence)?;
+    let labels = sequence.frame_ann.unwrap_or_default().labels;
+    let actions = labels.into_iter().enumerate().filter_map(|(index, action)| {
+        let label = action.raw_label.filter(|label| *label != default_name(index)).unwrap_or_default();
+        Some((action.start_t?, action.end_t?, label))
+    });
+    Ok(TimedActions { duration: sequence.dur, actions: actions.collect() })
 }
 
 /// True if a value is a sequence.

@@ -5,7 +5,6 @@ use std::ops::Range;
 use serde::Deserialize;
 
 use crate::formats::document::ReadError;
-use crate::formats::segments::babel::Sequence;
 use crate::formats::segments::document::SegmentsDocument;
 use crate::numeric::sort;
 use crate::score::TrueCut;
@@ -17,9 +16,9 @@ const MAX_GAP: f64 = 0.1;
 
 /// Segments of one clip in a file.
 pub(crate) enum SegmentFile {
-    Document(SegmentsDocument),
+    Document(Box<SegmentsDocument>),
     Table(Vec<FilePart>),
-    Babel(Sequence),
+    Timed(TimedActions),
     Annotation(Vec<AnnotatedAction>),
 }
 
@@ -33,6 +32,14 @@ impl FilePart {
     pub fn new(frames: Range<usize>, kind: Kind, label: impl Into<String>) -> FilePart {
         FilePart { segment: Segment { frames, kind, label: label.into() }, cut: None }
     }
+}
+
+/// Actions with times.
+pub(crate) struct TimedActions {
+    /// Duration of the clip, in seconds.
+    pub duration: Option<f64>,
+    /// Start and end in seconds, and label, which may be empty.
+    pub actions: Vec<(f64, f64, String)>,
 }
 
 /// Action of annotated segments. Frames count from 1, and `end` is the last frame.
@@ -60,22 +67,21 @@ impl SegmentFile {
                 check_partition(parts.collect(), frames)
             }
             SegmentFile::Table(parts) => check_partition(parts, frames),
-            SegmentFile::Babel(sequence) => babel_parts(sequence, frames, rate),
+            SegmentFile::Timed(actions) => timed_parts(actions, frames, rate),
             SegmentFile::Annotation(actions) => annotated_parts(actions, frames, rate),
         }
     }
 }
 
-fn babel_parts(sequence: Sequence, frames: usize, rate: f64) -> Result<Vec<FilePart>, ReadError> {
+fn timed_parts(file: TimedActions, frames: usize, rate: f64) -> Result<Vec<FilePart>, ReadError> {
     // Casts saturate: negative times become frame 0.
     let frame = |seconds: f64| (seconds * rate).round() as usize;
-    if let Some(seconds) = sequence.seconds()
+    if let Some(seconds) = file.duration
         && (seconds - frames as f64 / rate).abs() > MAX_GAP
     {
         return Err(ReadError::Length { found: frame(seconds), frames });
     }
-    let actions = sequence.actions();
-    let parts = actions.map(|(start, end, label)| {
+    let parts = file.actions.into_iter().map(|(start, end, label)| {
         FilePart::new(frame(start).min(frames)..frame(end).min(frames), Kind::Action, label)
     });
     Ok(complete(parts.collect(), frames, rate))

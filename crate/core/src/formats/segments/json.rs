@@ -14,7 +14,6 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     title: "Segments",
     description: "Segments with the parameters that were used.",
     extension: "segments.json",
-    qualified_extension: "segments.json",
     media_type: "application/json",
     write,
     read: Some(Reader { recognises: |text| text.starts_with(['{', '[']), read }),
@@ -32,14 +31,14 @@ fn read(text: &str, clip: &str) -> Result<SegmentFile, ReadError> {
             Value::Array(_) => {
                 Err(ReadError::Invalid("documents of several skeletons cannot be compared".into()))
             }
-            value => Ok(SegmentFile::Document(from_json(value)?)),
+            value => Ok(SegmentFile::Document(Box::new(from_json(value)?))),
         };
     }
     let is_bare = value.get_mut("segments").is_some_and(is_annotation);
     let clips = value.as_object_mut().ok_or(ReadError::NoSegments)?;
     match key_of(clips, clip).and_then(|name| clips.remove(&name)) {
         Some(sequence) if babel::is_sequence(&sequence) => {
-            Ok(SegmentFile::Babel(serde_json::from_value(sequence)?))
+            Ok(SegmentFile::Timed(babel::read_sequence(sequence)?))
         }
         Some(mut actions) => {
             Ok(SegmentFile::Annotation(serde_json::from_value(action_list(&mut actions).take())?))

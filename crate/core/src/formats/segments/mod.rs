@@ -32,14 +32,9 @@ registry! {
 }
 
 impl SegmentFormat {
-    /// Returns the file extension in an output folder, without the leading dot.
+    /// Returns the file extension, without the leading dot.
     pub fn extension(self) -> &'static str {
         self.entry().extension
-    }
-
-    /// Returns the file extension next to the clip and files of other formats, without the leading dot.
-    pub fn qualified_extension(self) -> &'static str {
-        self.entry().qualified_extension
     }
 
     /// Returns the media (MIME) type.

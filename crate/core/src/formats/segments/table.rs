@@ -15,7 +15,6 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     title: "Table",
     description: "One row per segment.",
     extension: "segments.csv",
-    qualified_extension: "segments.csv",
     media_type: "text/csv",
     write: |export| segments_csv(&export.documents).into_bytes(),
     read: Some(Reader { recognises: |text| !text.starts_with(['{', '[']), read }),

@@ -1,9 +1,8 @@
 //! Rule of motion-learning code: displacement since the previous frame.
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "displacement",
@@ -11,7 +10,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Toes whose squared displacement since the previous frame is below 0.002 m², at any frame rate.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 

@@ -4,9 +4,8 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::foot::Part;
 use crate::numeric::stats;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal::Signals;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
@@ -15,7 +14,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Two Gaussians on the logarithms of height and speed, fitted to each clip.",
     family: Family::Mixture,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 

@@ -1,9 +1,8 @@
 //! Rule of motion-learning code: low and slow, in metres.
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "height-speed",
@@ -11,7 +10,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Toes lower than 0.114 m and slower than 0.93 m/s, a rule used to label motion-learning data sets.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds { height: Some(HEIGHT), speed: Some(SPEED) },
+    thresholds: |_, _| Thresholds { height: Some(HEIGHT), speed: Some(SPEED) },
     detect,
 };
 

@@ -3,10 +3,10 @@
 use nalgebra::Vector2;
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::gmm;
 use crate::plants::methods::gmm::{Gaussian, Mixture};
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output, gmm};
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "hmm",
@@ -14,7 +14,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Hidden Markov model with two Gaussian states on the logarithms of height and speed, fitted to each clip.",
     family: Family::Mixture,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 

@@ -3,9 +3,8 @@
 
 use crate::foot::Part;
 use crate::numeric::stats::nth_smallest;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal::samples::Samples;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
@@ -14,7 +13,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "The method of the paper with one bandwidth per sample: the distance to its seventh neighbour.",
     family: Family::Spectral,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 

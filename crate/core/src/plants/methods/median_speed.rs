@@ -1,9 +1,8 @@
 //! Rule of motion-learning code: slow after a median filter.
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "median-speed",
@@ -11,7 +10,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Toes slower than 0.15 m/s, the labels smoothed by a median filter of seven frames.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds { height: None, speed: Some(SPEED) },
+    thresholds: |_, _| Thresholds { height: None, speed: Some(SPEED) },
     detect,
 };
 

@@ -1,9 +1,8 @@
 //! Speed threshold on the slower of toe and ankle, the strongest simple rule for contact.
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
@@ -12,7 +11,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Contact if toe or ankle is slower than a threshold in metres per second.",
     family: Family::Threshold,
     parts: &[Part::Contact],
-    thresholds: |params| Thresholds { height: None, speed: Some(params.speed) },
+    thresholds: |_, speed| Thresholds { height: None, speed: Some(speed) },
     detect,
 };
 
@@ -21,7 +20,8 @@ fn detect(input: &mut Input) -> Output {
     let [toe, ankle] = [signal::raw(feet, |foot| &foot.toe), signal::raw(feet, |foot| &foot.ankle)];
     let mut toes = Toes::new(input);
     toes.signals = signal::select(&ankle, &toe, &signal::weight_bearing(&ankle, &toe, 0.0));
-    let max = input.params.speed() / feet.metres_per_unit;
+    let max_speed = input.settings.thresholds.speed.unwrap_or(f64::INFINITY);
+    let max = max_speed / feet.metres_per_unit;
     let planted: Vec<bool> =
         toes.signals.iter().flat_map(|signal| signal.speed.iter().map(|&speed| speed < max)).collect();
     toes.into_output(Part::Contact, &planted, None, None)

@@ -10,6 +10,7 @@ mod height_speed;
 mod hmm;
 mod local_sigma;
 mod median_speed;
+mod method_info;
 mod min_speed;
 mod ncut;
 mod njw;
@@ -19,12 +20,13 @@ mod sparse;
 mod thresholds;
 mod toes;
 
-pub(crate) use robust::DetectionCache;
+pub use method_info::{Family, Thresholds};
+pub(crate) use method_info::{Input, Output, Settings};
+pub(crate) use robust::cache::DetectionCache;
 
 use crate::foot::Part;
-use crate::notice::Notice;
-use crate::plants::{Feet, Params, PartLabels, Thresholds, ValidParams};
 use crate::registry::registry;
+use method_info::MethodInfo;
 
 registry! {
     /// Method of detection.
@@ -65,57 +67,6 @@ registry! {
     }
 }
 
-/// Family of methods.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Family {
-    /// Clusters an affinity graph.
-    Spectral,
-    /// Fits distributions to each clip.
-    Mixture,
-    /// Compares heights or speeds in metres with thresholds.
-    Threshold,
-}
-
-impl Family {
-    /// Returns the name: `spectral`, `mixture` or `threshold`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Family::Spectral => "spectral",
-            Family::Mixture => "mixture",
-            Family::Threshold => "threshold",
-        }
-    }
-}
-
-/// Input of a method.
-pub(crate) struct Input<'a> {
-    pub feet: &'a Feet,
-    /// Feet of the same character standing still, whose samples are clustered along.
-    pub standing: Option<&'a Feet>,
-    pub params: ValidParams,
-    /// Results cached between detections on these feet.
-    pub cache: Option<&'a mut DetectionCache>,
-}
-
-/// Output of a method.
-pub(crate) struct Output {
-    pub parts: Vec<PartLabels>,
-    pub notices: Vec<Notice>,
-}
-
-/// Registry entry of a method.
-pub(crate) struct MethodInfo {
-    name: &'static str,
-    title: &'static str,
-    description: &'static str,
-    family: Family,
-    /// Labelled parts; the first one defines the plants.
-    parts: &'static [Part],
-    /// Thresholds that the method compares with.
-    thresholds: fn(&Params) -> Thresholds,
-    detect: fn(&mut Input) -> Output,
-}
-
 impl Method {
     /// Returns the family of the method.
     pub fn family(self) -> Family {
@@ -127,8 +78,10 @@ impl Method {
         self.entry().parts
     }
 
-    pub(crate) fn thresholds(self, params: &Params) -> Thresholds {
-        (self.entry().thresholds)(params)
+    /// Returns the thresholds that the method compares with, given a height in metres and a speed
+    /// in metres per second.
+    pub(crate) fn thresholds(self, height: f64, speed: f64) -> Thresholds {
+        (self.entry().thresholds)(height, speed)
     }
 
     pub(crate) fn detect(self, input: &mut Input) -> Output {

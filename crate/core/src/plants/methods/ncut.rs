@@ -2,9 +2,8 @@
 //! PAMI 22(8), 2000).
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal::samples::Samples;
 use crate::plants::spectral::affinity::{AffinityGraph, Kernel};
 use crate::plants::spectral::lanczos;
@@ -15,7 +14,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Second eigenvector of the same graph, split by two-means.",
     family: Family::Spectral,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 

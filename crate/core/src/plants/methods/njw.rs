@@ -2,9 +2,9 @@
 //! analysis and an algorithm*, NIPS 2002).
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
+use crate::plants::methods::ncut;
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output, ncut};
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "njw",
@@ -12,7 +12,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Two eigenvectors with rows of unit length: the algorithm on which the paper builds.",
     family: Family::Spectral,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 

@@ -1,9 +1,8 @@
 //! The method of the paper (section 2.3).
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "paper",
@@ -11,12 +10,12 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "The method exactly as published: toes only, and no answer for feet that never move.",
     family: Family::Spectral,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 
 fn detect(input: &mut Input) -> Output {
     let toes = Toes::new(input);
     let (bandwidth, sigma) = toes.bandwidth(input);
-    toes.split_by_degree(bandwidth, sigma, input.params.summation())
+    toes.split_by_degree(bandwidth, sigma, input.settings.summation)
 }

@@ -2,9 +2,8 @@
 
 use crate::foot::Part;
 use crate::numeric::sort;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 use crate::plants::signal::samples::Samples;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
@@ -13,7 +12,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "The method of the paper without affinities of samples more than 2σ apart.",
     family: Family::Spectral,
     parts: &[Part::Toe],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 

@@ -1,9 +1,8 @@
 //! Thresholds on height and speed: the baselines of table 3 of the paper.
 
 use crate::foot::Part;
-use crate::plants::Thresholds;
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Thresholds};
 use crate::plants::methods::toes::Toes;
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
 
 pub(crate) const HEIGHT: MethodInfo = MethodInfo {
     name: "height",
@@ -11,7 +10,7 @@ pub(crate) const HEIGHT: MethodInfo = MethodInfo {
     description: "Toes lower than a threshold in metres, the same for every clip.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    thresholds: |params| Thresholds { height: Some(params.height), speed: None },
+    thresholds: |height, _| Thresholds { height: Some(height), speed: None },
     detect: by_thresholds,
 };
 
@@ -21,7 +20,7 @@ pub(crate) const SPEED: MethodInfo = MethodInfo {
     description: "Toes slower than a threshold in metres per second, the same for every clip.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    thresholds: |params| Thresholds { height: None, speed: Some(params.speed) },
+    thresholds: |_, speed| Thresholds { height: None, speed: Some(speed) },
     detect: by_thresholds,
 };
 
@@ -31,12 +30,12 @@ pub(crate) const DUAL: MethodInfo = MethodInfo {
     description: "Toes both lower and slower than thresholds, the same for every clip.",
     family: Family::Threshold,
     parts: &[Part::Toe],
-    thresholds: |params| Thresholds { height: Some(params.height), speed: Some(params.speed) },
+    thresholds: |height, speed| Thresholds { height: Some(height), speed: Some(speed) },
     detect: by_thresholds,
 };
 
 fn by_thresholds(input: &mut Input) -> Output {
-    let Thresholds { height: max_height, speed: max_speed } = input.params.thresholds();
+    let Thresholds { height: max_height, speed: max_speed } = input.settings.thresholds;
     Toes::new(input).by_rule(|height, speed| {
         max_height.is_none_or(|max| height < max) && max_speed.is_none_or(|max| speed < max)
     })

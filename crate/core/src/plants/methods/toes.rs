@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::foot::Part;
-use crate::plants::methods::{Input, Output};
+use crate::plants::methods::method_info::{Input, Output};
 use crate::plants::postprocess::confidence;
 use crate::plants::signal::samples::{Ranges, Samples};
 use crate::plants::signal::{Signal, Signals};
@@ -32,7 +32,7 @@ pub(crate) struct Toes<'a> {
 
 impl<'a> Toes<'a> {
     pub fn new(input: &Input<'a>) -> Toes<'a> {
-        let window = input.params.window();
+        let window = input.settings.window;
         let signals = toe_signals(input.feet);
         let spans = [0..input.feet.frame_count()];
         let mut ranges = Ranges::new(&signals, &spans);
@@ -58,8 +58,8 @@ impl<'a> Toes<'a> {
     /// Returns the bandwidth by the knee of the norms, and σ, which may be given.
     pub fn bandwidth(&self, input: &Input) -> (Bandwidth, f64) {
         let bandwidth =
-            Bandwidth::from_knee(bandwidth::sorted(&self.samples.norms), input.params.tolerance());
-        let sigma = input.params.sigma().unwrap_or(bandwidth.sigma());
+            Bandwidth::from_knee(bandwidth::sorted(&self.samples.norms), input.settings.tolerance);
+        let sigma = input.settings.sigma.unwrap_or(bandwidth.sigma());
         (bandwidth, sigma)
     }
 

@@ -8,8 +8,7 @@
 use crate::numeric::stats::{mean, standard_deviation};
 use crate::segments::body::Body;
 use crate::segments::methods::growing_window::{JumpDetector, Moments, residual};
-use crate::segments::methods::{Input, Output};
-use crate::segments::methods::{MethodInfo, MethodOption};
+use crate::segments::methods::method_info::{Input, MethodInfo, MethodOption, Output};
 use crate::segments::pose::{Poses, RECORDED_RATE};
 use crate::segments::progress::Checkpoint;
 use crate::segments::{Curve, Residual, SegmentError};
@@ -98,7 +97,7 @@ const JUMP_DETECTOR: JumpDetector =
 fn segment_pca_tail(input: &mut Input) -> Result<Output, SegmentError> {
     let body = Body::rotation_joints(input.clip, input.skeleton)?;
     let poses = Poses::new(input.clip, &body, &input.frames, TAIL_RATE);
-    let dims = input.params.dims().unwrap_or_default();
+    let dims = input.settings.dims;
     let mut window = 0..0;
     let mut moments = Moments::new(poses.columns.nrows());
     let window_residual = |requested: std::ops::Range<usize>, _: &mut Checkpoint| {

@@ -11,8 +11,7 @@ use nalgebra::DMatrixView;
 use crate::numeric::sort;
 use crate::segments::body::Body;
 use crate::segments::methods::growing_window::{Moments, residual};
-use crate::segments::methods::{Input, Output};
-use crate::segments::methods::{MethodInfo, MethodOption};
+use crate::segments::methods::method_info::{Input, MethodInfo, MethodOption, Output};
 use crate::segments::pose::{Poses, RECORDED_RATE};
 use crate::segments::{Curve, Residual, SegmentError};
 
@@ -58,7 +57,7 @@ fn segment(input: &mut Input) -> Result<Output, SegmentError> {
             // Expected distance of poses of the same distribution: the number of dimensions.
             let expected = poses.columns.nrows() as f64;
             let threshold =
-                if input.params.published() { PUBLISHED_PEAK } else { (PEAK_FACTOR * valley).max(expected) };
+                if input.settings.published { PUBLISHED_PEAK } else { (PEAK_FACTOR * valley).max(expected) };
             curve.frames.push(poses.position(pose));
             curve.values.push(distance);
             curve.threshold.push(if threshold.is_finite() { threshold } else { distance });

@@ -9,13 +9,18 @@ use std::sync::Arc;
 use crate::foot::Part;
 use crate::notice::{Code, Notice};
 use crate::numeric::stats;
-use crate::plants::methods::robust::{STILL_HEIGHT, STILL_SPEED};
 use crate::plants::signal::resampling::Resampler;
 use crate::plants::signal::samples::Ranges;
 use crate::plants::signal::{Signals, motion_segments};
 use crate::plants::spectral::bandwidth;
 use crate::plants::spectral::cells::PartitionedSamples;
 use crate::plants::{Feet, signal};
+
+/// Speed below which a foot is still, in leg lengths per second. A clip stands still if nearly all
+/// speeds are below it …
+const STILL_SPEED: f64 = 0.35;
+/// … and all heights are within this range, in leg lengths.
+const STILL_HEIGHT: f64 = 0.15;
 
 /// Cached results of the detection in one clip.
 #[derive(Default)]

@@ -9,16 +9,14 @@
 //! that bear weight; heels are clustered separately. Runs too short for a person and dragged feet
 //! are removed.
 
-mod cache;
+pub(crate) mod cache;
 
 use std::cell::OnceCell;
 
-pub(crate) use crate::plants::methods::robust::cache::DetectionCache;
-use crate::plants::methods::robust::cache::{Motion, SampleSet, SampleSets};
-
 use crate::foot::{Part, Side};
 use crate::notice::{Code, Notice};
-use crate::plants::methods::{Family, Input, MethodInfo, Output};
+use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Settings, Thresholds};
+use crate::plants::methods::robust::cache::{DetectionCache, Motion, SampleSet, SampleSets};
 use crate::plants::postprocess::{confidence, dragging, short_runs};
 use crate::plants::signal::Signal;
 use crate::plants::signal::samples::{Ranges, Samples};
@@ -29,17 +27,12 @@ use crate::plants::spectral::degree::DegreeQuery;
 use crate::plants::spectral::expansion::Expansion;
 use crate::plants::spectral::field::DegreeField;
 use crate::plants::spectral::threshold::{self, CutRule, Evidence};
-use crate::plants::{Feet, FootLabels, PartLabels, Thresholds, ValidParams};
+use crate::plants::{Feet, FootLabels, PartLabels};
 
 /// Maximum number of frames whose samples are cached, which takes about 20 MB.
 const MAX_CACHED_FRAMES: usize = 50_000;
 /// Minimum number of frames to cluster.
 const MIN_FRAMES: usize = 10;
-/// Speed below which a foot is still, in leg lengths per second. A clip stands still if nearly all
-/// speeds are below it …
-const STILL_SPEED: f64 = 0.35;
-/// … and all heights are within this range, in leg lengths.
-const STILL_HEIGHT: f64 = 0.15;
 /// Maximum ranges by which heights and speeds are divided, in leg lengths and leg lengths per
 /// second.
 const HEIGHT_CAP: f64 = 0.4;
@@ -57,23 +50,23 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Contact, heel and toe; removes glitches and is invariant to the frame rate.",
     family: Family::Spectral,
     parts: &[Part::Contact, Part::Toe, Part::Heel],
-    thresholds: |_| Thresholds::NONE,
+    thresholds: |_, _| Thresholds::NONE,
     detect,
 };
 
 fn detect(input: &mut Input) -> Output {
-    let (feet, params) = (input.feet, input.params);
+    let (feet, settings) = (input.feet, input.settings);
     let caches_samples = input.cache.is_some() && feet.frame_count() <= MAX_CACHED_FRAMES;
     let mut temporary = DetectionCache::default();
     let cache = input.cache.as_deref_mut().unwrap_or(&mut temporary);
     let motion = &*cache.motion.get_or_insert_with(|| Motion::new(feet));
-    Pipeline { feet, params, motion, caches_samples }.detect(&mut cache.sample_sets)
+    Pipeline { feet, settings, motion, caches_samples }.detect(&mut cache.sample_sets)
 }
 
 /// Detection of all parts of a clip.
 struct Pipeline<'a> {
     feet: &'a Feet,
-    params: ValidParams,
+    settings: Settings,
     motion: &'a Motion,
     /// True if samples are cached for another detection.
     caches_samples: bool,
@@ -129,7 +122,7 @@ impl Pipeline<'_> {
     fn classify(&self, contact: Option<Clustering>, sample_sets: &mut SampleSets) -> [Option<Classified>; 3] {
         let Some(mut contact) = contact else { return [const { None }; 3] };
         let toes = self.sample_set(sample_sets, Part::Toe, Some(contact.set.ranges));
-        let toe = compare(&toes, &mut contact, self.params);
+        let toe = compare(&toes, &mut contact, self.settings);
         self.store(sample_sets, Part::Toe, toes);
         self.store(sample_sets, Part::Contact, contact.set);
         drop(contact.weights);
@@ -142,7 +135,7 @@ impl Pipeline<'_> {
 
     /// Returns the samples of a part, divided by their own ranges unless ranges are given.
     fn sample_set(&self, sample_sets: &mut SampleSets, part: Part, ranges: Option<Ranges>) -> SampleSet {
-        let window = self.params.window();
+        let window = self.settings.window;
         sample_sets.take(part, window).unwrap_or_else(|| {
             let (leg, signals) = (self.feet.leg, &*self.motion.signals(part));
             let Motion { fine_spans: spans, factor, .. } = self.motion;
@@ -160,17 +153,17 @@ impl Pipeline<'_> {
     }
 
     fn cluster(&self, set: SampleSet, kernel: Kernel) -> Clustering {
-        let window = self.params.window();
+        let window = self.settings.window;
         let samples = &set.samples.samples;
         // A wider window has larger norms; r refers to w = 1.
-        let r = self.params.tolerance() * (2 * window + 1) as f64 / 3.0;
+        let r = self.settings.tolerance * (2 * window + 1) as f64 / 3.0;
         let bandwidth = Bandwidth::from_knee(set.sorted_norms(), r);
-        let sigma = self.params.sigma().unwrap_or(bandwidth.sigma());
+        let sigma = self.settings.sigma.unwrap_or(bandwidth.sigma());
         // Samples near rest have larger weights, so that a foot held still in the air, whose
         // samples are dense, does not count as planted.
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
         let weights: Vec<f64> = samples.norms.iter().map(|norm| (-(norm / reach).powi(2)).exp()).collect();
-        let (summation, expansion) = (self.params.summation(), OnceCell::new());
+        let (summation, expansion) = (self.settings.summation, OnceCell::new());
         let query =
             DegreeQuery { samples: &set.samples, weights: &weights, sigma, kernel, summation, expansion };
         let frames = self.motion.spans.iter().cloned().flatten().collect();
@@ -261,10 +254,10 @@ impl Pipeline<'_> {
 }
 
 /// Classifies the samples of a part by comparison with the samples that bear weight.
-fn compare(other: &SampleSet, clustering: &mut Clustering, params: ValidParams) -> Classified {
+fn compare(other: &SampleSet, clustering: &mut Clustering, settings: Settings) -> Classified {
     let expansion = std::mem::take(&mut clustering.expansion);
     let Clustering { set, weights, evidence, .. } = clustering;
-    let (samples, sigma, summation) = (&set.samples, evidence.sigma, params.summation());
+    let (samples, sigma, summation) = (&set.samples, evidence.sigma, settings.summation);
     let query = DegreeQuery { samples, weights, sigma, kernel: KERNEL, summation, expansion };
     let mut degrees = query.sqrt_degrees_of(&other.samples);
     degrees.refine_near(evidence.threshold);

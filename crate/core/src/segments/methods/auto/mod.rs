@@ -12,8 +12,7 @@ use gaussian::{DIMS, Gaussians};
 
 use crate::notice::{Code, Notice};
 use crate::segments::body::Body;
-use crate::segments::methods::MethodInfo;
-use crate::segments::methods::{Input, Output};
+use crate::segments::methods::method_info::{Input, MethodInfo, Output};
 use crate::segments::pose::Poses;
 use crate::segments::{Curve, SegmentError};
 

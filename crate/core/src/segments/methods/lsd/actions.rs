@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
+use crate::segments::methods::lsd::action::Action;
 use crate::segments::methods::lsd::periods;
 
 /// Minimum number of motifs between periodic actions; fewer are a transition …
@@ -16,15 +17,6 @@ const AMPLITUDE_RATIO: f64 = 3.0;
 
 /// Minimum duration of an action, in seconds.
 const MIN_ACTION: f64 = 1.5;
-
-/// Range of motifs that form an action.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Action {
-    /// The motifs.
-    pub motifs: Range<usize>,
-    /// Classes of the cycle, from the smallest; empty if the action does not repeat.
-    pub cycle: Vec<usize>,
-}
 
 /// Motifs of a clip.
 #[derive(Clone, Debug)]

@@ -10,6 +10,7 @@
 //! with published cuts. As published, each wavelet level has its own threshold, nothing is
 //! smoothed, and motifs may be split even if one occurs on both sides.
 
+mod action;
 mod actions;
 mod align;
 mod extrema;
@@ -28,10 +29,10 @@ use std::ops::Range;
 
 use crate::segments::body::Body;
 use crate::segments::grid::SampleGrid;
-use crate::segments::methods::{Input, Output};
-use crate::segments::methods::{MethodInfo, MethodOption};
+use crate::segments::methods::method_info::{Input, MethodInfo, MethodOption, Output};
 use crate::segments::{Curve, Kind, Motif, Segment, SegmentError};
-use actions::{Action, Sequence};
+use action::Action;
+use actions::Sequence;
 use align::Shape;
 use motifs::MotifCurve;
 use pose_shapes::PoseShapes;
@@ -70,7 +71,7 @@ fn segment(input: &mut Input) -> Result<Output, SegmentError> {
     let body = Body::position_joints(input.clip, input.skeleton)?;
     let mut poses = PoseShapes::new(input.clip, input.skeleton, &body);
     let grid = SampleGrid::new(input.clip, &input.frames, RATE);
-    let published = input.params.published();
+    let published = input.settings.published;
     let deviation = if published { 0.0 } else { SMOOTHING };
 
     let distances = distances(input, &mut poses)?;

@@ -3,7 +3,7 @@
 use std::ops::{Range, RangeInclusive};
 
 use crate::numeric::sort;
-use crate::segments::methods::lsd::actions::Action;
+use crate::segments::methods::lsd::action::Action;
 
 /// Number of motifs in a cycle.
 const CYCLE_LENGTHS: RangeInclusive<usize> = 2..=8;

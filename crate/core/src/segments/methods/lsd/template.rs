@@ -1,9 +1,9 @@
 //! Template pose.
 
 use crate::segments::grid::SampleGrid;
-use crate::segments::methods::Input;
 use crate::segments::methods::lsd::align::Shape;
 use crate::segments::methods::lsd::pose_shapes::PoseShapes;
+use crate::segments::methods::method_info::Input;
 use crate::segments::pose::RECORDED_RATE;
 use crate::segments::{SegmentError, Template};
 
@@ -13,7 +13,7 @@ const ROUNDS: usize = 3;
 /// Returns the template pose.
 pub(crate) fn template(input: &mut Input, poses: &mut PoseShapes) -> Result<Shape, SegmentError> {
     let frames = input.clip.frame_count();
-    match input.params.template() {
+    match input.settings.template {
         Template::Mean => {
             let grid = SampleGrid::new(input.clip, &input.frames, RECORDED_RATE);
             let shapes: Vec<Shape> = (0..grid.count()).map(|pose| poses.shape(grid.frame(pose))).collect();

@@ -17,8 +17,7 @@ use nalgebra::{DMatrix, DMatrixView};
 
 use crate::segments::body::Body;
 use crate::segments::methods::growing_window::JumpDetector;
-use crate::segments::methods::{Input, Output};
-use crate::segments::methods::{MethodInfo, MethodOption};
+use crate::segments::methods::method_info::{Input, MethodInfo, MethodOption, Output};
 use crate::segments::pose::{Poses, RECORDED_RATE};
 use crate::segments::progress::{Cancelled, Checkpoint};
 use crate::segments::{Residual, SegmentError};
@@ -45,13 +44,13 @@ const PUBLISHED_DETECTOR: JumpDetector = JumpDetector { lag: 1, factor: 1.0, ..J
 fn segment(input: &mut Input) -> Result<Output, SegmentError> {
     let body = Body::rotation_joints(input.clip, input.skeleton)?;
     let poses = Poses::new(input.clip, &body, &input.frames, RECORDED_RATE);
-    let (dims, kind) = (input.params.dims().unwrap_or_default(), input.params.residual());
+    let (dims, kind) = (input.settings.dims, input.settings.residual);
     let mut previous = PreviousWindow::default();
     let window_residual = |window: Range<usize>, checkpoint: &mut Checkpoint| {
         previous.slide_to(window.start);
         residual(poses.columns.columns_range(window), dims, kind, &mut previous, checkpoint)
     };
-    let detector = if input.params.published() { PUBLISHED_DETECTOR } else { JUMP_DETECTOR };
+    let detector = if input.settings.published { PUBLISHED_DETECTOR } else { JUMP_DETECTOR };
     let trace = detector.trace(poses.count(), window_residual, input.progress)?;
     let cuts: Vec<usize> = trace.cuts.iter().map(|&cut| poses.frame(cut)).collect();
     let curve = trace.curve("Residual of the unfolded poses", &poses);

@@ -1,28 +1,11 @@
-//! Edits: corrections of labels by a person.
-
-use serde::{Deserialize, Serialize};
+//! Application of edits to a detection.
 
 use crate::foot::{Part, Side};
 use crate::intervals::intervals;
-use crate::plants::{Detection, FootLabels, PartLabels};
+use crate::plants::{Detection, Edit, FootLabels, PartLabels};
 
 /// Minimum duration of a plant, in seconds. Shorter remains of a plant cut by an edit are removed.
 const MIN_PLANT_DURATION: f64 = 0.1;
-
-/// A frame range in which a person states whether a part of a foot is planted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Edit {
-    /// The foot.
-    pub side: Side,
-    /// The part of the foot.
-    pub part: Part,
-    /// First frame.
-    pub start: usize,
-    /// First frame after the range; a range beyond the end of the clip is cut there.
-    pub end: usize,
-    /// True if the part is planted.
-    pub planted: bool,
-}
 
 /// Returns a detection with `edits` applied.
 ///
@@ -49,21 +32,11 @@ pub fn apply_edits(detection: &Detection, edits: &[Edit], frame_time: f64) -> De
     }
 }
 
-/// Returns the label that an edit implies for `part`; `None` if it implies none.
-fn implies(edit: &Edit, part: Part) -> Option<bool> {
-    let follows = match (edit.part, part) {
-        (Part::Contact, Part::Heel | Part::Toe) => !edit.planted,
-        (Part::Heel | Part::Toe, Part::Contact) => edit.planted,
-        (edited, part) => edited == part,
-    };
-    follows.then_some(edit.planted)
-}
-
 /// Applies edits to the labels of one part of one foot; returns which frames were edited.
 fn apply_to_foot(foot: &mut FootLabels, edits: &[Edit], side: Side, part: Part) -> Vec<bool> {
     let mut edited = vec![false; foot.planted.len()];
     for edit in edits.iter().filter(|edit| edit.side == side) {
-        let Some(planted) = implies(edit, part) else { continue };
+        let Some(planted) = edit.implied(part) else { continue };
         let end = edit.end.min(edited.len());
         let range = edit.start.min(end)..end;
         foot.planted[range.clone()].fill(planted);
@@ -91,7 +64,7 @@ impl Detection {
     pub fn is_edited(&self, side: Side, part: Part, run: &std::ops::Range<usize>) -> bool {
         self.edits.iter().any(|edit| {
             edit.side == side
-                && implies(edit, part) == Some(true)
+                && edit.implied(part) == Some(true)
                 && edit.start < run.end
                 && run.start < edit.end
         })

@@ -1,0 +1,33 @@
+//! Options of the reader.
+
+/// Limits of the size of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes of the file; default 1 GiB.
+    pub bytes: u64,
+    /// Bytes of a line; default 16 MiB.
+    pub line_bytes: usize,
+    /// Joints and end sites; default 10,000.
+    pub joints: usize,
+    /// Joints from a root to a tip; default 1,000.
+    pub depth: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits { bytes: 1 << 30, line_bytes: 16 << 20, joints: 10_000, depth: 1_000 }
+    }
+}
+
+/// Options of the reader.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// If true, a value that is not a number is replaced by the value of the previous frame; if
+    /// false, the file is rejected. Default false.
+    pub lenient: bool,
+    /// Limits of the size of the file.
+    pub limits: Limits,
+    /// Expected size of the file, in bytes. Memory for the stated number of frames is reserved at
+    /// once if the file can contain them; default 0.
+    pub expected_bytes: u64,
+}

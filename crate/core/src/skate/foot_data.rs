@@ -1,0 +1,93 @@
+//! Tracks, phases and plants of both feet, and their slide.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use crate::bvh::Clip;
+use crate::foot::Side;
+use crate::skate::contacts::Contacts;
+use crate::skate::heel;
+use crate::skate::leg::{self, Joints, Leg};
+use crate::skate::measure::{self, Skate, Slide};
+use crate::skate::phases::{self, Phase};
+use crate::skeleton::Skeleton;
+
+/// Error: foot skate cannot be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SkateError {
+    /// The clip is a rest pose.
+    #[error("the clip has no motion, so no foot can skate")]
+    NoMotion,
+    /// The ankles are unknown.
+    #[error("no pair of feet was found; name the joints of both ankles")]
+    NoFeet,
+    /// The labels belong to another clip.
+    #[error("the labels have {found} frames, but the clip has {frames}")]
+    Length {
+        /// Number of frames of the labels.
+        found: usize,
+        /// Number of frames of the clip.
+        frames: usize,
+    },
+}
+
+/// Measures the slide of every plant. The time is proportional to the number of frames.
+///
+/// # Errors
+/// If the clip has no motion, the skeleton has no feet, or the labels have another length.
+pub fn measure(clip: &Clip, skeleton: &Skeleton, contacts: &Contacts) -> Result<Skate, SkateError> {
+    Ok(FootData::new(clip, skeleton, contacts)?.skate(skeleton))
+}
+
+/// Tracks, phases and plants of both feet.
+pub(crate) struct FootData {
+    pub legs: [Leg; 2],
+    pub phases: [Vec<Phase>; 2],
+    pub plants: [Vec<Range<usize>>; 2],
+    pub heels: [Vector3<f64>; 2],
+    /// Leg length, in file units.
+    pub length: f64,
+}
+
+impl FootData {
+    pub fn new(clip: &Clip, skeleton: &Skeleton, contacts: &Contacts) -> Result<FootData, SkateError> {
+        let frames = clip.frame_count();
+        if frames == 0 {
+            return Err(SkateError::NoMotion);
+        }
+        if let Some(found) = contacts.mismatched_length(frames) {
+            return Err(SkateError::Length { found, frames });
+        }
+        let joints = Side::BOTH.map(|side| Joints::new(clip, skeleton, side));
+        let ([Some(left), Some(right)], Some(length)) = (joints, skeleton.leg) else {
+            return Err(SkateError::NoFeet);
+        };
+        let (legs, up) = (leg::legs(clip, [left, right]), skeleton.up);
+        let phases =
+            Side::BOTH.map(|side| phases::phases(&legs[side as usize], contacts.foot(side), up, length));
+        let plants = [0, 1].map(|foot| phases::plants(&legs[foot], &phases[foot], length));
+        let heels =
+            [0, 1].map(|foot| heel::locate_heel(&legs[foot], &phases[foot], &plants[foot], up, length));
+        Ok(FootData { legs, phases, plants, heels, length })
+    }
+
+    /// Returns the slides of all plants.
+    pub fn skate(&self, skeleton: &Skeleton) -> Skate {
+        let of_foot = |side: Side| {
+            let foot = side as usize;
+            self.plants[foot].iter().map(move |frames| {
+                let slide = measure::slide(
+                    &self.legs[foot],
+                    &self.phases[foot],
+                    frames,
+                    self.heels[foot],
+                    skeleton.up,
+                );
+                let [distance, path] = [slide.0, slide.1].map(|units| units * skeleton.metres_per_unit);
+                Slide { side, frames: frames.clone(), distance, path }
+            })
+        };
+        Skate { plants: Side::BOTH.into_iter().flat_map(of_foot).collect() }
+    }
+}
