@@ -62,7 +62,7 @@ function PartSwitch() {
   const parts = Object.keys(detection.value?.parts ?? {}) as Part[];
   if (parts.length < 2) return null;
   return (
-    <fieldset class="segmented parts">
+    <fieldset class="segmented full-width">
       <legend class="visually-hidden">Part</legend>
       {parts.map((part) => (
         <button

@@ -75,7 +75,7 @@ function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip })
   const rate = clip.value?.rate ?? 1;
   return (
     <>
-      <fieldset class="segmented parts">
+      <fieldset class="segmented full-width">
         <legend class="visually-hidden">Displayed version</legend>
         {views.map(([view, name]) => (
           <button

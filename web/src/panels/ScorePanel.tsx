@@ -44,7 +44,7 @@ export function ScorePanel() {
 
 function PartChoice({ current }: { current: Score }) {
   return (
-    <fieldset class="segmented parts">
+    <fieldset class="segmented full-width">
       <legend class="visually-hidden">Part</legend>
       {scores.value.map(({ part }) => (
         <button
