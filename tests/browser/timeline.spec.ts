@@ -86,7 +86,7 @@ test("steps through plant edges by Shift and arrow keys", async ({ app, page }) 
   }
 });
 
-test("keeps the foot status in box when its text changes", async ({ app, page }) => {
+test("does not move the foot status when its text changes", async ({ app, page }) => {
   await app.openSample("limp-to-run");
   const left = app.view.getByText(/^Left (planted|in the air)/);
   const box = await left.boundingBox();
