@@ -1,7 +1,7 @@
 import { defineConfig } from "@playwright/test";
 
-// A sandbox cannot be had by root, as in most containers.
-const asRoot = process.getuid?.() === 0;
+// Chromium cannot use its sandbox as root, as in most containers.
+const isRoot = process.getuid?.() === 0;
 const executablePath = process.env.CHROMIUM_PATH;
 
 export default defineConfig({
@@ -9,22 +9,22 @@ export default defineConfig({
   outputDir: "test-results",
   reporter: "list",
   fullyParallel: true,
-  // A busy machine may miss a deadline once; what fails twice is wrong.
+  // A busy machine may miss a deadline.
   retries: process.env.CI ? 1 : 0,
   forbidOnly: Boolean(process.env.CI),
   workers: 2,
-  // The 3D picture is drawn by the processor where there is no graphics card.
+  // Without a graphics card, WebGL is rendered in software.
   timeout: 60_000,
   expect: { timeout: 15_000 },
   use: {
     browserName: "chromium",
     viewport: { width: 1440, height: 900 },
-    // Tests of it ask for it: the others would each fetch the whole site once more.
+    // Enabled in the tests that need it, because it downloads all files of the site.
     serviceWorkers: "block",
-    // Clips stay at the frame a test puts them; tests of motion ask for it.
+    // Prevents clips from playing when they are opened.
     contextOptions: { reducedMotion: "reduce" },
     launchOptions: {
-      args: asRoot ? ["--no-sandbox"] : [],
+      args: isRoot ? ["--no-sandbox"] : [],
       ...(executablePath ? { executablePath } : {}),
     },
   },

@@ -1,4 +1,4 @@
-/** The browser for tests: one that is there, or one that can be had. */
+/** Finds a browser for the tests, or installs one. */
 
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -6,12 +6,12 @@ import { delimiter, join } from "node:path";
 import { ask, root, run, Stop, step } from "./run.mjs";
 
 const BROWSERS = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
-const MAC = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
+const MAC_CHROME = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
 
-/** Paths of Chromium and its driver; installs them where that can be done. */
+/** Returns the paths of Chromium and ChromeDriver; installs them if possible. */
 export async function browser() {
-  const missing = () => !chromium() || !driver();
-  if (missing() && ask("apt-get", ["--version"]) !== undefined && process.getuid?.() === 0) {
+  const isMissing = !chromium() || !driver();
+  if (isMissing && ask("apt-get", ["--version"]) !== undefined && process.getuid?.() === 0) {
     step("Installing Chromium for the tests");
     const source = "The Debian package server";
     await run("apt-get", ["update", "-qq"], { source, quiet: true });
@@ -27,27 +27,30 @@ export async function browser() {
       [join(root, "node_modules/playwright/cli.js"), "install", "chromium"],
       {
         source: "Playwright's server",
-        hint: "Install Chromium or Chrome, or name it with CHROMIUM_PATH.",
+        hint: "Install Chromium or Chrome, or set CHROMIUM_PATH to its path.",
       },
     );
   }
   if (!driver()) {
     throw new Stop(
-      "The tests need ChromeDriver of the browser's version: install chromium-driver (Debian), chromedriver (npm, Homebrew), or name it with CHROMEDRIVER.",
+      "ChromeDriver was not found. Install the version of your browser (chromium-driver on Debian, chromedriver from npm or Homebrew), or set CHROMEDRIVER to its path.",
     );
   }
   return { chromium: chromium(), driver: driver() };
 }
 
 function chromium() {
-  const named = process.env.CHROMIUM_PATH;
-  if (named && !existsSync(named))
-    throw new Stop(`CHROMIUM_PATH names ${named}, which is not there.`);
-  return named || onPath(BROWSERS) || [MAC, playwrights()].find((path) => path && existsSync(path));
+  const path = process.env.CHROMIUM_PATH;
+  if (path && !existsSync(path)) throw new Stop(`CHROMIUM_PATH is ${path}, which does not exist.`);
+  return (
+    path ||
+    onPath(BROWSERS) ||
+    [MAC_CHROME, playwrightChromium()].find((candidate) => candidate && existsSync(candidate))
+  );
 }
 
-/** The browser that Playwright has downloaded, if it has. */
-function playwrights() {
+/** Returns the path at which Playwright installs Chromium. */
+function playwrightChromium() {
   const { chromium } = createRequire(import.meta.url)("playwright");
   return chromium.executablePath();
 }

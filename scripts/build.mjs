@@ -1,10 +1,10 @@
-/** `npm run build`: a static site in web/dist that works from any folder of any file server. */
+/** `npm run build`: builds the static site in web/dist, which works in any folder of a file server. */
 
 import { join } from "node:path";
 import { main, root, run, step } from "./run.mjs";
 import { setup } from "./setup.mjs";
 
-/** Builds the site; the wasm module must be there. */
+/** Builds the site; requires the wasm module. */
 export async function buildSite() {
   step("Building the site");
   await run(process.execPath, [
@@ -20,6 +20,6 @@ if (process.argv[1] === import.meta.filename) {
   await main(async () => {
     await setup();
     await buildSite();
-    console.log("\nThe site is in web/dist: serve it as it is, from any folder.");
+    console.log("\nThe site is in web/dist. It can be served from any folder.");
   });
 }

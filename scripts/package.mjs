@@ -1,14 +1,14 @@
-/** `npm run package`: the npm package in target/npm, from the wasm module and its TypeScript. */
+/** `npm run package`: builds the npm package in target/npm from the wasm module and crate/wasm/npm. */
 
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { main, root, run, step } from "./run.mjs";
 import { setup } from "./setup.mjs";
 
-/** Where the package stands once it is built. */
-export const folder = join(root, "target/npm");
+/** Folder of the built package. */
+const folder = join(root, "target/npm");
 
-/** Builds the package; the wasm module must be there. */
+/** Builds the package; requires the wasm module. */
 export async function buildPackage() {
   step("Building the npm package");
   const sources = join(root, "crate/wasm/npm");
@@ -36,12 +36,12 @@ export async function buildPackage() {
     join(folder, "index.ts"),
   ]);
   rmSync(join(folder, "index.ts"));
-  // The project's version is the package's.
+  // The package has the version of the project.
   const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
-  const about = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const manifest = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
   writeFileSync(
     join(folder, "package.json"),
-    `${JSON.stringify({ ...about, version }, null, 2)}\n`,
+    `${JSON.stringify({ ...manifest, version }, null, 2)}\n`,
   );
 }
 
@@ -49,6 +49,6 @@ if (process.argv[1] === import.meta.filename) {
   await main(async () => {
     await setup();
     await buildPackage();
-    console.log("\nThe package is in target/npm: publish or pack it from there.");
+    console.log("\nThe package is in target/npm, ready to be packed or published.");
   });
 }

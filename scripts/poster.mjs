@@ -1,11 +1,11 @@
 /**
- * `node scripts/poster.mjs`: takes the pictures that the empty page shows until its figure moves,
- * for wide and narrow pages, light and dark. The site has to be built without them first.
+ * `node scripts/poster.mjs`: renders the still images that the start page shows until the 3D view is
+ * ready, for wide and narrow pages in both themes. Build the site without the images first.
  */
 
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { chromium as playwright } from "playwright";
+import { chromium as browserType } from "playwright";
 import { preview } from "vite";
 import { browser } from "./browser.mjs";
 import { root } from "./run.mjs";
@@ -15,11 +15,11 @@ const sizes = { wide: { width: 1600, height: 900 }, narrow: { width: 480, height
 
 const { chromium: executablePath } = await browser();
 const site = await preview({ root: join(root, "web"), logLevel: "warn" });
-const held = await playwright.launch({ executablePath, args: ["--no-sandbox"] });
+const chromium = await browserType.launch({ executablePath, args: ["--no-sandbox"] });
 mkdirSync(folder, { recursive: true });
-for (const [shape, viewport] of Object.entries(sizes)) {
+for (const [layout, viewport] of Object.entries(sizes)) {
   for (const colorScheme of ["light", "dark"]) {
-    const page = await held.newPage({
+    const page = await chromium.newPage({
       viewport,
       colorScheme,
       reducedMotion: "reduce",
@@ -28,11 +28,11 @@ for (const [shape, viewport] of Object.entries(sizes)) {
     await page.goto(site.resolvedUrls.local[0]);
     await page.mouse.move(2, 2);
     await page.locator(".stage canvas").waitFor();
-    // Until the labels have come, and the figure has its footprints.
+    // Waits for the labels and the footprints.
     await page.waitForTimeout(5000);
     await page.addStyleTag({ content: "body :not(:has(.stage), .stage, .stage *) { opacity: 0 }" });
-    const taken = await page.locator(".stage").screenshot();
-    const picture = await page.evaluate(
+    const screenshot = await page.locator(".stage").screenshot();
+    const webp = await page.evaluate(
       async (data) => {
         const bitmap = await createImageBitmap(await (await fetch(data)).blob());
         const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
@@ -40,11 +40,11 @@ for (const [shape, viewport] of Object.entries(sizes)) {
         const blob = await canvas.convertToBlob({ type: "image/webp", quality: 0.7 });
         return Array.from(new Uint8Array(await blob.arrayBuffer()));
       },
-      `data:image/png;base64,${taken.toString("base64")}`,
+      `data:image/png;base64,${screenshot.toString("base64")}`,
     );
-    writeFileSync(join(folder, `${shape}-${colorScheme}.webp`), Buffer.from(picture));
+    writeFileSync(join(folder, `${layout}-${colorScheme}.webp`), Buffer.from(webp));
     await page.close();
   }
 }
-await held.close();
+await chromium.close();
 await site.close();

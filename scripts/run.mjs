@@ -10,7 +10,7 @@ export const root = fileURLToPath(new URL("..", import.meta.url));
 export class Stop extends Error {
   /**
    * @param {string} message
-   * @param {string} [output] What the failed program printed.
+   * @param {string} [output] Output of the failed program.
    */
   constructor(message, output = "") {
     super(message);
@@ -27,7 +27,7 @@ const NETWORK =
  * @param {string} program
  * @param {string[]} args
  * @param {{ env?: Record<string, string>, hint?: string, source?: string, quiet?: boolean }} [options]
- *   `hint` tells what to do on failure; `source` names the server that it downloads from.
+ *   `hint`: what to do on failure; `source`: name of the server that it downloads from.
  * @returns {Promise<string>}
  */
 export function run(program, args, options = {}) {
@@ -50,14 +50,14 @@ export function run(program, args, options = {}) {
       });
     }
     child.on("error", (error) =>
-      reject(new Stop(`${program} cannot be started: ${error.message}`)),
+      reject(new Stop(`${program} could not be started: ${error.message}`)),
     );
     child.on("close", (code) => {
       if (code === 0) return resolve(output);
       if (quiet) process.stderr.write(output);
       const advice =
         source && NETWORK.test(output)
-          ? `${source} cannot be reached: check the network, a proxy or a mirror, then try again.`
+          ? `${source} could not be reached. Check the network and proxy settings, then try again.`
           : (hint ?? "See the messages above.");
       const command = [program, ...args.slice(0, 3)].join(" ");
       reject(new Stop(`${command} failed. ${advice}`, output));

@@ -1,4 +1,4 @@
-/** What a fresh machine needs: packages, the Rust toolchain, and the wasm module with its bindings. */
+/** Sets up a new machine: npm packages, the Rust toolchain, and the wasm module with its bindings. */
 
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -6,8 +6,8 @@ import { join } from "node:path";
 import { ask, root, run, Stop, step } from "./run.mjs";
 
 const WASM = "wasm32-unknown-unknown";
-/** What is not marked to be inlined is so only where it is short: the module is 3 % smaller and no slower. */
-const LEAN = `target.${WASM}.rustflags=["-C", "llvm-args=-inline-threshold=40"]`;
+/** Reduces inlining, which makes the module 3 % smaller without making it slower. */
+const INLINE_LESS = `target.${WASM}.rustflags=["-C", "llvm-args=-inline-threshold=40"]`;
 export const CRATES = "The crates registry (crates.io)";
 
 /** Installs what is missing and builds the wasm module. */
@@ -21,11 +21,11 @@ export async function setup() {
 function checkNode() {
   const [major, minor] = process.versions.node.split(".").map(Number);
   if (major < 20 || (major === 20 && minor < 19)) {
-    throw new Stop(`Node.js ${process.versions.node} is too old: install 20.19 or newer.`);
+    throw new Stop(`Node.js ${process.versions.node} is too old. Install 20.19 or newer.`);
   }
 }
 
-/** Installs the npm packages that the lock file names, unless they are there. */
+/** Installs the npm packages of the lock file, if they have changed. */
 async function packages() {
   const lock = createHash("sha256")
     .update(readFileSync(join(root, "package-lock.json")))
@@ -37,34 +37,36 @@ async function packages() {
   writeFileSync(stamp, lock);
 }
 
-/** Sees to a Rust toolchain with the wasm target, clippy and rustfmt. */
+/** Installs the pinned Rust toolchain with the wasm target, clippy and rustfmt, if it is missing. */
 export async function toolchain() {
   if (ask("cc", ["--version"]) === undefined && process.platform !== "win32") {
     throw new Stop(
-      "There is no C linker (cc), which Rust needs: install build-essential (Debian, Ubuntu), gcc (Fedora) or the Xcode command line tools (macOS).",
+      "No C linker (cc) was found, which Rust requires. Install build-essential (Debian, Ubuntu), gcc (Fedora) or the Xcode command line tools (macOS).",
     );
   }
   if (ask("rustup", ["--version"]) === undefined) {
     if (ask("cargo", ["--version"]) === undefined) {
       throw new Stop(
-        "Rust is not installed: install rustup from https://rustup.rs and open a new terminal.",
+        "Rust was not found. Install rustup from https://rustup.rs and open a new terminal.",
       );
     }
-    // A Rust from elsewhere will do if it has the wasm target.
+    // A toolchain without rustup is accepted if it has the wasm target.
     const libraries = ask("rustc", ["--print", "target-libdir", "--target", WASM]);
     if (!libraries || !existsSync(libraries)) {
-      throw new Stop(`This Rust lacks the ${WASM} target: install rustup from https://rustup.rs.`);
+      throw new Stop(
+        `The Rust toolchain lacks the ${WASM} target. Install rustup from https://rustup.rs.`,
+      );
     }
     return;
   }
   const pinned = /channel = "(.+)"/.exec(
     readFileSync(join(root, "rust-toolchain.toml"), "utf8"),
   )?.[1];
-  const has = (list, ...wanted) =>
-    wanted.every((name) => list?.split("\n").some((line) => line.startsWith(name)));
+  const hasAll = (list, ...required) =>
+    required.every((name) => list?.split("\n").some((line) => line.startsWith(name)));
   const targets = ask("rustup", ["target", "list", "--installed", "--toolchain", pinned]);
   const components = ask("rustup", ["component", "list", "--installed", "--toolchain", pinned]);
-  if (has(targets, WASM) && has(components, "clippy", "rustfmt")) return;
+  if (hasAll(targets, WASM) && hasAll(components, "clippy", "rustfmt")) return;
   step(`Installing Rust ${pinned} for the browser`);
   const args = ["toolchain", "install", pinned, "--profile", "minimal", "--no-self-update"];
   await run("rustup", [...args, "--component", "clippy,rustfmt", "--target", WASM], {
@@ -72,7 +74,7 @@ export async function toolchain() {
   });
 }
 
-/** Compiles the core to wasm and writes the JavaScript and types that go with it. */
+/** Compiles the core to wasm and generates its JavaScript bindings and types. */
 async function bindings() {
   step("Building the WebAssembly module");
   await run(
@@ -86,7 +88,7 @@ async function bindings() {
       "-p",
       "plantigrade-wasm",
       "--config",
-      LEAN,
+      INLINE_LESS,
     ],
     { source: CRATES },
   );
@@ -94,24 +96,25 @@ async function bindings() {
   const out = join(root, "web/src/wasm");
   mkdirSync(out, { recursive: true });
   const module = join(targetFolder(), WASM, "release/plantigrade_wasm.wasm");
-  // The names of its functions would be a tenth of the module.
-  const lean = ["--remove-name-section", "--remove-producers-section"];
-  const args = ["--target", "web", ...lean, "--out-name", "plantigrade", "--out-dir", out, module];
+  // Function names would make up a tenth of the module.
+  const strip = ["--remove-name-section", "--remove-producers-section"];
+  const args = ["--target", "web", ...strip, "--out-name", "plantigrade", "--out-dir", out, module];
   await run(tool("wasm-bind"), args);
 }
 
-/** Builds the tools that make the bindings and run their tests. */
+/** Builds the tools that generate the bindings and run their tests. */
 export async function bindgen() {
   await run("cargo", ["build", "--locked", "--profile", "tool", "-p", "plantigrade-bindgen"], {
     source: CRATES,
   });
 }
 
-/** Where a tool of the project stands once it is built. */
+/** Returns the path of a built tool of the project. */
 export function tool(name) {
   return join(targetFolder(), "tool", process.platform === "win32" ? `${name}.exe` : name);
 }
 
+/** Returns the target folder of cargo. */
 export function targetFolder() {
   return process.env.CARGO_TARGET_DIR ?? join(root, "target");
 }

@@ -8,20 +8,20 @@ import { setup } from "./setup.mjs";
 await main(async () => {
   await setup();
   await buildSite();
-  // Only now are the packages sure to be there.
+  // Imported here because setup() may have just installed it.
   const { preview } = await import("vite");
-  const wanted = process.env.PORT;
-  const port = Number(wanted ?? 5173);
+  const requested = process.env.PORT;
+  const port = Number(requested ?? 5173);
   const server = await preview({
     root: join(root, "web"),
     logLevel: "warn",
-    preview: { port, strictPort: wanted !== undefined },
+    preview: { port, strictPort: requested !== undefined },
   }).catch((error) => {
     throw new Stop(
       /already in use/.test(error.message)
-        ? `Port ${port} is in use: end what uses it, or name another one, as in PORT=8080 npm start.`
+        ? `Port ${port} is in use. Stop the other program, or choose another port: PORT=8080 npm start.`
         : error.message,
     );
   });
-  console.log(`\n✔ Plantigrade is at ${server.resolvedUrls.local[0]}  (Ctrl+C ends it)`);
+  console.log(`\n✔ Plantigrade is at ${server.resolvedUrls.local[0]}  (press Ctrl+C to stop)`);
 });

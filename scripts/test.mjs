@@ -79,7 +79,7 @@ async function wasm() {
   const expected = 2 * (cases.match(/#\[wasm_bindgen_test\]/g)?.length ?? 0);
   const { passed } = countTests(output);
   if (passed !== expected) {
-    throw new Stop(`There are ${expected} wasm tests, but ${passed} ran.`, output);
+    throw new Stop(`Expected ${expected} wasm tests to pass, but ${passed} did.`, output);
   }
   return output;
 }
@@ -97,7 +97,7 @@ async function browserTests() {
   });
 }
 
-/** Runs one check. Returns its counts, and why it failed, if it did. */
+/** Runs one check. Returns its counts, and the failure, if any. */
 async function runCheck([title, check]) {
   step(title);
   try {
@@ -105,7 +105,7 @@ async function runCheck([title, check]) {
   } catch (error) {
     if (!(error instanceof Stop)) throw error;
     const counts = countTests(error.output);
-    // A check that is not made of tests counts as one.
+    // A check without tests counts as one.
     if (counts.failed === 0) counts.failed = 1;
     return { counts, failure: `${title}: ${error.message}` };
   }
@@ -115,9 +115,7 @@ await main(async () => {
   const names = process.argv.slice(2);
   const unknown = names.find((name) => !(name in checks));
   if (unknown)
-    throw new Stop(
-      `There is no check ${unknown}; the checks are ${Object.keys(checks).join(", ")}.`,
-    );
+    throw new Stop(`Unknown check "${unknown}". The checks are ${Object.keys(checks).join(", ")}.`);
   await setup();
   const failures = [];
   const total = { passed: 0, failed: 0, skipped: 0 };
@@ -130,7 +128,9 @@ await main(async () => {
   console.log("");
   for (const failure of failures) console.error(`✖ ${failure}`);
   if (total.skipped > 0) {
-    console.log("Tests over recorded motion are skipped unless PLANTIGRADE_CORPUS is its folder.");
+    console.log(
+      "Tests with recorded motion are skipped unless PLANTIGRADE_CORPUS is set to its folder.",
+    );
   }
   console.log(`${total.passed} passed, ${total.failed} failed, ${total.skipped} skipped`);
   if (failures.length > 0) process.exitCode = 1;

@@ -1,15 +1,15 @@
-/** The app as one that is installed and opens without a network. */
+/** Service worker and manifest: the app can be installed and works offline. */
 
 import { VitePWA } from "vite-plugin-pwa";
 
 export const offline = () =>
   VitePWA({
-    // The app registers it itself, when it has nothing left to load.
+    // The app registers the service worker itself, after everything else has loaded.
     injectRegister: null,
     manifest: {
       name: "Plantigrade",
       short_name: "Plantigrade",
-      description: "Find every foot plant in a motion capture clip.",
+      description: "Detects foot plants in motion capture.",
       id: "./",
       start_url: "./",
       scope: "./",
@@ -31,9 +31,9 @@ export const offline = () =>
       dontCacheBustURLsMatching: /assets\//,
       inlineWorkboxRuntime: true,
       sourcemap: false,
-      // The page that installed it is served by it too.
+      // Also serves the page that registered it.
       clientsClaim: true,
-      // With a network the page is the newest, as it would be without all this.
+      // Online, the page is always loaded from the network, so that updates apply immediately.
       directoryIndex: null,
       navigateFallback: null,
       runtimeCaching: [

@@ -1,6 +1,6 @@
 /**
- * The page in one file: the app built once more with everything it needs inside, and room for a
- * clip. The site has it as a file that is asked for when somebody shares.
+ * The player: a second build of the app as a single HTML file with empty blocks for a clip. The site
+ * downloads it when a clip is shared as one file.
  */
 
 import { createHash } from "node:crypto";
@@ -9,9 +9,9 @@ import { join } from "node:path";
 import { build, type Plugin } from "vite";
 import { blockIds } from "./src/model/player-html.ts";
 
-const name = "virtual:player";
+const moduleId = "virtual:player";
 
-/** Gives the app the address of the page. */
+/** Vite plugin: builds the player and provides its URL as the module `virtual:player`. */
 export function player(): Plugin {
   let isBuild = true;
   return {
@@ -19,16 +19,20 @@ export function player(): Plugin {
     configResolved(config) {
       isBuild = config.command === "build";
     },
-    resolveId: (id) => (id === name ? `\0${name}` : undefined),
+    resolveId: (id) => (id === moduleId ? `\0${moduleId}` : undefined),
     async load(id) {
-      if (id !== `\0${name}`) return undefined;
+      if (id !== `\0${moduleId}`) return undefined;
       if (!isBuild) return 'export default "/player.html"';
-      const made = this.emitFile({ type: "asset", name: "player.html", source: await page() });
-      return `export default import.meta.ROLLUP_FILE_URL_${made}`;
+      const assetId = this.emitFile({
+        type: "asset",
+        name: "player.html",
+        source: await buildPage(),
+      });
+      return `export default import.meta.ROLLUP_FILE_URL_${assetId}`;
     },
     configureServer(server) {
       server.middlewares.use("/player.html", (_, response) => {
-        page().then(
+        buildPage().then(
           (html) => response.end(html),
           (error) => response.writeHead(500).end(String(error)),
         );
@@ -37,15 +41,16 @@ export function player(): Plugin {
   };
 }
 
-async function page(): Promise<string> {
-  const built = await build({
+/** Builds the app as one script and one style sheet, and returns the page that contains both. */
+async function buildPage(): Promise<string> {
+  const result = await build({
     configFile: false,
     root: import.meta.dirname,
     logLevel: "warn",
     publicDir: false,
-    plugins: [inside()],
+    plugins: [singleFilePlugin()],
     oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-    worker: { format: "iife", plugins: () => [inside()] },
+    worker: { format: "iife", plugins: () => [singleFilePlugin()] },
     build: {
       write: false,
       assetsInlineLimit: Number.POSITIVE_INFINITY,
@@ -59,30 +64,33 @@ async function page(): Promise<string> {
       },
     },
   });
-  const output = [built].flat().flatMap((part) => ("output" in part ? part.output : []));
+  const output = [result].flat().flatMap((bundle) => ("output" in bundle ? bundle.output : []));
   const code = output.filter((file) => file.type === "chunk").map((file) => file.code);
   const styles = output.flatMap((file) =>
     file.type === "asset" && file.fileName.endsWith(".css") ? String(file.source) : [],
   );
   if (code.length !== 1 || styles.length !== 1 || output.length !== 2) {
-    throw new Error(`The page must be one script and one style: ${output.map((f) => f.fileName)}`);
+    const files = output.map((file) => file.fileName).join(", ");
+    throw new Error(`The player must consist of one script and one style sheet, not of ${files}.`);
   }
-  return html(code[0] ?? "", styles[0] ?? "");
+  return toHtml(code[0] ?? "", styles[0] ?? "");
 }
 
-/** For `x.ts` there may be an `x.player.ts` that stands in for it here. */
-function inside(): Plugin {
+/** Vite plugin of the player build: replaces a module `x.ts` by `x.player.ts` if that exists. */
+function singleFilePlugin(): Plugin {
   return {
-    name: "inside",
+    name: "single-file",
     enforce: "pre",
     async resolveId(id, importer, options) {
-      if (id === name) return `\0${name}`;
-      const found = await this.resolve(id, importer, { ...options, skipSelf: true });
-      const other = found?.id.replace(/\.ts$/, ".player.ts");
-      return other && other !== found?.id && existsSync(other) ? other : undefined;
+      if (id === moduleId) return `\0${moduleId}`;
+      const resolved = await this.resolve(id, importer, { ...options, skipSelf: true });
+      const replacement = resolved?.id.replace(/\.ts$/, ".player.ts");
+      return replacement && replacement !== resolved?.id && existsSync(replacement)
+        ? replacement
+        : undefined;
     },
-    load: (id) => (id === `\0${name}` ? 'export default ""' : undefined),
-    // The bindings would fetch the core themselves if nobody gave it to them: here someone does.
+    load: (id) => (id === `\0${moduleId}` ? 'export default ""' : undefined),
+    // The bindings must not refer to the wasm file; the player passes the module to them.
     transform: (code, id) =>
       id.endsWith("plantigrade.js")
         ? code.replace(/new URL\('plantigrade_bg.wasm', import.meta.url\)/, "undefined")
@@ -90,17 +98,21 @@ function inside(): Plugin {
   };
 }
 
-function html(code: string, style: string): string {
-  // It has a block of its own, packed: a second one would double the page.
-  if (code.includes("data:application/wasm")) throw new Error("The core is in the script too.");
-  // Neither may end its element.
+/** Returns the page, with a content security policy that allows only its script and style. */
+function toHtml(code: string, style: string): string {
+  // The wasm module has its own compressed block.
+  if (code.includes("data:application/wasm")) {
+    throw new Error("The player script contains the wasm module a second time.");
+  }
+  // Neither text may contain the end tag of its element.
   const script = code.replace(/<(?=\/script|!--)/gi, "\\x3c");
   const css = style.replace(/<(?=\/style)/gi, "\\3c ");
-  const hash = (text: string) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+  const cspHash = (text: string) =>
+    `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
   const policy = [
     "default-src 'none'",
-    `script-src ${hash(script)} 'wasm-unsafe-eval'`,
-    `style-src ${hash(css)}`,
+    `script-src ${cspHash(script)} 'wasm-unsafe-eval'`,
+    `style-src ${cspHash(css)}`,
     "worker-src blob:",
     "img-src data: blob:",
     "font-src data:",
@@ -108,7 +120,7 @@ function html(code: string, style: string): string {
     "form-action 'none'",
   ].join("; ");
   const icon = readFileSync(join(import.meta.dirname, "public/icon.svg")).toString("base64");
-  const rooms = blockIds
+  const blocks = blockIds
     .filter((block) => block !== "title")
     .map((block) => `<script type="text/plain" id="${block}"></script>\n`);
   return `<!doctype html>
@@ -124,8 +136,8 @@ function html(code: string, style: string): string {
 </head>
 <body>
 <div id="app"></div>
-<noscript>This page needs JavaScript: it shows a clip on your computer, and sends nothing.</noscript>
-${rooms.join("")}<script type="module">${script}</script>
+<noscript>This page requires JavaScript. It shows a clip on this computer and sends no data.</noscript>
+${blocks.join("")}<script type="module">${script}</script>
 </body>
 </html>
 `;

@@ -3,7 +3,7 @@ import { defineConfig } from "vitest/config";
 import { offline } from "./offline.ts";
 import { player } from "./player.ts";
 
-/** What the built page may load. `https:` is for clips named in a #url= link. */
+/** Content security policy of the built page. `https:` allows clips of `#url=` links. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -42,10 +42,10 @@ export default defineConfig({
     assetsInlineLimit: 0,
     target: "es2023",
     chunkSizeWarningLimit: 700,
-    // The page in one file is built meanwhile: that takes its time.
+    // The build of the single-file page runs inside of a plugin, which is slow.
     rolldownOptions: {
       checks: { pluginTimings: false },
-      // A hint to V8: functions are compiled beside the main thread while the page waits, not when a clip opens.
+      // Makes V8 compile all functions in the background while loading, not when a clip is opened.
       output: { postBanner: "//# allFunctionsCalledOnLoad" },
     },
   },

@@ -1,91 +1,91 @@
-/** The built app as a person meets it: how soon things appear, and whether it ever stutters. */
+/** Benchmarks of the built app: response times and the load of the main thread. */
 
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { root, step } from "../run.mjs";
-import { FOLDER, files, HOUR, path, TEN_MEGABYTES } from "./clips.mjs";
+import { batchFiles, FOLDER, filePath, HOUR, TEN_MEGABYTES } from "./clips.mjs";
 
-/** Opening a clip is measured so many times, each in a page of its own. */
+/** Number of measurements of opening a clip, each in a new page. */
 const RUNS = 3;
 
 /** @param {() => Promise<import("playwright").Browser>} launch */
-export async function app(launch) {
+export async function measureApp(launch) {
   step("Measuring the app");
   const { preview } = await import("vite");
   const site = await preview({ root: join(root, "web"), logLevel: "warn" });
-  /** Runs some work with the empty page, and watches its main thread meanwhile. */
-  const alone = async (work) => {
-    const engine = await launch();
+  /** Runs a measurement on the start page of a newly started browser. */
+  const inNewPage = async (measure) => {
+    const browser = await launch();
     try {
-      // Without a graphics card, a figure that moves by itself would take the processors' time.
+      // With software rendering, the animated preview would take processor time.
       const viewport = { width: 1440, height: 900 };
-      const page = await engine.newPage({ viewport, reducedMotion: "reduce" });
+      const page = await browser.newPage({ viewport, reducedMotion: "reduce" });
       page.setDefaultTimeout(120_000);
       await page.addInitScript(() => localStorage.setItem("plantigrade:tour", "done"));
       await page.goto(site.resolvedUrls.local[0], { waitUntil: "networkidle" });
-      // A file is dropped with a pointer: the page is ready for somebody by then.
+      // Loads everything that waits for the first interaction, as before a real drop.
       await page.mouse.move(2, 2);
       await page.locator(".stage canvas").waitFor();
       await page.waitForLoadState("networkidle");
-      return await work(page, (during) => watched(engine, page, during));
+      return await measure(page, (during) => recordMainThread(browser, page, during));
     } finally {
-      await engine.close();
+      await browser.close();
     }
   };
   try {
     const drops = [];
     const hours = [];
     for (let run = 0; run < RUNS; run++) {
-      drops.push(await alone((page) => opened(page, path(TEN_MEGABYTES))));
-      hours.push(await alone(hour));
+      drops.push(await inNewPage((page) => measureOpening(page, filePath(TEN_MEGABYTES))));
+      hours.push(await inNewPage(measureHour));
     }
-    const middle = (values) => values.sort((a, b) => a - b)[Math.floor(RUNS / 2)];
+    const median = (values) => values.sort((a, b) => a - b)[Math.floor(RUNS / 2)];
     return {
       drop: {
-        moving: middle(drops.map(({ moving }) => moving)),
-        labelled: middle(drops.map(({ labelled }) => labelled)),
+        firstPose: median(drops.map(({ firstPose }) => firstPose)),
+        labels: median(drops.map(({ labels }) => labels)),
       },
       hour: {
-        moving: middle(hours.map(({ times }) => times.moving)),
-        labelled: middle(hours.map(({ times }) => times.labelled)),
-        opening: judged(hours.map(({ opening }) => opening)),
-        scrubbing: judged(hours.map(({ scrubbing }) => scrubbing)),
-        playing: judged(hours.map(({ playing }) => playing)),
+        firstPose: median(hours.map(({ times }) => times.firstPose)),
+        labels: median(hours.map(({ times }) => times.labels)),
+        opening: summarize(hours.map(({ opening }) => opening)),
+        scrubbing: summarize(hours.map(({ scrubbing }) => scrubbing)),
+        playing: summarize(hours.map(({ playing }) => playing)),
       },
-      six: judged([await alone(six)]),
-      folder: await alone(folder),
+      six: summarize([await inNewPage(measureSix)]),
+      folder: await inNewPage(measureFolder),
     };
   } finally {
     await site.close();
   }
 }
 
-/** Milliseconds from the moment the page is given a file to its first pose and to its labels. */
-async function opened(page, file) {
-  // Timed in the page: handing the file over takes the browser's driver longer than the app.
-  const appeared = page.evaluate(
+/** Returns the times from receiving a file to the first pose and to the labels, in milliseconds. */
+async function measureOpening(page, file) {
+  // Timed in the page, since passing the file through the driver takes longer than opening it.
+  const times = page.evaluate(
     () =>
       new Promise((resolve) => {
         let start;
-        let moving;
-        const begin = () => {
+        let firstPose;
+        const onStart = () => {
           start = performance.now();
         };
-        addEventListener("change", begin, { capture: true, once: true });
-        const look = () => {
-          if (start && !moving && document.querySelector("[data-clip=open]")) {
-            // The frame after the next shows what the page has been told by now.
+        addEventListener("change", onStart, { capture: true, once: true });
+        const check = () => {
+          if (start && !firstPose && document.querySelector("[data-clip=open]")) {
+            // Two frames later the change is on the screen.
             requestAnimationFrame(() =>
               requestAnimationFrame(() => {
-                moving = performance.now() - start;
-                look();
+                firstPose = performance.now() - start;
+                check();
               }),
             );
           }
-          if (moving && document.querySelector(".pills")) {
-            resolve({ moving, labelled: Math.max(moving, performance.now() - start) });
+          if (firstPose && document.querySelector(".pills")) {
+            resolve({ firstPose, labels: Math.max(firstPose, performance.now() - start) });
           }
         };
-        new MutationObserver(look).observe(document, {
+        new MutationObserver(check).observe(document, {
           childList: true,
           attributes: true,
           subtree: true,
@@ -93,27 +93,27 @@ async function opened(page, file) {
       }),
   );
   await page.setInputFiles("input[type=file]", file);
-  return await appeared;
+  return await times;
 }
 
-/** An hour is opened, looked through and played. */
-async function hour(page, watch) {
+/** Measures opening, scrubbing and playing a clip of one hour. */
+async function measureHour(page, record) {
   let times;
-  const opening = await watch(async () => {
-    times = await opened(page, path(HOUR));
+  const opening = await record(async () => {
+    times = await measureOpening(page, filePath(HOUR));
   });
-  const box = await page.locator(".tracks canvas, canvas.tracks").first().boundingBox();
-  const scrubbing = await watch(async () => {
+  const box = await page.locator(".tracks canvas").boundingBox();
+  const scrubbing = await record(async () => {
     const y = box.y + 8;
     await page.mouse.move(box.x + 20, y);
     await page.mouse.down();
     for (let step = 0; step < 120; step++) {
       await page.mouse.move(box.x + 20 + ((box.width - 40) * step) / 120, y);
-      await frame(page);
+      await nextFrame(page);
     }
     await page.mouse.up();
   });
-  const playing = await watch(async () => {
+  const playing = await record(async () => {
     await page.keyboard.press("Space");
     await page.waitForTimeout(3000);
     await page.keyboard.press("Space");
@@ -121,57 +121,58 @@ async function hour(page, watch) {
   return { times, opening, scrubbing, playing };
 }
 
-/** Six characters side by side. */
-async function six(page, watch) {
-  const chosen = files().slice(0, 6);
-  await page.setInputFiles("input[type=file]", chosen);
-  await page.getByText(/^All labelled/).waitFor();
-  const name = (file) => file.split(/[\\/]/).at(-1);
-  const [first, ...others] = chosen.map(name);
+/** Measures playing six characters side by side. */
+async function measureSix(page, record) {
+  const paths = batchFiles().slice(0, 6);
+  await page.setInputFiles("input[type=file]", paths);
+  await page.getByText(/^All processed/).waitFor();
+  const [first, ...others] = paths.map((path) => basename(path));
   await page.getByRole("button", { name: first, exact: true }).click();
   await page.getByRole("button", { name: "6 clips" }).click();
   for (const other of others) {
-    await page.getByRole("button", { name: `${other} beside ${first}`, exact: true }).click();
+    await page
+      .getByRole("button", { name: `${other} side by side with ${first}`, exact: true })
+      .click();
   }
   await page.getByRole("button", { name: `Back to ${first}` }).click();
-  return await watch(async () => {
+  return await record(async () => {
     await page.keyboard.press("Space");
     await page.waitForTimeout(4000);
   });
 }
 
-/** A folder is labelled. */
-async function folder(page, watch) {
+/** Measures detection in all clips of a folder. */
+async function measureFolder(page, record) {
   let time;
-  const seen = await watch(async () => {
-    const labelled = page.evaluate(
+  const recording = await record(async () => {
+    const finished = page.evaluate(
       (clips) =>
         new Promise((resolve) => {
           let start;
-          const begin = () => {
+          const onStart = () => {
             start = performance.now();
           };
-          addEventListener("change", begin, { capture: true, once: true });
+          addEventListener("change", onStart, { capture: true, once: true });
           new MutationObserver(() => {
             const text = document.body.textContent;
-            if (start && text.includes("All labelled") && text.includes(`${clips} clips`)) {
+            if (start && text.includes("All processed") && text.includes(`${clips} clips`)) {
               resolve(performance.now() - start);
             }
           }).observe(document.body, { childList: true, characterData: true, subtree: true });
         }),
       FOLDER.clips,
     );
-    await page.setInputFiles("input[type=file]", files());
-    time = await labelled;
+    await page.setInputFiles("input[type=file]", batchFiles());
+    time = await finished;
   });
-  return { time, ...judged([seen]) };
+  return { time, ...summarize([recording]) };
 }
 
-const frame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
+const nextFrame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
 
 const CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline"];
-/** What is the page's own script, in the browser's words. */
-const SCRIPT = new Set([
+/** Trace events that run scripts of the page. */
+const SCRIPT_EVENTS = new Set([
   "FunctionCall",
   "FireAnimationFrame",
   "EventDispatch",
@@ -179,32 +180,33 @@ const SCRIPT = new Set([
   "EvaluateScript",
 ]);
 
-/** Microseconds of a frame. */
-const FRAME = 1e6 / 60;
+/** Duration of a frame, in microseconds. */
+const FRAME_DURATION = 1e6 / 60;
 
 /**
- * What the page's main thread does during some work: milliseconds of its own script in each frame
- * in which there is any, and its longest task. Both are of the processor's time: a browser without
- * a graphics card draws on the same processors.
+ * Records the main thread during a measurement. Returns the script time of each frame with scripts and
+ * the longest task, in milliseconds of processor time, since software rendering competes for the same
+ * processors.
  */
-async function watched(engine, page, work) {
-  await engine.startTracing(page, { categories: CATEGORIES });
-  await work();
-  const { traceEvents } = JSON.parse((await engine.stopTracing()).toString());
-  const main = busiest(traceEvents, "FireAnimationFrame");
-  const own = traceEvents
-    .filter(({ ph, pid, tid }) => ph === "X" && `${pid} ${tid}` === main)
+async function recordMainThread(browser, page, measure) {
+  await browser.startTracing(page, { categories: CATEGORIES });
+  await measure();
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const mainThread = busiestThread(traceEvents, "FireAnimationFrame");
+  const events = traceEvents
+    .filter(({ ph, pid, tid }) => ph === "X" && `${pid} ${tid}` === mainThread)
     .sort((a, b) => a.ts - b.ts || b.dur - a.dur);
+  /** Script time by frame. */
   const script = new Map();
-  let until = 0;
-  for (const { name, ts, dur = 0, tdur = dur } of own) {
-    // What runs inside of another is counted with it.
-    if (!SCRIPT.has(name) || ts < until) continue;
-    until = ts + dur;
-    const frame = Math.floor(ts / FRAME);
+  let lastEnd = 0;
+  for (const { name, ts, dur = 0, tdur = dur } of events) {
+    // Nested events are part of the outer event.
+    if (!SCRIPT_EVENTS.has(name) || ts < lastEnd) continue;
+    lastEnd = ts + dur;
+    const frame = Math.floor(ts / FRAME_DURATION);
     script.set(frame, (script.get(frame) ?? 0) + tdur / 1e3);
   }
-  const tasks = own
+  const tasks = events
     .filter(({ name }) => name === "RunTask")
     .map(({ dur, tdur = dur }) => tdur / 1e3);
   return {
@@ -213,21 +215,21 @@ async function watched(engine, page, work) {
   };
 }
 
-/** The 95th percentile of script per frame and the longest task, of all times the same was done. */
-function judged(seen) {
-  const frames = seen.flatMap(({ frames }) => frames).sort((a, b) => a - b);
+/** Returns the 95th percentile of the script time per frame and the longest task of recordings. */
+function summarize(recordings) {
+  const frames = recordings.flatMap(({ frames }) => frames).sort((a, b) => a - b);
   return {
     script: frames[Math.floor(frames.length * 0.95)] ?? 0,
-    longest: Math.max(...seen.map(({ longest }) => longest)),
+    longest: Math.max(...recordings.map(({ longest }) => longest)),
     frames: frames.length,
   };
 }
 
-/** The thread with most events of this name. */
-function busiest(events, wanted) {
+/** Returns the thread with the most events of a name. */
+function busiestThread(events, eventName) {
   const counts = new Map();
   for (const { name, pid, tid } of events) {
-    if (name !== wanted) continue;
+    if (name !== eventName) continue;
     const thread = `${pid} ${tid}`;
     counts.set(thread, (counts.get(thread) ?? 0) + 1);
   }

@@ -1,84 +1,92 @@
-/** The WebAssembly module in a page of its own, beside three.js' loader in the same page. */
+/** Benchmarks of the WebAssembly module and of three.js' BVHLoader in the same page. */
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root, step } from "../run.mjs";
-import { address, folder, HOUR, HUNDRED_MEGABYTES, LENGTHS, TEN_MEGABYTES } from "./clips.mjs";
+import { benchFolder, HOUR, HUNDRED_MEGABYTES, LENGTHS, TEN_MEGABYTES, urlPath } from "./clips.mjs";
 
 export const METHODS = ["auto", "pca", "pca-tail", "ppca", "lsd", "mvu"];
 
 /** @param {() => Promise<import("playwright").Browser>} launch */
-export async function core(launch) {
+export async function measureCore(launch) {
   step("Measuring the WebAssembly module");
   const { createServer } = await import("vite");
   const server = await createServer({
     root: join(root, "tests/bench"),
-    publicDir: folder,
+    publicDir: benchFolder,
     server: { fs: { allow: [root] } },
     logLevel: "warn",
   });
   await server.listen();
-  /** Runs some work in a page of a browser that has done nothing else. */
-  const alone = async (work) => {
-    const engine = await launch();
+  /** Runs a measurement in a page of a newly started browser. */
+  const inNewPage = async (measure) => {
+    const browser = await launch();
     try {
-      const page = await engine.newPage();
+      const page = await browser.newPage();
       page.setDefaultTimeout(0);
       await page.goto(server.resolvedUrls.local[0]);
       await page.waitForFunction(() => document.title === "ready");
       const call = (name, ...args) =>
         page.evaluate(([name, args]) => globalThis.bench[name](...args), [name, args]);
-      return await work(call, engine);
+      return await measure(call, browser);
     } finally {
-      await engine.close();
+      await browser.close();
     }
   };
   try {
     return {
-      read: {
-        ten: await alone((call) => read(call, TEN_MEGABYTES)),
-        hundred: await alone((call) => read(call, HUNDRED_MEGABYTES)),
+      parsing: {
+        ten: await inNewPage((call) => measureParsing(call, TEN_MEGABYTES)),
+        hundred: await inNewPage((call) => measureParsing(call, HUNDRED_MEGABYTES)),
       },
       memory: {
-        ours: await alone((call, engine) => grown(engine, () => call("parse", HUNDRED, 1))),
-        loader: await alone((call, engine) => grown(engine, () => call("loader", HUNDRED, 1))),
+        ours: await inNewPage((call, browser) =>
+          memoryGrowth(browser, () => call("parse", HUNDRED_URL, 1)),
+        ),
+        loader: await inNewPage((call, browser) =>
+          memoryGrowth(browser, () => call("parseWithLoader", HUNDRED_URL, 1)),
+        ),
       },
-      ...(await alone(short)),
-      growth: await growth(alone),
+      ...(await inNewPage(measureShortClips)),
+      growth: await measureGrowth(inNewPage),
     };
   } finally {
     await server.close();
   }
 }
 
-const HUNDRED = address(HUNDRED_MEGABYTES);
+const HUNDRED_URL = urlPath(HUNDRED_MEGABYTES);
 
-/** The same file by both, in the same page; what each throws away is not the other's to collect. */
-async function read(call, frames) {
-  const url = address(frames);
+/** Measures both readers on the same file, in the same page. */
+async function measureParsing(call, frames) {
+  const url = urlPath(frames);
   const ours = await call("parse", url, 5);
-  return { bytes: ours.bytes, ours: ours.time, loader: (await call("loader", url, 3)).time };
+  return {
+    bytes: ours.bytes,
+    ours: ours.time,
+    loader: (await call("parseWithLoader", url, 3)).time,
+  };
 }
 
 /**
- * What the page's process takes at most, as the system counts it, while some work is done, beyond
- * what it took before; undefined where the system does not tell.
+ * Returns the peak memory of the page's process during a measurement, minus its memory before, in
+ * bytes; undefined if the system does not report it.
  */
-async function grown(engine, work) {
-  const before = await resident(engine, "VmRSS");
-  const { bytes } = await work();
-  const most = await resident(engine, "VmHWM");
-  return before && most ? { bytes, grown: most - before } : undefined;
+async function memoryGrowth(browser, measure) {
+  const before = await rendererMemory(browser, "VmRSS");
+  const { bytes } = await measure();
+  const peak = await rendererMemory(browser, "VmHWM");
+  return before && peak ? { bytes, growth: peak - before } : undefined;
 }
 
-async function resident(engine, what) {
-  const session = await engine.newBrowserCDPSession();
+async function rendererMemory(browser, field) {
+  const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
   const pages = processInfo.filter(({ type }) => type === "renderer");
   try {
     const amounts = pages.map(({ id }) => {
       const status = readFileSync(`/proc/${id}/status`, "utf8");
-      return 1024 * Number(new RegExp(`${what}:\\s+(\\d+) kB`).exec(status)?.[1]);
+      return 1024 * Number(new RegExp(`${field}:\\s+(\\d+) kB`).exec(status)?.[1]);
     });
     return Math.max(...amounts);
   } catch {
@@ -86,51 +94,51 @@ async function resident(engine, what) {
   }
 }
 
-/** Clips of up to ten thousand frames, in milliseconds. */
-async function short(call) {
-  await call("parse", address(10_000), 1);
+/** Measures clips of up to 10,000 frames, in milliseconds. */
+async function measureShortClips(call) {
+  await call("parse", urlPath(10_000), 1);
   const detect = { 10000: await call("detect", 15, false) };
   const exact = { 10000: await call("detect", 1, true) };
-  const relabel = { w: await call("relabel", 15, "w"), r: await call("relabel", 15, "r") };
+  const redetect = { w: await call("redetect", 15, "w"), r: await call("redetect", 15, "r") };
   const segment = {};
   for (const method of METHODS) {
     segment[method] = await call("segment", method, method === "mvu" ? 1 : 3);
   }
-  const [published, toes] = [{}, {}];
+  const [published, toeSignals] = [{}, {}];
   for (const frames of [1000, 300]) {
-    await call("cut", frames);
+    await call("truncate", frames);
     detect[frames] = await call("detect", 21, false);
     exact[frames] = await call("detect", 5, true);
     published[frames] = {
-      whole: await call("detect", 21, false, "paper"),
-      clustering: await call("relabel", 21, "r", "paper"),
+      total: await call("detect", 21, false, "paper"),
+      clustering: await call("redetect", 21, "r", "paper"),
     };
-    toes[frames] = await call("toes");
+    toeSignals[frames] = await call("toeSignals");
   }
-  return { detect, exact, published, relabel, segment, toes };
+  return { detect, exact, published, redetect, segment, toeSignals };
 }
 
-/** How time and memory grow with the length of a clip, up to an hour. */
-async function growth(alone) {
+/** Measures time and memory for clips of increasing length. */
+async function measureGrowth(inNewPage) {
   const rows = [];
   for (const frames of LENGTHS) {
-    // A page of its own: memory must not have been grown by others.
-    const row = await alone(async (call) => {
-      const { time, bytes, before } = await call("parse", address(frames), 1);
-      const placed = await call("positions", 1);
-      const shown = await call("memory");
-      const detected = await call("detect", frames < 50_000 ? 15 : 5, false);
-      const labelled = await call("memory");
-      const others = frames === HOUR ? await hour(call) : {};
-      const memory = { shown: shown - before, labelled: labelled - before };
-      return { frames, bytes, read: time, placed, detected, memory, ...others };
+    // In a new page, since wasm memory never shrinks.
+    const row = await inNewPage(async (call) => {
+      const { time, bytes, before } = await call("parse", urlPath(frames), 1);
+      const positions = await call("positions", 1);
+      const afterParsing = await call("memoryBytes");
+      const detect = await call("detect", frames < 50_000 ? 15 : 5, false);
+      const afterDetection = await call("memoryBytes");
+      const more = frames === HOUR ? await measureHour(call) : {};
+      const memory = { parsed: afterParsing - before, detected: afterDetection - before };
+      return { frames, bytes, parse: time, positions, detect, memory, ...more };
     });
     rows.push(row);
   }
   return rows;
 }
 
-/** What else an hour is asked for. */
-async function hour(call) {
-  return { relabelled: await call("relabel", 3, "w"), cut: await call("segment", "auto", 1) };
+/** Measures further operations on the longest clip. */
+async function measureHour(call) {
+  return { redetect: await call("redetect", 3, "w"), segment: await call("segment", "auto", 1) };
 }

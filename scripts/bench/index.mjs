@@ -1,4 +1,4 @@
-/** `npm run bench`: measures speed, memory and size beside others, and writes BENCHMARKS.md. */
+/** `npm run bench`: measures speed, memory and download size, and writes BENCHMARKS.md. */
 
 import { readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -7,36 +7,36 @@ import { browser } from "../browser.mjs";
 import { buildSite } from "../build.mjs";
 import { main, root } from "../run.mjs";
 import { setup } from "../setup.mjs";
-import { app } from "./app.mjs";
-import { generate } from "./clips.mjs";
-import { core } from "./core.mjs";
-import { native } from "./native.mjs";
-import { references } from "./references.mjs";
-import { figures, report } from "./report.mjs";
+import { measureApp } from "./app.mjs";
+import { generateClips } from "./clips.mjs";
+import { measureCore } from "./core.mjs";
+import { measureNative } from "./native.mjs";
+import { measureReferences } from "./references.mjs";
+import { toMarkdown, writeCharts } from "./report.mjs";
 
 await main(async () => {
   await setup();
   await buildSite();
   const { chromium: executablePath } = await browser();
-  await generate();
+  await generateClips();
   const { chromium } = await import("playwright");
   const launch = () => chromium.launch({ executablePath, args: ["--no-sandbox"] });
-  const inPage = await core(launch);
-  const measured = {
-    core: inPage,
-    references: references(inPage.toes),
-    native: await native(),
-    app: await app(launch),
-    sizes: sizes(),
+  const coreResults = await measureCore(launch);
+  const results = {
+    core: coreResults,
+    references: measureReferences(coreResults.toeSignals),
+    native: await measureNative(),
+    app: await measureApp(launch),
+    sizes: downloadSizes(),
   };
-  figures(measured.core.growth);
-  const text = report(measured);
-  writeFileSync(join(root, "BENCHMARKS.md"), text);
-  console.log(`\n${text}\nBENCHMARKS.md is written.`);
+  writeCharts(results.core.growth);
+  const markdown = toMarkdown(results);
+  writeFileSync(join(root, "BENCHMARKS.md"), markdown);
+  console.log(`\n${markdown}\nWrote BENCHMARKS.md.`);
 });
 
-/** Bytes to download, compressed. */
-function sizes() {
+/** Returns the sizes of the wasm module and of all scripts, compressed with Brotli, in bytes. */
+function downloadSizes() {
   const compressed = (path) =>
     brotliCompressSync(readFileSync(path), {
       params: { [constants.BROTLI_PARAM_QUALITY]: 11 },

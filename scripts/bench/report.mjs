@@ -1,4 +1,4 @@
-/** BENCHMARKS.md: every target with what was measured, and figures of growth. */
+/** Writes BENCHMARKS.md: the measurements with their targets, and charts of growth. */
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
@@ -6,261 +6,316 @@ import { join } from "node:path";
 import { root } from "../run.mjs";
 import { FOLDER, HOUR } from "./clips.mjs";
 import { METHODS } from "./core.mjs";
-import { figure } from "./figure.mjs";
+import { lineChart } from "./line-chart.mjs";
 
-const folder = "docs/results";
-/** What a person adds to the figures stands below this line, and is kept. */
-const BY_HAND = "## What was tried";
+const chartFolder = "docs/results";
+/** Everything from this heading on is written by hand and preserved. */
+const MANUAL_PART = "## What was tried";
 
-const ms = (value) =>
+const formatTime = (value) =>
   value >= 1000 ? `${(value / 1000).toFixed(2)} s` : `${value.toPrecision(3)} ms`;
-const times = (value) => `${value.toPrecision(3)} ×`;
-const megabytes = (bytes) => `${(bytes / 1e6).toFixed(bytes < 1e8 ? 1 : 0)} MB`;
-const rate = (bytes, time) => `${(bytes / 1e3 / time).toFixed(0)} MB/s`;
-const kilobytes = (bytes) => `${(bytes / 1000).toFixed(0)} KB`;
-const count = (value) => Number(value).toLocaleString("en");
+const formatRatio = (value) => `${value.toPrecision(3)} ×`;
+const formatMegabytes = (bytes) => `${(bytes / 1e6).toFixed(bytes < 1e8 ? 1 : 0)} MB`;
+const formatRate = (bytes, time) => `${(bytes / 1e3 / time).toFixed(0)} MB/s`;
+const formatKilobytes = (bytes) => `${(bytes / 1000).toFixed(0)} KB`;
+const formatCount = (value) => Number(value).toLocaleString("en");
 
-/** The figures of growth. */
-export function figures(growth) {
-  const frames = { title: "frames", text: count };
+/** Writes the charts of time and memory by the length of a clip. */
+export function writeCharts(growth) {
+  const x = { title: "frames", text: formatCount };
   const series = (label, value) => ({
     label,
     points: growth.map((row) => [row.frames, value(row)]),
   });
-  const draw = (name, drawn) => writeFileSync(join(root, folder, name), figure(drawn));
-  draw("growth-time.svg", {
-    title: "Time over the length of a clip",
-    x: frames,
+  const write = (name, chart) => writeFileSync(join(root, chartFolder, name), lineChart(chart));
+  write("growth-time.svg", {
+    title: "Time by length of the clip",
+    x,
     y: { title: "time", text: (value) => (value < 1000 ? `${value} ms` : `${value / 1000} s`) },
     series: [
-      series("all parts labelled", (row) => row.detected),
-      series("read", (row) => row.read),
-      series("all joints placed", (row) => row.placed),
+      series("detection of all parts", (row) => row.detect),
+      series("parsing", (row) => row.parse),
+      series("joint positions", (row) => row.positions),
     ],
   });
-  draw("growth-memory.svg", {
-    title: "WebAssembly memory over the length of a clip",
-    x: frames,
+  write("growth-memory.svg", {
+    title: "WebAssembly memory by length of the clip",
+    x,
     y: { title: "memory", text: (value) => `${value} MB` },
     series: [
-      series("most, once labelled", (row) => row.memory.labelled / 1e6),
-      series("once read and shown", (row) => row.memory.shown / 1e6),
-      series("the file", (row) => row.bytes / 1e6),
+      series("after detection", (row) => row.memory.detected / 1e6),
+      series("after parsing and positions", (row) => row.memory.parsed / 1e6),
+      series("file", (row) => row.bytes / 1e6),
     ],
   });
 }
 
-/** A row of the table; without a target, or where nobody could measure, nothing is met or missed. */
-const row = (work, ours, reference, target, isMet) => {
-  const verdict = isMet ? "met" : "**missed**";
-  return `| ${work} | ${ours} | ${reference} | ${target} | ${isMet === undefined ? "-" : verdict} |`;
+/** Returns a row of the table. Without a measurement or a target, `isMet` is undefined. */
+const tableRow = (task, ours, reference, target, isMet) => {
+  const result = isMet ? "met" : "**missed**";
+  return `| ${task} | ${ours} | ${reference} | ${target} | ${isMet === undefined ? "-" : result} |`;
 };
 
-function reading({ core: { read, memory, growth }, native }) {
-  const hour = growth.at(-1);
-  const of = ({ bytes, ours, loader }, least) => {
-    const faster = loader / ours;
-    const isMet = bytes / 1e3 / ours >= 250 && faster >= least;
-    const reference = `BVHLoader ${rate(bytes, loader)}: ${times(faster)}`;
-    return row(
-      `read ${megabytes(bytes)}`,
-      rate(bytes, ours),
-      reference,
-      `250 MB/s, ${least} ×`,
+function parsingRows({ core: { parsing, memory, growth }, native }) {
+  const longest = growth.at(-1);
+  const parsingRow = ({ bytes, ours, loader }, minRatio) => {
+    const ratio = loader / ours;
+    const isMet = bytes / 1e3 / ours >= 250 && ratio >= minRatio;
+    return tableRow(
+      `parse ${formatMegabytes(bytes)}`,
+      formatRate(bytes, ours),
+      `BVHLoader ${formatRate(bytes, loader)}: ${formatRatio(ratio)}`,
+      `250 MB/s, ${minRatio} ×`,
       isMet,
     );
   };
-  const share = (memory) => memory / hour.bytes;
   const rows = [
-    of(read.ten, 40),
-    of(read.hundred, 40),
-    row(
-      `the same natively, ${megabytes(read.ten.bytes)}`,
-      rate(read.ten.bytes, native.read),
+    parsingRow(parsing.ten, 40),
+    parsingRow(parsing.hundred, 40),
+    tableRow(
+      `parse ${formatMegabytes(parsing.ten.bytes)}, native build`,
+      formatRate(parsing.ten.bytes, native.parse),
       "-",
       "400 MB/s",
-      read.ten.bytes / 1e3 / native.read >= 400,
+      parsing.ten.bytes / 1e3 / native.parse >= 400,
     ),
   ];
   if (memory.ours && memory.loader) {
-    const ratio = memory.loader.grown / memory.ours.grown;
+    const ratio = memory.loader.growth / memory.ours.growth;
     rows.push(
-      row(
-        `memory of the page to read ${megabytes(memory.ours.bytes)}`,
-        megabytes(memory.ours.grown),
-        `BVHLoader ${megabytes(memory.loader.grown)}: ${times(ratio)}`,
+      tableRow(
+        `memory of the page to parse ${formatMegabytes(memory.ours.bytes)}`,
+        formatMegabytes(memory.ours.growth),
+        `BVHLoader ${formatMegabytes(memory.loader.growth)}: ${formatRatio(ratio)}`,
         "8 ×",
         ratio >= 8,
       ),
     );
   }
-  for (const [what, amount] of [
-    ["read and show", hour.memory.shown],
-    ["label it too", hour.memory.labelled],
+  for (const [stage, bytes] of [
+    ["parsing and positions", longest.memory.parsed],
+    ["detection", longest.memory.detected],
   ]) {
-    const target = "2 × the file";
+    const ratio = bytes / longest.bytes;
     rows.push(
-      row(`wasm memory, an hour: ${what}`, times(share(amount)), "-", target, share(amount) <= 2),
+      tableRow(
+        `wasm memory after ${stage}, one hour`,
+        formatRatio(ratio),
+        "-",
+        "2 × the file",
+        ratio <= 2,
+      ),
     );
   }
   return rows;
 }
 
-function labelling({ core, native, references }) {
-  const { detect, exact, published, relabel, growth } = core;
+function detectionRows({ core, native, references }) {
+  const { detect, exact, published, redetect, growth } = core;
   const targets = { 300: 2, 1000: 10, 10000: 100 };
   const rows = Object.entries(targets).flatMap(([frames, target]) => {
     const time = detect[frames];
-    const known = `all pairs ${ms(exact[frames])}, native ${ms(native.detect[frames])}`;
-    const whole = row(`detect ${count(frames)} frames`, ms(time), known, ms(target), time < target);
-    return published[frames] ? [whole, alike(frames, published[frames], references)] : [whole];
+    const row = tableRow(
+      `detect plants in ${formatCount(frames)} frames`,
+      formatTime(time),
+      `all pairs ${formatTime(exact[frames])}, native ${formatTime(native.detect[frames])}`,
+      formatTime(target),
+      time < target,
+    );
+    return published[frames] ? [row, clusteringRow(frames, published[frames], references)] : [row];
   });
-  const hour = growth.at(-1);
+  const longest = growth.at(-1);
   return [
     ...rows,
-    row(`detect ${count(HOUR)} frames`, ms(hour.detected), "-", "2 s", hour.detected < 2000),
-    row("label 10,000 frames anew, another r", ms(relabel.r), "-", "16.7 ms", relabel.r < 16.7),
+    tableRow(
+      `detect plants in ${formatCount(HOUR)} frames`,
+      formatTime(longest.detect),
+      "-",
+      "2 s",
+      longest.detect < 2000,
+    ),
+    tableRow(
+      "detect again in 10,000 frames after a change of r",
+      formatTime(redetect.r),
+      "-",
+      "16.7 ms",
+      redetect.r < 16.7,
+    ),
   ];
 }
 
-/** What the references do: they cluster toes that were placed before, once. */
-function alike(frames, { whole, clustering }, references) {
-  const known = [
+/** Compares the clustering of the published method with reference libraries. */
+function clusteringRow(frames, { total, clustering }, references) {
+  const comparisons = [
     ["scikit-learn", references.sklearn?.[frames]],
     ["dense eigensolver", references.dense?.[frames]],
   ]
-    .filter(([, others]) => others)
-    .map(([title, { middle, least }]) => {
-      const quickest = `at least ${ms(least)}: ${times(least / clustering)}`;
-      return `${title} ${ms(middle)}: ${times(middle / clustering)} (${quickest})`;
+    .filter(([, times]) => times)
+    .map(([title, { median, minimum }]) => {
+      const range = `at least ${formatTime(minimum)}: ${formatRatio(minimum / clustering)}`;
+      return `${title} ${formatTime(median)}: ${formatRatio(median / clustering)} (${range})`;
     });
   const target = { 300: 100 }[frames];
-  const other = target && references.sklearn?.[frames];
-  return row(
-    "cluster its toes as published",
-    `${ms(clustering)}, with placing them ${ms(whole)}`,
-    known.join(", ") || "-",
-    target ? times(target) : "-",
-    other && other.middle / clustering >= target,
+  const sklearn = target && references.sklearn?.[frames];
+  return tableRow(
+    `cluster the toe signals of ${formatCount(frames)} frames (\`paper\`)`,
+    `${formatTime(clustering)}, with positions ${formatTime(total)}`,
+    comparisons.join(", ") || "-",
+    target ? formatRatio(target) : "-",
+    sklearn && sklearn.median / clustering >= target,
   );
 }
 
-function cutting({ core: { segment }, native }) {
+function segmentationRows({ core: { segment }, native }) {
   return METHODS.map((method) => {
     const target = method === "mvu" ? 4000 : 300;
-    const reference = method === "auto" ? `native ${ms(native.cut)}` : "-";
+    const reference = method === "auto" ? `native ${formatTime(native.segment)}` : "-";
     const time = segment[method];
-    return row(`cut 10,000 frames: ${method}`, ms(time), reference, ms(target), time < target);
+    return tableRow(
+      `segment 10,000 frames: ${method}`,
+      formatTime(time),
+      reference,
+      formatTime(target),
+      time < target,
+    );
   });
 }
 
-function using({ app, native, sizes, core: { read, growth } }) {
-  const file = megabytes(read.ten.bytes);
+function appRows({ app, native, sizes, core: { parsing, growth } }) {
   const { drop, hour, six, folder } = app;
   const { clips, frames } = FOLDER;
-  const smooth = ({ script, longest }) => script < 8 && longest < 50;
-  const main = ({ script, longest }) => `${ms(script)}, ${ms(longest)}`;
-  const long = megabytes(growth.at(-1).bytes);
+  const fileSize = formatMegabytes(parsing.ten.bytes);
+  const hourSize = formatMegabytes(growth.at(-1).bytes);
+  const isSmooth = ({ script, longest }) => script < 8 && longest < 50;
   return [
-    row(`drop ${file} → moving skeleton`, ms(drop.moving), "-", "250 ms", drop.moving < 250),
-    row(
-      `drop ${file} → labels on the timeline`,
-      ms(drop.labelled),
+    tableRow(
+      `drop ${fileSize} → moving skeleton`,
+      formatTime(drop.firstPose),
+      "-",
+      "250 ms",
+      drop.firstPose < 250,
+    ),
+    tableRow(
+      `drop ${fileSize} → labels on the timeline`,
+      formatTime(drop.labels),
       "-",
       "500 ms",
-      drop.labelled < 500,
+      drop.labels < 500,
     ),
-    row(
-      `drop an hour (${long}) → labels on the timeline`,
-      ms(hour.labelled),
+    tableRow(
+      `drop one hour (${hourSize}) → labels on the timeline`,
+      formatTime(hour.labels),
       "-",
       "8 s",
-      hour.labelled < 8000,
+      hour.labels < 8000,
     ),
-    row(
-      `folder of ${clips} clips of ${count(frames)} frames`,
-      ms(folder.time),
-      `command line ${ms(native.folder)}`,
+    tableRow(
+      `folder of ${clips} clips of ${formatCount(frames)} frames`,
+      formatTime(folder.time),
+      `command line ${formatTime(native.folder)}`,
       "30 s, command line 10 s",
       folder.time < 30_000 && native.folder < 10_000,
     ),
     ...[
-      ["an hour is opened", hour.opening],
-      ["an hour is scrubbed through", hour.scrubbing],
-      ["an hour is played", hour.playing],
-      ["six characters are played", six],
-      ["the folder is labelled", folder],
-    ].map(([when, seen]) =>
-      row(
-        `main thread while ${when}: script per frame (95th percentile), longest task`,
-        main(seen),
+      ["opening one hour", hour.opening],
+      ["scrubbing through one hour", hour.scrubbing],
+      ["playing one hour", hour.playing],
+      ["playing six characters", six],
+      ["processing the folder", folder],
+    ].map(([activity, load]) =>
+      tableRow(
+        `main thread while ${activity}: script per frame (95th percentile), longest task`,
+        `${formatTime(load.script)}, ${formatTime(load.longest)}`,
         "-",
         "8 ms, 50 ms",
-        smooth(seen),
+        isSmooth(load),
       ),
     ),
-    row("download, wasm (brotli)", kilobytes(sizes.wasm), "-", "250 KB", sizes.wasm <= 250_000),
-    row("download, JavaScript (brotli)", kilobytes(sizes.js), "-", "300 KB", sizes.js <= 300_000),
+    tableRow(
+      "download, wasm (Brotli)",
+      formatKilobytes(sizes.wasm),
+      "-",
+      "250 KB",
+      sizes.wasm <= 250_000,
+    ),
+    tableRow(
+      "download, JavaScript (Brotli)",
+      formatKilobytes(sizes.js),
+      "-",
+      "300 KB",
+      sizes.js <= 300_000,
+    ),
   ];
 }
 
-function stages({ detect, relabel }) {
-  const whole = detect[10000];
-  const share = (time) =>
-    `${ms(Math.max(time, 0))} | ${((100 * Math.max(time, 0)) / whole).toFixed(0)} %`;
+/** Returns the rows of the stages of a detection in 10,000 frames. */
+function stageRows({ detect, redetect }) {
+  const total = detect[10000];
+  const cells = (time) => {
+    const positive = Math.max(time, 0);
+    return `${formatTime(positive)} | ${((100 * positive) / total).toFixed(0)} %`;
+  };
   return [
-    ["joints placed, heights and speeds", "anything but parameters changes", whole - relabel.w],
-    ["samples, norms and cells", "w changes", relabel.w - relabel.r],
-    ["degrees, thresholds and labels", "r changes", relabel.r],
-  ].map(([stage, when, time]) => `| ${stage} | ${when} | ${share(time)} |`);
+    ["joint positions, heights and speeds", "the clip or an override changes", total - redetect.w],
+    ["samples, norms and cells", "w changes", redetect.w - redetect.r],
+    ["degrees, thresholds and labels", "r changes", redetect.r],
+  ].map(([stage, when, time]) => `| ${stage} | ${when} | ${cells(time)} |`);
 }
 
-/** The page; what was written by hand of the one before stays. */
-export function report(measured) {
-  const { core, app } = measured;
-  const hour = core.growth.at(-1);
-  const before = readFileSync(join(root, "BENCHMARKS.md"), "utf8");
-  const kept = before.includes(BY_HAND) ? before.slice(before.indexOf(BY_HAND)) : `${BY_HAND}\n`;
-  const growth = core.growth.map(
-    ({ frames, bytes, read, placed, detected }) =>
-      `| ${count(frames)} | ${megabytes(bytes)} | ${ms(read)} | ${ms(placed)} | ${ms(detected)} | ${((detected / frames) * 1000).toFixed(1)} µs |`,
+/** Returns the text of BENCHMARKS.md. */
+export function toMarkdown(results) {
+  const { core, app } = results;
+  const longest = core.growth.at(-1);
+  const previous = readFileSync(join(root, "BENCHMARKS.md"), "utf8");
+  const manualPart = previous.includes(MANUAL_PART)
+    ? previous.slice(previous.indexOf(MANUAL_PART))
+    : `${MANUAL_PART}\n`;
+  const growthRows = core.growth.map(
+    ({ frames, bytes, parse, positions, detect }) =>
+      `| ${formatCount(frames)} | ${formatMegabytes(bytes)} | ${formatTime(parse)} | ${formatTime(positions)} | ${formatTime(detect)} | ${((detect / frames) * 1000).toFixed(1)} µs |`,
   );
+  const rows = [
+    ...parsingRows(results),
+    ...detectionRows(results),
+    ...segmentationRows(results),
+    ...appRows(results),
+  ];
   return `# Benchmarks
 
-Measured in Chromium's WebAssembly, one thread unless it says otherwise, on ${cpus().length} ×
-${cpus()[0]?.model.trim()}; generated clips at 120 Hz as recorders write them
-(\`crate/synth\`). \`npm run bench\` measures anew. Ratios travel between machines, absolute
-figures do not. References run in the same page (three.js BVHLoader), or beside it (Python's
-libraries); "native" is the same core without a browser, by Criterion. Memory of the page is
-what the system counts for its process at most; times of the main thread are of the processor,
-as a browser without a graphics card draws on the same processors.
+\`npm run bench\` measures everything in this table and rewrites it. Machine: ${cpus().length} × ${cpus()[0]?.model.trim()}.
+Unless stated otherwise, times are those of the WebAssembly module in Chromium on one thread.
+Clips are generated (\`crate/synth\`) at 120 Hz, with the number format of recording software. Ratios
+are comparable between machines, absolute figures are not. The reference three.js BVHLoader runs in
+the same page; Python libraries run on the same machine. "Native" is the core without a browser,
+measured with Criterion. Memory of the page is the peak of its process. Times of the main thread are
+processor times, since software rendering competes for the same processors.
 
-| work | ours | reference | target | |
+| task | result | reference | target | |
 |---|---:|---:|---:|---|
-${[...reading(measured), ...labelling(measured), ...cutting(measured), ...using(measured)].join("\n")}
+${rows.join("\n")}
 
-An hour (${count(HOUR)} frames, ${megabytes(hour.bytes)}): read in ${ms(hour.read)}, all joints placed in
-${ms(hour.placed)}, labelled in ${ms(hour.detected)}, anew with another window in ${ms(hour.relabelled)},
-cut into actions in ${ms(hour.cut)}; its skeleton moves after ${ms(app.hour.moving)}.
+One hour (${formatCount(HOUR)} frames, ${formatMegabytes(longest.bytes)}): parsing ${formatTime(longest.parse)}, joint positions
+${formatTime(longest.positions)}, detection ${formatTime(longest.detect)}, detection after a change of the window ${formatTime(longest.redetect)},
+segmentation ${formatTime(longest.segment)}; the skeleton moves ${formatTime(app.hour.firstPose)} after the drop.
 
-## Where the time goes
+## Stages of a detection
 
-Labelling 10,000 frames takes ${ms(core.detect[10000])} the first time. What does not depend on a slider is
-kept while it moves:
+The first detection in 10,000 frames takes ${formatTime(core.detect[10000])}. Results that do not depend on a changed
+parameter are cached:
 
-| stage | done when | time | share |
+| stage | repeated when | time | fraction |
 |---|---|---:|---:|
-${stages(core).join("\n")}
+${stageRows(core).join("\n")}
 
-## How time grows
+## Growth with the length of a clip
 
-| frames | file | read | joints placed | labelled | per frame |
+| frames | file | parsing | joint positions | detection | per frame |
 |---:|---:|---:|---:|---:|---:|
-${growth.join("\n")}
+${growthRows.join("\n")}
 
-![Time over frames: labelling, reading and placing joints](${folder}/growth-time.svg)
+![Time by number of frames: detection, parsing and joint positions](${chartFolder}/growth-time.svg)
 
-![Memory over frames: labelled, read and shown, and the file](${folder}/growth-memory.svg)
+![Memory by number of frames: after detection, after parsing, and size of the file](${chartFolder}/growth-memory.svg)
 
-${kept}`;
+${manualPart}`;
 }

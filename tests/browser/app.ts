@@ -1,4 +1,4 @@
-/** The page as a test uses it. A test fails on anything the browser complains of meanwhile. */
+/** Page object of the app. A test fails on unexpected messages and requests of the browser. */
 
 import { readFileSync } from "node:fs";
 import {
@@ -14,21 +14,21 @@ import { type Site, serve } from "./serve";
 
 export { expect };
 
-export interface Saved {
+export interface SavedFile {
   name: string;
   text: string;
   bytes: Uint8Array;
 }
 
-/** A segment as it is listed; times in seconds. */
-export interface Listed {
+/** A segment in the list; times in seconds. */
+export interface ListedSegment {
   number: number;
   start: number;
   length: number;
   name: string;
 }
 
-export type Tab = "Detect" | "Why" | "Segment" | "Labels" | "Score" | "Clip";
+export type Tab = "Detect" | "Evidence" | "Segment" | "Labels" | "Score" | "Clip";
 
 export class App {
   readonly state: Locator;
@@ -41,9 +41,9 @@ export class App {
   readonly panel: Locator;
   readonly alert: Locator;
   readonly dialog: Locator;
-  readonly remark: Locator;
+  readonly toast: Locator;
   private readonly problems: string[] = [];
-  // How a browser without a graphics card takes the picture from WebGL: its own note on itself.
+  // Messages of a browser that renders WebGL in software, and of Playwright.
   private readonly expected = [
     /GL Driver Message \(OpenGL, Performance,/,
     /Service Worker registration blocked by Playwright/,
@@ -63,16 +63,16 @@ export class App {
     this.panel = page.getByRole("tabpanel");
     this.alert = page.getByRole("alert");
     this.dialog = page.getByRole("dialog");
-    this.remark = page.locator(".remark");
+    this.toast = page.locator(".toast");
     this.watch();
   }
 
   private watch() {
     const { page, site, problems } = this;
-    const where = (message: ConsoleMessage) => message.location().url;
+    const urlOf = (message: ConsoleMessage) => message.location().url;
     page.on("console", (message) => {
       if (!/^(error|warning)$/.test(message.type())) return;
-      problems.push(`console ${message.type()}: ${message.text()} (${where(message)})`);
+      problems.push(`console ${message.type()}: ${message.text()} (${urlOf(message)})`);
     });
     page.on("pageerror", (error) => problems.push(`uncaught: ${error.stack ?? error.message}`));
     page.on("requestfailed", (request) => {
@@ -85,48 +85,50 @@ export class App {
     });
   }
 
-  /** Says of a complaint of the browser that this test provokes it. */
-  provokes(complaint: RegExp) {
-    this.expected.push(complaint);
+  /** Accepts a problem that this test causes on purpose. */
+  expectProblem(problem: RegExp) {
+    this.expected.push(problem);
   }
 
-  /** What the browser complained of and nobody expected. */
-  complaints(): string[] {
-    return this.problems.filter((problem) => !this.expected.some((known) => known.test(problem)));
+  /** Returns the problems that no test expects. */
+  unexpectedProblems(): string[] {
+    return this.problems.filter(
+      (problem) => !this.expected.some((pattern) => pattern.test(problem)),
+    );
   }
 
-  /** Opens the page without a clip. */
-  async empty() {
+  /** Opens the start page. */
+  async openStartPage() {
     await this.page.goto(this.site.home);
     await expect(this.state).toHaveAttribute("data-state", "empty");
-    // By then the page listens: a person is not faster, and comes with a pointer.
+    // Starts the preview; the page has registered its event handlers by then.
     await this.page.mouse.move(2, 2);
     await expect(this.stage.locator("canvas")).toBeVisible();
   }
 
   /** Opens the page with a sample. */
-  async sample(name: string) {
+  async openSample(name: string) {
     await this.page.goto(`${this.site.home}#sample=${name}`);
-    await this.opened(`${name}.bvh`);
+    await this.waitForClip(`${name}.bvh`);
   }
 
   /** Opens the page and drops a file on it. */
-  async with(file: Payload) {
-    await this.empty();
+  async openFile(file: Payload) {
+    await this.openStartPage();
     await this.drop(file);
-    await this.opened(file.name);
+    await this.waitForClip(file.name);
   }
 
-  /** Waits until a clip is open and labelled. */
-  async opened(name: string) {
+  /** Waits until a clip is open and processed. */
+  async waitForClip(name: string) {
     await expect(this.page).toHaveTitle(`${name} – Plantigrade`);
     await expect(this.state).toHaveAttribute("data-state", "ready");
     await expect(this.playhead.or(this.timeline.getByText("no motion"))).toBeVisible();
   }
 
-  /** Files as the page gets them from a drag or the clipboard. */
+  /** Creates the data transfer of a drop or a paste. */
   transfer(...files: Payload[]): Promise<JSHandle<DataTransfer>> {
-    const sent = files.map(({ name, buffer }) => ({ name, data: buffer.toString("base64") }));
+    const encoded = files.map(({ name, buffer }) => ({ name, data: buffer.toString("base64") }));
     return this.page.evaluateHandle((list) => {
       const transfer = new DataTransfer();
       for (const { name, data } of list) {
@@ -134,7 +136,7 @@ export class App {
         transfer.items.add(new File([bytes], name));
       }
       return transfer;
-    }, sent);
+    }, encoded);
   }
 
   async drop(...files: Payload[]) {
@@ -177,7 +179,7 @@ export class App {
     return before;
   }
 
-  /** The frame under the playhead. */
+  /** Returns the frame under the playhead. */
   async frame(): Promise<number> {
     return Number(await this.playhead.getAttribute("aria-valuenow"));
   }
@@ -186,16 +188,16 @@ export class App {
     return Number(await this.playhead.getAttribute("aria-valuemax"));
   }
 
-  /** A point on the ruler of the timeline: 0 is the left edge of the canvas, 1 the right one. */
-  async ruler(share: number): Promise<{ x: number; y: number }> {
+  /** Returns a point on the ruler of the timeline: 0 is the left edge, 1 the right edge. */
+  async ruler(position: number): Promise<{ x: number; y: number }> {
     const box = await this.tracks.boundingBox();
     if (!box) throw new Error("The timeline has no canvas.");
-    return { x: box.x + share * box.width, y: box.y + 12 };
+    return { x: box.x + position * box.width, y: box.y + 12 };
   }
 
-  /** Presses on the ruler; gives back the frame that shows. */
-  async pressRuler(share: number): Promise<number> {
-    const { x, y } = await this.ruler(share);
+  /** Clicks the ruler. Returns the frame under the playhead. */
+  async pressRuler(position: number): Promise<number> {
+    const { x, y } = await this.ruler(position);
     await this.page.mouse.click(x, y);
     return this.frame();
   }
@@ -206,7 +208,7 @@ export class App {
     await expect(this.page.getByRole("tabpanel", { name })).toBeVisible();
   }
 
-  /** A fact of the Clip tab by its name. */
+  /** Returns the value of a property in the panel. */
   fact(name: string): Locator {
     return this.panel
       .getByRole("term")
@@ -214,72 +216,72 @@ export class App {
       .locator("xpath=following-sibling::dd[1]");
   }
 
-  /** What the Detect tab says of a foot: the share of frames planted and the number of plants. */
-  async result(foot: "Left" | "Right"): Promise<{ share: number; plants: number }> {
+  /** Returns the result in the Detect tab: percentage of planted frames, and number of plants. */
+  async result(foot: "Left" | "Right"): Promise<{ percent: number; plants: number }> {
     await this.tab("Detect");
     const text = this.fact(foot);
-    await expect(this.panel.locator(".result")).toHaveAttribute("aria-busy", "false");
+    await expect(this.panel.locator(".detect-result")).toHaveAttribute("aria-busy", "false");
     await expect(text).toHaveText(/\d+ % planted\s*\d+ plants?/);
-    const [share = Number.NaN, plants = Number.NaN] =
+    const [percent = Number.NaN, plants = Number.NaN] =
       (await text.innerText()).match(/\d+/g)?.map(Number) ?? [];
-    return { share, plants };
+    return { percent, plants };
   }
 
-  /** The segments that the Segment tab lists, as far as they are in sight. */
-  async segments(): Promise<Listed[]> {
+  /** Returns the visible rows of the Segment tab. */
+  async segments(): Promise<ListedSegment[]> {
     await this.tab("Segment");
     const rows = this.panel.getByRole("listitem").filter({ has: this.page.getByRole("textbox") });
     await expect(rows.first()).toBeVisible();
-    const found: Listed[] = [];
+    const segments: ListedSegment[] = [];
     for (const row of await rows.all()) {
       const label = (await row.getByRole("button").getAttribute("aria-label")) ?? "";
       const [number = 0, start = 0, length = 0] = (label.match(/[\d.]+/g) ?? []).map(Number);
-      found.push({ number, start, length, name: await row.getByRole("textbox").inputValue() });
+      segments.push({ number, start, length, name: await row.getByRole("textbox").inputValue() });
     }
-    return found;
+    return segments;
   }
 
-  /** Shows what the list of the panel can be saved as. */
-  private async unfoldSave() {
+  /** Expands the save buttons of the list in the panel. */
+  private async expandSaveMenu() {
     const save = this.panel.getByRole("button", { name: "Save", exact: true });
     if ((await save.getAttribute("aria-expanded")) !== "true") await save.click();
   }
 
-  /** Saves by a button of the Segment tab. */
-  async saveSegments(button: "Segments" | "Table" | "BABEL" | "Clips"): Promise<Saved> {
+  /** Saves segments by a button of the Segment tab. */
+  async saveSegments(button: "Segments" | "Table" | "BABEL" | "Clips"): Promise<SavedFile> {
     await this.tab("Segment");
-    await this.unfoldSave();
+    await this.expandSaveMenu();
     return this.download(() =>
       this.panel.getByRole("button", { name: new RegExp(`^${button}`) }).click(),
     );
   }
 
-  /** What the page hands over as a download when something is done. */
-  async download(act: () => Promise<void>): Promise<Saved> {
-    const coming = this.page.waitForEvent("download");
-    await act();
-    const download = await coming;
+  /** Returns the file that the page downloads after an action. */
+  async download(action: () => Promise<void>): Promise<SavedFile> {
+    const downloading = this.page.waitForEvent("download");
+    await action();
+    const download = await downloading;
     const bytes = readFileSync(await download.path());
     return { name: download.suggestedFilename(), text: bytes.toString("utf8"), bytes };
   }
 
-  /** Opens the dialog that passes the clip on. */
-  async share() {
+  /** Opens the share dialog. */
+  async openShareDialog() {
     await this.head.getByRole("button", { name: "Share" }).click();
     await expect(this.dialog).toBeVisible();
   }
 
-  /** The link to what is on show. */
+  /** Returns the link to the current view. */
   async link(): Promise<string> {
-    await this.share();
+    await this.openShareDialog();
     const link = await this.dialog.getByRole("textbox", { name: "Link" }).inputValue();
     await this.page.keyboard.press("Escape");
     return link;
   }
 
-  /** The page in one file. */
-  async sharePage(): Promise<Saved> {
-    await this.share();
+  /** Saves the clip as a single-file page. */
+  async savePage(): Promise<SavedFile> {
+    await this.openShareDialog();
     const saved = await this.download(() =>
       this.dialog.getByRole("button", { name: "Save page" }).click(),
     );
@@ -287,28 +289,28 @@ export class App {
     return saved;
   }
 
-  /** Saves by a button of the Labels tab. */
+  /** Saves labels by a button of the Labels tab. */
   async save(
     button: "Labels" | "Every frame" | "Intervals" | "Gait events" | "Arrays" | "Blender",
-  ): Promise<Saved> {
+  ): Promise<SavedFile> {
     await this.tab("Labels");
-    await this.unfoldSave();
+    await this.expandSaveMenu();
     return this.download(() =>
       this.panel.getByRole("button", { name: new RegExp(`^${button}`) }).click(),
     );
   }
 }
 
-interface Given {
+interface Fixtures {
   app: App;
-  /** The person has not seen the page before: there is a tour. */
+  /** True if the user is new and gets the tour. */
   isNew: boolean;
 }
 
-export const test = base.extend<Given, { site: Site }>({
+export const test = base.extend<Fixtures, { site: Site }>({
   isNew: [false, { option: true }],
   site: [
-    // biome-ignore lint/correctness/noEmptyPattern: a fixture names what it needs by a pattern
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright requires a destructuring pattern
     async ({}, use) => {
       const site = await serve();
       await use(site);
@@ -322,12 +324,12 @@ export const test = base.extend<Given, { site: Site }>({
         try {
           localStorage.setItem("plantigrade:tour", "done");
         } catch {
-          // A page without an address keeps nothing.
+          // Pages without an origin have no storage.
         }
       });
     }
     const app = new App(page, site);
     await use(app);
-    expect(app.complaints(), "The browser has nothing to complain of").toEqual([]);
+    expect(app.unexpectedProblems(), "unexpected problems in the browser").toEqual([]);
   },
 });

@@ -1,4 +1,4 @@
-/** Many clips at once: a folder, an archive, a pile of files; the table that they fill. */
+/** Batches from several files, a folder or an archive. */
 
 import { mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -14,8 +14,8 @@ const row = (app: App, name: string) =>
     .filter({ has: app.page.getByRole("button", { name, exact: true }) });
 const names = (app: App) => table(app).getByRole("rowheader").getByRole("button").allInnerTexts();
 
-async function allLabelled(app: App) {
-  await expect(app.page.getByText(/^All labelled/)).toBeVisible();
+async function waitForBatch(app: App) {
+  await expect(app.page.getByText(/^All processed/)).toBeVisible();
 }
 
 const zip = (name: string, files: Record<string, Payload | string>): Payload => ({
@@ -33,10 +33,10 @@ const zip = (name: string, files: Record<string, Payload | string>): Payload => 
   ),
 });
 
-test("several files fill a table; a bad one says why and stops nobody", async ({ app, page }) => {
-  await app.empty();
+test("lists several files in a table and reports invalid ones", async ({ app, page }) => {
+  await app.openStartPage();
   await app.drop(sample("bowling"), bad("ragged-row"), sample("curved-walk"), good("no-motion"));
-  await allLabelled(app);
+  await waitForBatch(app);
   await expect(page.getByRole("heading", { name: "4 clips" })).toBeVisible();
   expect(await names(app)).toEqual([
     "bowling.bvh",
@@ -48,12 +48,12 @@ test("several files fill a table; a bad one says why and stops nobody", async ({
   await expect(row(app, "ragged-row.bvh")).toContainText("row");
   await expect(row(app, "no-motion.bvh")).toContainText("–");
   await row(app, "curved-walk.bvh").getByRole("button").click();
-  await app.opened("curved-walk.bvh");
+  await app.waitForClip("curved-walk.bvh");
   await expect(table(app)).toBeHidden();
   expect((await app.result("Left")).plants + (await app.result("Right")).plants).toBe(5);
   await page.getByRole("button", { name: "4 clips" }).click();
   await expect(row(app, "curved-walk.bvh").getByRole("cell").nth(4)).toHaveText("5");
-  // A file that cannot be read tells everything when it is asked for.
+  // Opening an invalid file shows the full error.
   await row(app, "ragged-row.bvh").getByRole("button").click();
   await expect(app.alert).toContainText("At line 70");
   await expect(app.alert).toContainText("curved-walk.bvh is still open");
@@ -62,10 +62,10 @@ test("several files fill a table; a bad one says why and stops nobody", async ({
   await expect(app.playhead).toBeVisible();
 });
 
-test("the table is sorted and filtered", async ({ app, page }) => {
-  await app.empty();
+test("sorts and filters the table", async ({ app, page }) => {
+  await app.openStartPage();
   await app.drop(sample("bowling"), sample("curved-walk"), bad("ragged-row"), sample("frog-jumps"));
-  await allLabelled(app);
+  await waitForBatch(app);
   const frames = page.getByRole("columnheader", { name: "Frames" });
   await frames.getByRole("button").click();
   await expect(frames).toHaveAttribute("aria-sort", "ascending");
@@ -80,16 +80,16 @@ test("the table is sorted and filtered", async ({ app, page }) => {
   expect(await names(app)).toEqual(["ragged-row.bvh"]);
 });
 
-test("an archive is unpacked, and all labels come back in one", async ({ app, page }) => {
-  await app.empty();
+test("unpacks an archive and saves all labels in another one", async ({ app, page }) => {
+  await app.openStartPage();
   const archive = zip("walks.zip", {
     "a/walk.bvh": sample("curved-walk"),
     "b/walk.bvh": good("plain"),
-    "__MACOSX/._walk.bvh": "none of ours",
-    "readme.txt": "no clip",
+    "__MACOSX/._walk.bvh": "metadata",
+    "readme.txt": "not a clip",
   });
   await app.drop(archive);
-  await allLabelled(app);
+  await waitForBatch(app);
   expect(await names(app)).toEqual(["walk.bvh", "walk.bvh"]);
   const saved = await app.download(() => page.getByRole("button", { name: /^Save all/ }).click());
   expect(saved.name).toBe("labels.zip");
@@ -99,7 +99,7 @@ test("an archive is unpacked, and all labels come back in one", async ({ app, pa
   const expected = ["walk", "walk-2"].flatMap((name) =>
     [...kinds, ...segments].map((kind) => `${name}.${kind}`),
   );
-  // Twelve frames are no actions, but they have labels.
+  // Twelve frames cannot be segmented, but they are labelled.
   const found = Object.keys(files);
   expect(found).toEqual(expect.arrayContaining(expected.filter((name) => !/-2\.seg/.test(name))));
   const lines = Buffer.from(files["table.csv"] ?? [])
@@ -114,20 +114,20 @@ test("an archive is unpacked, and all labels come back in one", async ({ app, pa
   expect(rows).toHaveLength(246);
 });
 
-test("an archive with one clip opens it; one that is broken or empty says so", async ({ app }) => {
-  await app.empty();
+test("opens an archive with one clip and reports broken or empty archives", async ({ app }) => {
+  await app.openStartPage();
   await app.drop(zip("one.zip", { "curved-walk.bvh": sample("curved-walk") }));
-  await app.opened("curved-walk.bvh");
-  const whole = zip("broken.zip", { "curved-walk.bvh": sample("curved-walk") });
-  await app.drop({ ...whole, buffer: whole.buffer.subarray(0, 200) });
+  await app.waitForClip("curved-walk.bvh");
+  const complete = zip("broken.zip", { "curved-walk.bvh": sample("curved-walk") });
+  await app.drop({ ...complete, buffer: complete.buffer.subarray(0, 200) });
   await expect(app.alert).toContainText("broken.zip could not be opened");
   await app.alert.getByRole("button", { name: "Dismiss" }).click();
   await app.drop(zip("none.zip", { "readme.txt": "nothing" }));
-  await expect(app.alert).toContainText("no BVH file in the archive");
+  await expect(app.alert).toContainText("contains no BVH file");
   await expect(app.alert).toContainText("curved-walk.bvh is still open");
 });
 
-test("an archive that unpacks to far more than it is gets refused", async ({ app }) => {
+test("refuses an archive that exceeds the size limit when unpacked", async ({ app }) => {
   const chunks: Uint8Array[] = [];
   const bomb = new Zip((_, chunk) => chunks.push(chunk));
   const entry = new ZipDeflate("bomb.bvh", { level: 1 });
@@ -135,52 +135,54 @@ test("an archive that unpacks to far more than it is gets refused", async ({ app
   const zeros = new Uint8Array(2 ** 20);
   for (let i = 0; i < 300; i++) entry.push(zeros, i === 299);
   bomb.end();
-  await app.sample("curved-walk");
+  await app.openSample("curved-walk");
   await app.drop({ name: "bomb.zip", mimeType: "", buffer: Buffer.concat(chunks) });
   await expect(app.alert).toContainText("unpacks to more than");
   await expect(app.alert).toContainText("curved-walk.bvh is still open");
 });
 
-test("a folder is walked", async ({ app, page }) => {
+test("opens the clips of a folder and its subfolders", async ({ app, page }) => {
   const folder = mkdtempSync(join(tmpdir(), "clips-"));
   mkdirSync(join(folder, "deep"));
   writeFileSync(join(folder, "b10.bvh"), good("plain").buffer);
   writeFileSync(join(folder, "b9.bvh"), good("plain").buffer);
   writeFileSync(join(folder, "deep", "walk.BVH"), sample("curved-walk").buffer);
-  writeFileSync(join(folder, "notes.txt"), "no clip");
-  await app.empty();
+  writeFileSync(join(folder, "notes.txt"), "not a clip");
+  await app.openStartPage();
   const system = await page.context().newCDPSession(page);
   const data = { items: [], files: [folder], dragOperationsMask: 1 };
   for (const type of ["dragEnter", "dragOver", "drop"] as const) {
     await system.send("Input.dispatchDragEvent", { type, x: 700, y: 400, data });
   }
-  await allLabelled(app);
+  await waitForBatch(app);
   expect(await names(app)).toEqual(["b9.bvh", "b10.bvh", "walk.BVH"]);
 });
 
-test("labels dropped with many clips stand beside those that bear their names", async ({ app }) => {
+test("assigns dropped labels to clips by file name", async ({ app }) => {
   const truth = (name: string) => ({
     ...sample("curved-walk"),
     name,
     buffer: clip("samples/curved-walk.json").buffer,
   });
-  await app.empty();
+  await app.openStartPage();
   await app.drop(
     sample("curved-walk"),
     sample("bowling"),
     truth("curved-walk.json"),
-    truth("nobody.json"),
+    truth("unmatched.json"),
   );
-  await allLabelled(app);
-  await expect(row(app, "nobody.json")).toContainText("No clip of this drop has the name");
+  await waitForBatch(app);
+  await expect(row(app, "unmatched.json")).toContainText(
+    "No clip of this drop has a matching file name",
+  );
   await row(app, "curved-walk.bvh").getByRole("button", { name: "curved-walk.bvh" }).click();
-  await app.opened("curved-walk.bvh");
+  await app.waitForClip("curved-walk.bvh");
   await app.tab("Score");
   await expect(app.panel).toContainText("curved-walk.json");
 });
 
-test("a thousand files at once leave a page that works", async ({ app, page }) => {
-  await app.empty();
+test("processes a thousand files without blocking the page", async ({ app, page }) => {
+  await app.openStartPage();
   const { buffer } = good("plain");
   const many = Array.from({ length: 1000 }, (_, i) => ({
     name: `clip-${i + 1}.bvh`,
@@ -189,31 +191,31 @@ test("a thousand files at once leave a page that works", async ({ app, page }) =
   }));
   await app.drop(...many);
   await expect(page.getByRole("heading", { name: "1000 clips" })).toBeVisible();
-  // It can be stopped, and goes on where it was.
+  // The batch can be stopped and resumed.
   await page.getByRole("button", { name: "Stop" }).click();
-  await page.getByRole("button", { name: "Go on" }).click();
-  await expect(page.getByText(/^All labelled/)).toBeVisible({ timeout: 60_000 });
+  await page.getByRole("button", { name: "Resume" }).click();
+  await expect(page.getByText(/^All processed/)).toBeVisible({ timeout: 60_000 });
   expect(await table(app).getByRole("row").count()).toBeLessThan(60);
   await page.getByRole("searchbox", { name: "Filter by name" }).fill("failed");
   expect(await names(app)).toEqual(["clip-501.bvh"]);
   await page.getByRole("searchbox", { name: "Filter by name" }).fill("");
   await page.getByRole("button", { name: "clip-3.bvh", exact: true }).click();
-  await app.opened("clip-3.bvh");
+  await app.waitForClip("clip-3.bvh");
 });
 
-test("edits of a clip count in the table, and options label it again", async ({ app, page }) => {
-  await app.sample("curved-walk");
+test("applies stored edits and changed options in the table", async ({ app, page }) => {
+  await app.openSample("curved-walk");
   await page.keyboard.press("e");
   await page.keyboard.press("Delete");
   await expect(app.panel.getByText("edited")).toHaveCount(0);
   await app.drop(sample("curved-walk"), sample("bowling"));
-  await allLabelled(app);
+  await waitForBatch(app);
   await expect(row(app, "curved-walk.bvh")).toContainText("edited");
   await expect(row(app, "curved-walk.bvh").getByRole("cell").nth(4)).toHaveText("4");
   await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
   await app.tab("Detect");
   await page.getByRole("combobox", { name: "Method" }).selectOption("paper");
   await page.getByRole("button", { name: "2 clips" }).click();
-  await page.getByRole("button", { name: "Label again" }).click();
-  await expect(page.getByText("All labelled by Paper")).toBeVisible();
+  await page.getByRole("button", { name: "Process again" }).click();
+  await expect(page.getByText("All processed · Paper")).toBeVisible();
 });

@@ -1,4 +1,4 @@
-/** The clips of the tests: the samples, the files good and bad, and recorded motion where there is any. */
+/** Clips for tests: samples, valid and invalid files, and recorded motion if it is available. */
 
 import { existsSync, readFileSync } from "node:fs";
 import { basename, join } from "node:path";
@@ -11,7 +11,7 @@ export interface Payload {
   buffer: Buffer;
 }
 
-/** A file of the project as a person's own, under the name it has. */
+/** Returns a file of the repository, to be dropped or picked. */
 export function clip(path: string): Payload {
   const buffer = readFileSync(join(root, path));
   return { name: basename(path), mimeType: "application/octet-stream", buffer };
@@ -26,19 +26,19 @@ export interface Sample {
   title: string;
 }
 
-/** A file of a person's own. */
+/** Returns a file with the given text. */
 export const file = (name: string, text: string): Payload => ({
   name,
   mimeType: "application/octet-stream",
   buffer: Buffer.from(text),
 });
 
-/** The same clip with its motion so many times over. */
+/** Returns a clip whose motion is repeated. */
 export function repeated(clip: Payload, times: number): Payload {
   const [head = "", motion = ""] = clip.buffer.toString().split(/^Frames: .*\n/m);
   const [time = "", ...rows] = motion.trimEnd().split("\n");
-  const all = Array.from({ length: times }, () => rows).flat();
-  return file(clip.name, `${head}Frames: ${all.length}\n${time}\n${all.join("\n")}\n`);
+  const allRows = Array.from({ length: times }, () => rows).flat();
+  return file(clip.name, `${head}Frames: ${allRows.length}\n${time}\n${allRows.join("\n")}\n`);
 }
 
 /** The samples in the order of the gallery. */
@@ -46,40 +46,40 @@ export const samples: readonly Sample[] = JSON.parse(
   readFileSync(join(root, "samples/index.json"), "utf8"),
 );
 
-export interface Expected {
+export interface ValidFile {
   name: string;
   frames: number;
   notices: string[];
 }
 
-export interface Refused {
+export interface InvalidFile {
   name: string;
-  /** `line 5, column 53`, where the reader knows it. */
-  place?: string;
+  /** Position of the error, such as `line 5, column 53`, if the reader reports one. */
+  location?: string;
   message: string;
 }
 
 const rows = readFileSync(join(root, "tests/files/expected.txt"), "utf8").split("\n");
 
-/** Every file that opens, with what must be said of it. */
-export const opens: readonly Expected[] = rows.flatMap((row) => {
-  const found = /^good\/(.+)\.bvh: (\d+) frames(?:, (.+))?$/.exec(row);
-  if (!found?.[1]) return [];
-  return [{ name: found[1], frames: Number(found[2]), notices: found[3]?.split(", ") ?? [] }];
+/** Valid files with their expected properties. */
+export const validFiles: readonly ValidFile[] = rows.flatMap((row) => {
+  const match = /^good\/(.+)\.bvh: (\d+) frames(?:, (.+))?$/.exec(row);
+  if (!match?.[1]) return [];
+  return [{ name: match[1], frames: Number(match[2]), notices: match[3]?.split(", ") ?? [] }];
 });
 
-/** Every file that is refused, with why. */
-export const refused: readonly Refused[] = rows.flatMap((row) => {
-  const found = /^bad\/(.+)\.bvh:(?:(\d+):(\d+):)? error: (.+)$/.exec(row);
-  if (!found?.[1] || !found[4]) return [];
-  const refusal: Refused = { name: found[1], message: found[4] };
-  if (found[2]) refusal.place = `line ${found[2]}, column ${found[3]}`;
-  return [refusal];
+/** Invalid files with their expected errors. */
+export const invalidFiles: readonly InvalidFile[] = rows.flatMap((row) => {
+  const match = /^bad\/(.+)\.bvh:(?:(\d+):(\d+):)? error: (.+)$/.exec(row);
+  if (!match?.[1] || !match[4]) return [];
+  const invalid: InvalidFile = { name: match[1], message: match[4] };
+  if (match[2]) invalid.location = `line ${match[2]}, column ${match[3]}`;
+  return [invalid];
 });
 
 const corpus = process.env.PLANTIGRADE_CORPUS ?? join(root, "../shared/corpus");
 
-/** A recorded clip; undefined where this machine has none. */
+/** Returns the path of a recorded clip, or undefined if it is not available. */
 export function recorded(path: string): string | undefined {
   const file = join(corpus, path);
   return existsSync(file) ? file : undefined;

@@ -3,23 +3,23 @@ import { clip, file, good, type Payload, sample } from "./clips";
 
 const truth = (name: string) => clip(`samples/${name}.json`);
 
-/** Drops labels beside the clip that is open. */
+/** Compares the open clip with labels. */
 async function compare(app: App, labels: Payload) {
   await app.drop(labels);
   await expect(app.page.getByRole("tabpanel", { name: "Score" })).toContainText(labels.name);
 }
 
-/** A number of the table of agreement, in percent. */
+/** Returns a cell of the agreement table, in percent. */
 async function agreement(app: App, within: string, column = 0): Promise<number> {
   const row = app.panel.getByRole("row", { name: new RegExp(`^${within} s`) });
   return Number(await row.getByRole("cell").nth(column).innerText());
 }
 
 for (const name of ["bowling", "curved-walk", "ballet"]) {
-  test(`${name} agrees with its truth, dropped together with it`, async ({ app, page }) => {
-    await app.empty();
+  test(`${name} agrees with ground truth that is dropped with it`, async ({ app, page }) => {
+    await app.openStartPage();
     await app.drop(truth(name), sample(name));
-    await app.opened(`${name}.bvh`);
+    await app.waitForClip(`${name}.bvh`);
     await expect(page.getByRole("tabpanel", { name: "Score" })).toContainText(`${name}.json`);
     for (const part of ["Contact", "Toe", "Heel"]) {
       await app.panel.getByRole("button", { name: part, exact: true }).click();
@@ -30,30 +30,27 @@ for (const name of ["bowling", "curved-walk", "ballet"]) {
   });
 }
 
-test("a sample can be compared with its truth, and the comparison removed", async ({
-  app,
-  page,
-}) => {
-  await app.sample("foot-drag-walk");
+test("compares a sample with ground truth and removes the comparison", async ({ app, page }) => {
+  await app.openSample("foot-drag-walk");
   await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
   await app.tab("Labels");
-  const lanes = await app.tracks.screenshot();
-  await app.panel.getByRole("button", { name: "Compare with the truth" }).click();
+  const tracks = await app.tracks.screenshot();
+  await app.panel.getByRole("button", { name: "Compare with ground truth" }).click();
   await expect(page.getByRole("tabpanel", { name: "Score" })).toContainText("foot-drag-walk truth");
-  expect(await app.tracks.screenshot()).not.toEqual(lanes);
+  expect(await app.tracks.screenshot()).not.toEqual(tracks);
   await app.panel.getByRole("button", { name: "Remove" }).click();
   await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
-  await expect.poll(() => app.tracks.screenshot()).toEqual(lanes);
+  await expect.poll(() => app.tracks.screenshot()).toEqual(tracks);
 });
 
-test("N and the list go from difference to difference", async ({ app, page }) => {
-  await app.sample("bowling");
+test("goes to differences by key and from the list", async ({ app, page }) => {
+  await app.openSample("bowling");
   await compare(app, truth("bowling"));
   await app.tab("Detect");
-  // Thresholds leave something to disagree about.
+  // The threshold method differs from the ground truth.
   await page.getByRole("combobox", { name: "Method" }).selectOption("speed");
   await app.tab("Score");
-  // Rows out of sight do not exist.
+  // The list renders visible rows only.
   await app.panel.evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
   const items = app.panel.getByRole("listitem").getByRole("button");
   await expect.poll(() => items.count()).toBeGreaterThan(2);
@@ -72,8 +69,8 @@ test("N and the list go from difference to difference", async ({ app, page }) =>
   await expect(app.dialog).toContainText("Next difference");
 });
 
-test("the score follows the method and its settings", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("updates the score when the method changes", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   await compare(app, truth("limp-to-run"));
   const robust = await agreement(app, "0.0");
   await app.tab("Detect");
@@ -87,8 +84,8 @@ for (const [button, ending] of [
   ["Labels", "JSON"],
   ["Every frame", "CSV"],
 ] as const) {
-  test(`labels saved as ${ending} agree with themselves`, async ({ app }) => {
-    await app.sample("frog-jumps");
+  test(`labels saved as ${ending} agree with the detection`, async ({ app }) => {
+    await app.openSample("frog-jumps");
     const saved = await app.save(button);
     await app.drop(file(saved.name, saved.text));
     await app.tab("Score");
@@ -98,17 +95,17 @@ for (const [button, ending] of [
   });
 }
 
-test("a truth file may leave frames open", async ({ app }) => {
-  await app.with(good("plain"));
+test("accepts a reference with unknown frames", async ({ app }) => {
+  await app.openFile(good("plain"));
   const [left, right] = [Array(12).fill(1), Array(12).fill(-1)];
-  await app.drop(file("mine.json", JSON.stringify({ fps: 30, left, right })));
+  await app.drop(file("partial.json", JSON.stringify({ fps: 30, left, right })));
   await app.tab("Score");
-  await expect(app.panel).toContainText("mine.json");
+  await expect(app.panel).toContainText("partial.json");
   await expect(app.alert).toBeHidden();
 });
 
-test("labels of another clip are refused in words", async ({ app, page }) => {
-  await app.sample("bowling");
+test("rejects labels of another clip", async ({ app, page }) => {
+  await app.openSample("bowling");
   await app.drop(truth("ballet"));
   await expect(app.alert.getByRole("heading")).toHaveText("ballet.json could not be opened");
   await expect(app.alert).toContainText("298");
@@ -116,23 +113,23 @@ test("labels of another clip are refused in words", async ({ app, page }) => {
   await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
 });
 
-test("what is no labels is refused in words", async ({ app }) => {
-  await app.sample("bowling");
+test("rejects a file without labels", async ({ app }) => {
+  await app.openSample("bowling");
   await app.drop(file("shopping.csv", "milk,bread\n1,2\n"));
   await expect(app.alert.getByRole("heading")).toHaveText("shopping.csv could not be opened");
   await expect(app.alert).toContainText("bowling.bvh is still open");
 });
 
-test("labels without a clip ask for one", async ({ app }) => {
-  await app.empty();
+test("rejects labels if no clip is open", async ({ app }) => {
+  await app.openStartPage();
   await app.drop(truth("ballet"));
   await expect(app.alert).toContainText("Open the clip first, or drop both together");
 });
 
-test("the comparison ends with the clip", async ({ app, page }) => {
-  await app.sample("bowling");
+test("removes the comparison when another clip is opened", async ({ app, page }) => {
+  await app.openSample("bowling");
   await compare(app, truth("bowling"));
   await app.drop(good("plain"));
-  await app.opened("plain.bvh");
+  await app.waitForClip("plain.bvh");
   await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
 });

@@ -3,8 +3,8 @@ import { readLabels, readTable } from "./labels";
 
 const both = async (app: App) => [await app.result("Left"), await app.result("Right")];
 
-test("the sensitivity changes the result, and the labels follow", async ({ app, page }) => {
-  await app.sample("drunken-stagger");
+test("updates result and labels when the sensitivity changes", async ({ app, page }) => {
+  await app.openSample("drunken-stagger");
   const r = page.getByRole("slider", { name: "Sensitivity r" });
   const before = await both(app);
   const labels = readLabels(await app.save("Labels"));
@@ -21,25 +21,25 @@ test("the sensitivity changes the result, and the labels follow", async ({ app, 
   await expect.poll(() => both(app)).toEqual(before);
 });
 
-test("a greater sensitivity plants the feet longer", async ({ app, page }) => {
-  await app.sample("drunken-stagger");
-  const planted = async () => (await both(app)).reduce((sum, { share }) => sum + share, 0);
-  const usual = await planted();
+test("a higher sensitivity increases the planted fraction", async ({ app, page }) => {
+  await app.openSample("drunken-stagger");
+  const planted = async () => (await both(app)).reduce((sum, { percent }) => sum + percent, 0);
+  const initial = await planted();
   await page.getByRole("slider", { name: "Sensitivity r" }).fill("0");
-  await expect.poll(planted).toBeLessThan(usual);
+  await expect.poll(planted).toBeLessThan(initial);
   await page.getByRole("slider", { name: "Sensitivity r" }).fill("1");
-  await expect.poll(planted).toBeGreaterThan(usual);
+  await expect.poll(planted).toBeGreaterThan(initial);
 });
 
-test("the window changes, is said in words and goes with the labels", async ({ app, page }) => {
-  await app.sample("drunken-stagger");
+test("shows the window length and saves it with the labels", async ({ app, page }) => {
+  await app.openSample("drunken-stagger");
   const w = page.getByRole("slider", { name: "Window w" });
-  for (const [value, words] of [
+  for (const [value, text] of [
     ["4", "± 4 frames"],
     ["0", "1 frame"],
   ] as const) {
     await w.fill(value);
-    await expect(app.panel.getByText(words, { exact: true })).toBeVisible();
+    await expect(app.panel.getByText(text, { exact: true })).toBeVisible();
     await expect
       .poll(async () => readLabels(await app.save("Labels")).method.w)
       .toBe(Number(value));
@@ -47,16 +47,16 @@ test("the window changes, is said in words and goes with the labels", async ({ a
   }
 });
 
-test("the paper's method labels toes only, and says so", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("the paper method labels toes only", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   const contact = await both(app);
-  const lanes = await app.tracks.screenshot();
+  const tracks = await app.tracks.screenshot();
   await page.getByRole("combobox", { name: "Method" }).selectOption("paper");
   await expect(app.panel.locator("#method-line")).toContainText(/toes/i);
   await expect.poll(() => both(app)).not.toEqual(contact);
-  expect(await app.tracks.screenshot()).not.toEqual(lanes);
-  const { head, rows } = readTable(await app.save("Every frame"));
-  expect(head).toBe("frame,time,left_toe,right_toe");
+  expect(await app.tracks.screenshot()).not.toEqual(tracks);
+  const { header, rows } = readTable(await app.save("Every frame"));
+  expect(header).toBe("frame,time,left_toe,right_toe");
   expect(rows).toHaveLength(744);
   const labels = readLabels(await app.save("Labels"));
   expect(labels.method.name).toBe("paper");

@@ -1,4 +1,4 @@
-/** The way most people take, in Firefox as it is installed: nothing of it is made for tests. */
+/** The main workflow in an installed Firefox without test instrumentation. */
 
 import { existsSync, writeFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
@@ -17,36 +17,36 @@ const installed =
   process.env.FIREFOX_PATH ??
   folders.flatMap((folder) => names.map((name) => join(folder, name))).find(existsSync);
 
-test.skip(!installed, "Firefox is not installed; FIREFOX_PATH says where, if it is elsewhere.");
+test.skip(!installed, "Firefox was not found. Set FIREFOX_PATH to its path.");
 
-/** What is saved stays in the page: where downloads go is the browser's business. */
+/** Content of the last download, captured in the page. */
 declare global {
   var saved: Promise<string> | undefined;
 }
 
-interface There {
+interface Visit {
   page: Page;
   requests: string[];
-  complaints: string[];
+  problems: string[];
 }
 
-/** Opens an address in a browser of its own. */
-async function visit(address: string, act: (there: There) => Promise<void>): Promise<void> {
+/** Opens a URL in a new browser and runs an action there. */
+async function visit(url: string, action: (visit: Visit) => Promise<void>): Promise<void> {
   const browser = await puppeteer.launch({
     browser: "firefox",
     executablePath: installed ?? "",
-    // Only with a display Firefox draws in 3D without a graphics card.
+    // Headless Firefox has no WebGL without a graphics card.
     headless: !process.env.DISPLAY,
     extraPrefsFirefox: { "webgl.force-enabled": true, "ui.prefersReducedMotion": 1 },
   });
   try {
     const page = await browser.newPage();
     await page.setViewport({ width: 1440, height: 900 });
-    const there: There = { page, requests: [], complaints: [] };
-    page.on("request", (request) => there.requests.push(request.url()));
-    page.on("pageerror", (error) => there.complaints.push(String(error)));
+    const current: Visit = { page, requests: [], problems: [] };
+    page.on("request", (request) => current.requests.push(request.url()));
+    page.on("pageerror", (error) => current.problems.push(String(error)));
     page.on("console", (message) => {
-      if (message.type() === "error") there.complaints.push(message.text());
+      if (message.type() === "error") current.problems.push(message.text());
     });
     await page.evaluateOnNewDocument(() => {
       const create = URL.createObjectURL.bind(URL);
@@ -59,22 +59,21 @@ async function visit(address: string, act: (there: There) => Promise<void>): Pro
       try {
         localStorage.setItem("plantigrade:tour", "done");
       } catch {
-        // A page without an address keeps nothing.
+        // Pages without an origin have no storage.
       }
     });
-    await page.goto(address);
-    await act(there);
-    // Without WebGL the page says so itself, and so does three.js.
-    const others = there.complaints.filter((complaint) => !/WebGL/.test(complaint));
-    expect(others).toEqual([]);
+    await page.goto(url);
+    await action(current);
+    // The page and three.js report missing WebGL.
+    expect(current.problems.filter((problem) => !/WebGL/.test(problem))).toEqual([]);
   } finally {
     await browser.close();
   }
 }
 
-/** Clicks on what is called so. */
+/** Clicks the first control whose name starts with `name`. */
 async function click(page: Page, role: "button" | "tab", name: string) {
-  const found = await page.evaluateHandle(
+  const element = await page.evaluateHandle(
     (selector, name) =>
       [...document.querySelectorAll<HTMLElement>(selector)].find((element) =>
         (element.getAttribute("aria-label") ?? element.textContent ?? "").trim().startsWith(name),
@@ -82,7 +81,7 @@ async function click(page: Page, role: "button" | "tab", name: string) {
     role === "tab" ? "[role=tab]" : "button:not([role=tab])",
     name,
   );
-  await (found.asElement() as ElementHandle<Element>).click();
+  await (element.asElement() as ElementHandle<Element>).click();
 }
 
 async function opened(page: Page, name: string) {
@@ -96,23 +95,23 @@ async function opened(page: Page, name: string) {
 const playhead = (page: Page) =>
   page.$eval("[role=slider][aria-label=Playhead]", (slider) => ({
     frame: Number(slider.getAttribute("aria-valuenow")),
-    says: slider.getAttribute("aria-valuetext") ?? "",
+    text: slider.getAttribute("aria-valuetext") ?? "",
   }));
 
-async function chord(page: Page, held: KeyInput, key: KeyInput) {
-  await page.keyboard.down(held);
+async function pressWith(page: Page, modifier: KeyInput, key: KeyInput) {
+  await page.keyboard.down(modifier);
   await page.keyboard.press(key);
-  await page.keyboard.up(held);
+  await page.keyboard.up(modifier);
 }
 
-/** Puts the playhead where the first plant begins or ends after the first frame. */
+/** Moves the playhead to the first plant edge after the first frame. */
 async function toFirstEdge(page: Page) {
   await page.keyboard.press("Home");
   expect((await playhead(page)).frame).toBe(0);
-  await chord(page, "Shift", "ArrowRight");
+  await pressWith(page, "Shift", "ArrowRight");
 }
 
-/** The labels as they are saved. */
+/** Returns the saved labels. */
 async function labels(page: Page): Promise<string> {
   await click(page, "tab", "Labels");
   if (!(await page.$("[role=tabpanel] [aria-expanded=true]"))) await click(page, "button", "Save");
@@ -124,9 +123,9 @@ async function labels(page: Page): Promise<string> {
   return page.evaluate(async () => (await globalThis.saved) ?? "");
 }
 
-test("a file is opened, labelled, looked through, corrected and saved", async ({ app }) => {
+test("opens, labels, plays, edits and saves a clip", async ({ app }) => {
   test.slow();
-  await app.sample("bowling");
+  await app.openSample("bowling");
   const expected = (await app.save("Labels")).text;
   await visit(app.site.home, async ({ page, requests }) => {
     await page.waitForSelector("[data-state=empty]");
@@ -136,12 +135,12 @@ test("a file is opened, labelled, looked through, corrected and saved", async ({
     const before = requests.length;
     expect(JSON.parse(await labels(page))).toEqual(JSON.parse(expected));
 
-    // From plant to plant by the keyboard, and through time.
+    // Steps to a plant edge by key, and plays.
     await page.locator("canvas").click();
     await toFirstEdge(page);
     const edge = await playhead(page);
     expect(edge.frame).toBeGreaterThan(0);
-    expect(edge.says).toMatch(/planted/);
+    expect(edge.text).toMatch(/planted/);
     await page.keyboard.press("Home");
     await page.keyboard.press(" ");
     await page.waitForFunction(
@@ -153,14 +152,14 @@ test("a file is opened, labelled, looked through, corrected and saved", async ({
     );
     await page.keyboard.press(" ");
 
-    // A plant is deleted and brought back.
+    // Deletes a plant and undoes that.
     await toFirstEdge(page);
     await page.keyboard.press("e");
     await page.keyboard.press("Delete");
     expect(await labels(page)).not.toBe(expected);
-    await chord(page, "Control", "z");
+    await pressWith(page, "Control", "z");
     expect(JSON.parse(await labels(page))).toEqual(JSON.parse(expected));
-    for (const tab of ["Segment", "Clip", "Detect", "Why"]) {
+    for (const tab of ["Segment", "Clip", "Detect", "Evidence"]) {
       await click(page, "tab", tab);
       await page.waitForSelector(`[role=tabpanel]`);
     }
@@ -169,12 +168,12 @@ test("a file is opened, labelled, looked through, corrected and saved", async ({
   });
 });
 
-test("a page in one file opens from disk, with no request at all", async ({ app }, info) => {
+test("opens a single-file page from disk without requests", async ({ app }, info) => {
   test.slow();
-  await app.sample("bowling");
+  await app.openSample("bowling");
   const expected = (await app.save("Labels")).text;
   const file = info.outputPath("shared.html");
-  writeFileSync(file, (await app.sharePage()).bytes);
+  writeFileSync(file, (await app.savePage()).bytes);
   await visit(pathToFileURL(file).href, async ({ page, requests }) => {
     await opened(page, "bowling.bvh");
     expect(await labels(page)).toBe(expected);

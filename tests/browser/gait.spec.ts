@@ -1,9 +1,9 @@
-/** How a person walks, in the Clip tab. */
+/** Gait measures in the Clip tab. */
 
 import { expect, test } from "./app";
 
-test("a walk has its cadence, times and lengths, left beside right", async ({ app }) => {
-  await app.sample("curved-walk");
+test("measures cadence, times and lengths of a walk", async ({ app }) => {
+  await app.openSample("curved-walk");
   await app.tab("Clip");
   const table = app.panel.getByRole("table", { name: "Gait" });
   await expect(table.getByRole("row", { name: /^Step length/ })).toHaveText(
@@ -12,29 +12,29 @@ test("a walk has its cadence, times and lengths, left beside right", async ({ ap
   await expect(table.getByRole("row", { name: /^Step width/ })).toHaveText(/1\d cm\s*1\d cm/);
   const cadence = Number.parseFloat(await app.fact("Cadence").innerText());
   expect(Math.abs(cadence - 112)).toBeLessThan(4);
-  await expect(app.fact("Both feet down")).toContainText("% of a stride");
+  await expect(app.fact("Double support")).toContainText("% of a stride");
 });
 
-test("a limp leans to one side, and a run has flight", async ({ app }) => {
-  await app.sample("limp-to-run");
+test("measures asymmetry of a limp and flight of a run", async ({ app }) => {
+  await app.openSample("limp-to-run");
   await app.tab("Clip");
-  await expect(app.fact("Stance, right to left")).toHaveText(/^\d+ % more$/);
-  await expect(app.fact("No foot down")).toContainText("% of a stride");
+  await expect(app.fact("Stance, right vs. left")).toHaveText(/^\d+ % longer$/);
+  await expect(app.fact("Flight")).toContainText("% of a stride");
 });
 
-test("edits change the measures, and jumps have none", async ({ app, page }) => {
-  await app.sample("curved-walk");
+test("updates gait measures after edits and shows none for jumps", async ({ app, page }) => {
+  await app.openSample("curved-walk");
   await app.tab("Clip");
   const stance = app.panel.getByRole("row", { name: /^Stance/ });
   const before = await stance.innerText();
-  // The first plant of the right foot, which is a whole one.
+  // The first complete plant of the right foot.
   for (let i = 0; i < 90; i++) await page.keyboard.press("ArrowRight");
   await page.keyboard.press("e");
   for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowRight");
   await page.keyboard.press("o");
   await expect(stance).not.toHaveText(before);
-  await app.sample("frog-jumps");
+  await app.openSample("frog-jumps");
   await app.tab("Clip");
-  await expect(app.panel.getByRole("heading", { name: "Joints of the feet" })).toBeVisible();
+  await expect(app.panel.getByRole("heading", { name: "Foot joints" })).toBeVisible();
   await expect(app.panel.getByRole("heading", { name: "Gait" })).toBeHidden();
 });

@@ -1,6 +1,6 @@
-/** Reads what the app saves. */
+/** Parses files that the app saves. */
 
-import type { Saved } from "./app";
+import type { SavedFile } from "./app";
 
 export interface Span {
   start: number;
@@ -24,20 +24,20 @@ export interface Labels {
   right: Foot;
 }
 
-export const readLabels = ({ text }: Saved): Labels => JSON.parse(text);
+export const readLabels = ({ text }: SavedFile): Labels => JSON.parse(text);
 
 export interface Table {
-  head: string;
+  header: string;
   rows: Record<string, string>[];
 }
 
-/** Rows by the names of their columns; none of our tables quotes a field here. */
-export function readTable({ text }: Saved): Table {
-  const [head = "", ...lines] = text.trimEnd().split("\n");
-  const names = head.split(",");
+/** Parses a CSV table without quoted fields. */
+export function readTable({ text }: SavedFile): Table {
+  const [header = "", ...lines] = text.trimEnd().split("\n");
+  const names = header.split(",");
   const rows = lines.map((line) => {
     const cells = line.split(",");
     return Object.fromEntries(names.map((name, i) => [name, cells[i] ?? ""]));
   });
-  return { head, rows };
+  return { header, rows };
 }

@@ -2,8 +2,8 @@ import { expect, test } from "./app";
 import { repeated, sample } from "./clips";
 import { readTable } from "./labels";
 
-test("all sixteen methods are offered and label a clip", async ({ app, page }) => {
-  await app.sample("curved-walk");
+test("offers sixteen methods that label a clip", async ({ app, page }) => {
+  await app.openSample("curved-walk");
   const menu = page.getByRole("combobox", { name: "Method" });
   await expect(menu).toHaveValue("robust");
   const names = await menu
@@ -14,15 +14,15 @@ test("all sixteen methods are offered and label a clip", async ({ app, page }) =
   const lines = new Set<string>();
   for (const name of names) {
     await menu.selectOption(name);
-    await expect(app.timeline.locator(".why")).toBeHidden();
+    await expect(app.timeline.locator(".timeline-message")).toBeHidden();
     lines.add(await page.locator("#method-line").innerText());
     expect((await app.result("Left")).plants, name).toBeGreaterThan(0);
   }
   expect(lines.size).toBe(16);
 });
 
-test("thresholds can be set where a method has them", async ({ app, page }) => {
-  await app.sample("drunken-stagger");
+test("shows threshold sliders for methods with thresholds", async ({ app, page }) => {
+  await app.openSample("drunken-stagger");
   const menu = page.getByRole("combobox", { name: "Method" });
   const slider = (name: string) => page.getByRole("slider", { name, exact: true });
   for (const [method, height, speed] of [
@@ -39,31 +39,28 @@ test("thresholds can be set where a method has them", async ({ app, page }) => {
   }
   await menu.selectOption("dual");
   await expect.poll(() => app.result("Left")).toMatchObject({ plants: expect.any(Number) });
-  const before = (await app.result("Left")).share;
+  const before = (await app.result("Left")).percent;
   await slider("Speed").fill("3");
   await slider("Height").fill("0.3");
-  await expect.poll(async () => (await app.result("Left")).share).toBeGreaterThan(before);
+  await expect.poll(async () => (await app.result("Left")).percent).toBeGreaterThan(before);
   await app.panel.getByRole("button", { name: "Reset speed" }).click();
   await app.panel.getByRole("button", { name: "Reset height" }).click();
-  await expect.poll(async () => (await app.result("Left")).share).toBe(before);
+  await expect.poll(async () => (await app.result("Left")).percent).toBe(before);
 });
 
-test("a method that takes long can be cancelled, and the labels before stay", async ({
-  app,
-  page,
-}) => {
-  await app.with(repeated(sample("limp-to-run"), 14));
+test("cancels a slow detection and keeps the previous labels", async ({ app, page }) => {
+  await app.openFile(repeated(sample("limp-to-run"), 14));
   const before = await app.result("Left");
   const menu = page.getByRole("combobox", { name: "Method" });
   await menu.selectOption("njw");
-  const bar = page.getByRole("progressbar", { name: /^Finding plants/ });
+  const bar = page.getByRole("progressbar", { name: /^Detecting plants/ });
   await expect(bar).toBeVisible();
-  await expect(app.panel.locator(".result")).toHaveCSS("opacity", "0.5");
+  await expect(app.panel.locator(".detect-result")).toHaveCSS("opacity", "0.5");
   await page.getByRole("button", { name: "Cancel" }).click();
   await expect(bar).toBeHidden();
   await expect(menu).toHaveValue("robust");
   expect(await app.result("Left")).toEqual(before);
-  // Whoever wants something else after a while need not cancel first.
+  // A slow detection is also stopped by the next request.
   await menu.selectOption("njw");
   await expect(bar).toBeVisible();
   // A detection that has run for two seconds is stopped by the next request.
@@ -72,31 +69,28 @@ test("a method that takes long can be cancelled, and the labels before stay", as
   await menu.selectOption("paper");
   await expect(bar).toBeHidden();
   await expect(app.head.getByRole("alert")).toBeHidden();
-  expect(readTable(await app.save("Every frame")).head).toBe("frame,time,left_toe,right_toe");
+  expect(readTable(await app.save("Every frame")).header).toBe("frame,time,left_toe,right_toe");
 });
 
-test("a method that labels contact alone has its lanes, pills and tables", async ({
-  app,
-  page,
-}) => {
-  await app.sample("limp-to-run");
+test("shows a method that labels contact only", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   await page.getByRole("combobox", { name: "Method" }).selectOption("min-speed");
-  const { head, rows } = readTable(await app.save("Every frame"));
-  expect(head).toBe("frame,time,left_contact,right_contact");
+  const { header, rows } = readTable(await app.save("Every frame"));
+  expect(header).toBe("frame,time,left_contact,right_contact");
   const planted = rows.findIndex((row) => row.left_contact === "1");
   for (let i = 0; i < planted; i++) await page.keyboard.press("ArrowRight");
   await expect(app.view.getByText(/^Left planted/)).toBeVisible();
   expect(await app.panel.getByRole("listitem").count()).toBeGreaterThan(3);
 });
 
-test("every plant of the list says how sure it is, and doubt is named", async ({ app, page }) => {
-  await app.sample("foot-drag-walk");
+test("lists the confidence of every plant and marks uncertain ones", async ({ app, page }) => {
+  await app.openSample("foot-drag-walk");
   await page.getByRole("combobox", { name: "Method" }).selectOption("gmm");
   await app.tab("Labels");
   const plants = app.panel.getByRole("listitem").getByRole("button");
   await expect.poll(() => plants.filter({ hasText: "uncertain" }).count()).toBeGreaterThan(0);
   for (const plant of await plants.all()) {
-    const percent = Number((await plant.locator(".sure").textContent())?.match(/^\d+/)?.[0]);
+    const percent = Number((await plant.locator(".confidence").textContent())?.match(/^\d+/)?.[0]);
     await expect(plant).toContainText(percent < 95 ? "uncertain" : "%");
     if (percent >= 95) await expect(plant).not.toContainText("uncertain");
   }

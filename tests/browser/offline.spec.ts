@@ -7,8 +7,8 @@ import { serve } from "./serve";
 
 test.use({ serviceWorkers: "allow" });
 
-/** Waits until the site is kept, and the page is served from what is kept. */
-const kept = (page: Page) =>
+/** Waits until the site is cached and the service worker controls the page. */
+const waitForCache = (page: Page) =>
   page.evaluate(async () => {
     await navigator.serviceWorker.ready;
     const { serviceWorker } = navigator;
@@ -18,65 +18,59 @@ const kept = (page: Page) =>
     if (!serviceWorker.controller) await controlled;
   });
 
-test("after one visit the app opens, labels and shares without a network", async ({
-  page,
-  context,
-}) => {
+test("works offline after the first visit", async ({ page, context }) => {
   const site = await serve();
   const app = new App(page, site);
-  // The newest page is asked for before the one that is kept is taken.
-  app.provokes(/ERR_INTERNET_DISCONNECTED|ERR_CONNECTION_REFUSED/);
-  await app.empty();
-  await kept(page);
+  // The service worker requests the page before it falls back to the cache.
+  app.expectProblem(/ERR_INTERNET_DISCONNECTED|ERR_CONNECTION_REFUSED/);
+  await app.openStartPage();
+  await waitForCache(page);
   await context.setOffline(true);
   await site.close();
   await page.reload();
   await expect(app.state).toHaveAttribute("data-state", "empty");
   await page.getByRole("button", { name: "Frog jumps", exact: true }).click();
-  await app.opened("frog-jumps.bvh");
+  await app.waitForClip("frog-jumps.bvh");
   await app.drop(sample("bowling"));
-  await app.opened("bowling.bvh");
+  await app.waitForClip("bowling.bvh");
   expect((await app.result("Left")).plants).toBeGreaterThan(2);
-  expect((await app.sharePage()).name).toBe("bowling.html");
+  expect((await app.savePage()).name).toBe("bowling.html");
   await app.drop(sample("ballet"), sample("skipping"));
-  await expect(page.getByText(/^All labelled/)).toBeVisible();
-  expect(app.complaints()).toEqual([]);
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  expect(app.unexpectedProblems()).toEqual([]);
 });
 
-test("a new version comes with the next load, and what is open goes on", async ({
-  page,
-  context,
-}, info) => {
+test("loads a new version without interrupting open pages", async ({ page, context }, info) => {
   const folder = info.outputPath("site");
   cpSync(join(root, "web/dist"), folder, { recursive: true });
   const site = await serve(folder);
   const old = new App(page, site);
-  await old.empty();
-  await kept(page);
+  await old.openStartPage();
+  await waitForCache(page);
   await old.drop(sample("bowling"));
-  await old.opened("bowling.bvh");
+  await old.waitForClip("bowling.bvh");
 
-  publishAnother(folder);
+  publishNewVersion(folder);
   const next = new App(await context.newPage(), site);
-  await next.empty();
+  await next.openStartPage();
   const script = next.page.locator("script[type=module]");
   await expect(script).toHaveAttribute("src", /index-newer\.js$/);
-  await expect(old.remark).toContainText("A new version is ready");
-  await expect(next.remark).toHaveCount(0);
+  await expect(old.toast).toContainText("A new version is available");
+  await expect(next.toast).toHaveCount(0);
 
-  // Workers that the old page has not started yet are still to be had.
+  // The old page can still start workers of its own version.
   await old.drop(sample("ballet"), sample("skipping"));
-  await expect(page.getByText(/^All labelled/)).toBeVisible();
-  await old.remark.getByRole("button", { name: "Reload" }).click();
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  await old.toast.getByRole("button", { name: "Reload" }).click();
   await expect(page.locator("script[type=module]")).toHaveAttribute("src", /index-newer\.js$/);
-  expect(old.complaints()).toEqual([]);
-  expect(next.complaints()).toEqual([]);
+  expect(old.unexpectedProblems()).toEqual([]);
+  expect(next.unexpectedProblems()).toEqual([]);
   await context.close();
   await site.close();
 });
 
-/** Puts a build in place of another: its files have other names, and those before are gone. */
-function publishAnother(folder: string) {
+/** Replaces a build by one whose files have other names. */
+function publishNewVersion(folder: string) {
   const assets = join(folder, "assets");
   for (const [kind, ending] of [
     ["index", "js"],
@@ -95,7 +89,7 @@ function publishAnother(folder: string) {
     }
   }
   const sw = join(folder, "sw.js");
-  // The page has changed with its script's name.
+  // The name of the script has changed, and with it the page.
   const html = /(url:"index\.html",revision:")[^"]*|(revision:")[^"]*(",url:"index\.html)/;
   const text = readFileSync(sw, "utf8");
   writeFileSync(
@@ -104,7 +98,7 @@ function publishAnother(folder: string) {
   );
 }
 
-test("the app can be installed", async ({ page, site }) => {
+test("provides a valid web app manifest", async ({ page, site }) => {
   await page.goto(site.home);
   const href = await page.locator("link[rel=manifest]").getAttribute("href");
   const address = new URL(href ?? "", site.home);

@@ -4,43 +4,46 @@ import { readLabels } from "./labels";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-/** Nothing sticks out at the side. */
-async function expectNoSideways(app: App) {
-  const [inner, wide] = await app.page.evaluate(() => [
+/** Fails if the page scrolls horizontally. */
+async function expectNoHorizontalScroll(app: App) {
+  const [clientWidth, scrollWidth] = await app.page.evaluate(() => [
     document.documentElement.clientWidth,
     document.documentElement.scrollWidth,
   ]);
-  expect(wide).toBe(inner);
+  expect(scrollWidth).toBe(clientWidth);
 }
 
-test("a tap on a sample opens it on a phone", async ({ app, page }) => {
-  await app.empty();
+test("opens a sample by tap", async ({ app, page }) => {
+  await app.openStartPage();
   await expect(page.getByRole("button", { name: "Open a file" })).toBeInViewport();
-  await expectNoSideways(app);
+  await expectNoHorizontalScroll(app);
   await page.getByRole("button", { name: "Frog jumps", exact: true }).tap();
-  await app.opened("frog-jumps.bvh");
-  await expectNoSideways(app);
+  await app.waitForClip("frog-jumps.bvh");
+  await expectNoHorizontalScroll(app);
   await expect(app.playhead).toBeInViewport();
   await expect(app.timeline.getByRole("button", { name: "Play" })).toBeInViewport({ ratio: 1 });
 });
 
-test("the frame and their number are whole on a phone", async ({ app, page }) => {
-  await app.with(repeated(sample("frog-jumps"), 10));
+test("shows the frame count without clipping", async ({ app, page }) => {
+  await app.openFile(repeated(sample("frog-jumps"), 10));
   await page.keyboard.press("End");
   const frames = page.locator(".frame-count");
   await expect(frames).toContainText(/4.999 \/ 5.000/);
-  const [inner = 0, wide = 1] = await frames.evaluate((it) => [it.clientWidth, it.scrollWidth]);
-  expect(wide).toBeLessThanOrEqual(inner);
+  const [clientWidth = 0, scrollWidth = 1] = await frames.evaluate((element) => [
+    element.clientWidth,
+    element.scrollWidth,
+  ]);
+  expect(scrollWidth).toBeLessThanOrEqual(clientWidth);
 });
 
-test("the panel rises and sinks on a phone", async ({ app, page }) => {
-  await app.sample("frog-jumps");
+test("expands and collapses the panel", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
   const r = page.getByRole("slider", { name: "Sensitivity r" });
   await expect(r).not.toBeInViewport();
-  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await page.getByRole("button", { name: "Expand panel" }).tap();
   await expect(r).toBeInViewport({ ratio: 1 });
-  await expectNoSideways(app);
-  await page.getByRole("button", { name: "Lower the panel" }).tap();
+  await expectNoHorizontalScroll(app);
+  await page.getByRole("button", { name: "Collapse panel" }).tap();
   await expect(r).not.toBeInViewport();
   await page.getByRole("tab", { name: "Labels" }).tap();
   const undo = page.getByRole("button", { name: "Undo" });
@@ -49,9 +52,9 @@ test("the panel rises and sinks on a phone", async ({ app, page }) => {
   await expect(undo).not.toBeInViewport();
 });
 
-test("what a thumb taps is at least 24 pixels high", async ({ app, page }) => {
-  await app.sample("frog-jumps");
-  // The table of plants is for screen readers: there is nothing of it to see.
+test("has touch targets of at least 24 pixels", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
+  // The tables for screen readers are not visible.
   const buttons = await page.locator("button:not(table *):visible").all();
   expect(buttons.length).toBeGreaterThan(10);
   for (const button of buttons) {
@@ -60,7 +63,7 @@ test("what a thumb taps is at least 24 pixels high", async ({ app, page }) => {
   }
 });
 
-/** How high a control is to the touch, which may be more than it looks. */
+/** Returns the height of the area in which a control can be touched, in pixels. */
 function hitHeight(element: Element) {
   const box = element.getBoundingClientRect();
   const x = box.x + box.width / 2;
@@ -71,31 +74,31 @@ function hitHeight(element: Element) {
   return { name: element.getAttribute("aria-label") ?? element.textContent, height };
 }
 
-test("a long clip leaves the buttons of playback their room", async ({ app }) => {
-  await app.with(repeated(sample("curved-walk"), 50));
+test("keeps the size of the playback buttons for a long clip", async ({ app }) => {
+  await app.openFile(repeated(sample("curved-walk"), 50));
   await app.page.keyboard.press("End");
   const box = await app.timeline.getByRole("button", { name: "Play" }).boundingBox();
   expect(box?.width).toBeGreaterThanOrEqual(44);
-  await expectNoSideways(app);
+  await expectNoHorizontalScroll(app);
 });
 
-test("the bars of the timeline can be hit by a thumb", async ({ app, page }) => {
-  await app.sample("frog-jumps");
+test("has timeline bars that are large enough for touch", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
   const labels = readLabels(await app.save("Labels"));
   await page.getByRole("tab", { name: "Labels" }).tap();
   await page.keyboard.press("End");
   const box = await app.tracks.boundingBox();
   if (!box) throw new Error("The timeline has no canvas.");
-  // Down through a column where the toe stands, a tap on its bar goes to the bar's start.
+  // Taps down a column within a toe plant; a tap on its bar goes to the start of the plant.
   const long = labels.left.toe?.toSorted((a, b) => b.end - b.start - (a.end - a.start))[0];
-  if (!long) throw new Error("The left toe never stands.");
+  if (!long) throw new Error("The left toe is never planted.");
   const first = await app.pressRuler(0.5);
   const second = await app.pressRuler(0.75);
   const perFrame = (0.25 * box.width) / (second - first);
   const x = box.x + 0.5 * box.width + ((long.start + long.end) / 2 - first) * perFrame;
   let hit = 0;
   for (let y = 30; y < 200; y += 2) {
-    // In between somewhere else, or two taps would be a double one.
+    // A tap elsewhere in between prevents double taps.
     await page.touchscreen.tap(box.x + 0.5 * box.width, box.y + 12);
     await page.touchscreen.tap(x, box.y + y);
     if ((await app.frame()) === long.start) hit += 2;
@@ -103,52 +106,52 @@ test("the bars of the timeline can be hit by a thumb", async ({ app, page }) => 
   expect(hit).toBeGreaterThanOrEqual(28);
 });
 
-test("pills make room for the raised panel", async ({ app, page }) => {
-  await app.sample("frog-jumps");
+test("hides foot status while the panel is expanded", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
   const pill = app.view.getByText(/^Left (planted|in the air)/);
   await expect(pill).toBeInViewport({ ratio: 1 });
-  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await page.getByRole("button", { name: "Expand panel" }).tap();
   await expect(pill).toBeHidden();
-  await page.getByRole("button", { name: "Lower the panel" }).tap();
+  await page.getByRole("button", { name: "Collapse panel" }).tap();
   await expect(pill).toBeVisible();
 });
 
-test("a short phone still shows a picture worth the name", async ({ app, page }) => {
+test("keeps a usable 3D view on a short screen", async ({ app, page }) => {
   await page.setViewportSize({ width: 375, height: 667 });
-  await app.sample("ballet");
+  await app.openSample("ballet");
   const stage = await app.stage.boundingBox();
   const tools = await app.view.getByRole("button", { name: "Follow" }).boundingBox();
   const pill = await app.view.getByText(/^Left (planted|in the air)/).boundingBox();
   expect((pill?.y ?? 0) - ((tools?.y ?? 0) + (tools?.height ?? 0))).toBeGreaterThan(150);
   expect(stage?.height).toBeGreaterThan(230);
   await expect(app.timeline.getByRole("button", { name: "Play" })).toBeInViewport({ ratio: 1 });
-  await expectNoSideways(app);
+  await expectNoHorizontalScroll(app);
 });
 
-test("a comparison fits the timeline of a short phone", async ({ app, page }) => {
+test("fits a comparison into the timeline of a short screen", async ({ app, page }) => {
   await page.setViewportSize({ width: 375, height: 667 });
-  await app.sample("frog-jumps");
+  await app.openSample("frog-jumps");
   await app.drop(clip("samples/frog-jumps.json"));
   await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
-  const room = app.tracks.locator("xpath=..");
+  const container = app.tracks.locator("xpath=..");
   await expect
     .poll(async () => (await app.tracks.boundingBox())?.height)
-    .toBeLessThanOrEqual((await room.boundingBox())?.height ?? 0);
+    .toBeLessThanOrEqual((await container.boundingBox())?.height ?? 0);
 });
 
-test("a comparison fits a phone", async ({ app, page }) => {
-  await app.sample("frog-jumps");
+test("fits the Score tab", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
   await app.drop(clip("samples/frog-jumps.json"));
-  await page.getByRole("button", { name: "Raise the panel" }).tap();
+  await page.getByRole("button", { name: "Expand panel" }).tap();
   await expect(page.getByRole("tabpanel", { name: "Score" })).toBeVisible();
-  await expectNoSideways(app);
+  await expectNoHorizontalScroll(app);
   const open = page.getByRole("button", { name: "Open", exact: true });
   await expect(open).toBeInViewport({ ratio: 1 });
   await expect(app.panel.getByRole("row", { name: /^0\.3 s/ })).toBeInViewport({ ratio: 1 });
 });
 
-test("a tap loops a segment, and a second one asks for its name", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("loops a segment by tap and renames it by double tap", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   const box = await app.tracks.boundingBox();
   if (!box) throw new Error("The timeline has no canvas.");
   const loop = app.timeline.getByText("Loop segment", { exact: false });
@@ -172,21 +175,21 @@ test("a tap loops a segment, and a second one asks for its name", async ({ app, 
   for (let i = 0; i < 2; i++) await page.touchscreen.tap(box.x + 0.75 * box.width, box.y + at - 8);
   await expect(name).toBeFocused();
   await expect(name).toBeInViewport({ ratio: 1 });
-  await expectNoSideways(app);
+  await expectNoHorizontalScroll(app);
 });
 
-test("all six tabs fit a phone", async ({ app, page }) => {
-  await app.sample("frog-jumps");
+test("fits all six tabs", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
   await app.drop(clip("samples/frog-jumps.json"));
   for (const tab of await page.getByRole("tab").all()) {
     await expect(tab).toBeInViewport({ ratio: 1 });
   }
   await expect(page.getByRole("tab")).toHaveCount(6);
-  await expectNoSideways(app);
+  await expectNoHorizontalScroll(app);
 });
 
-test("the ways to share fit a phone", async ({ app, page }) => {
-  await app.sample("frog-jumps");
+test("fits the share dialog", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
   const share = app.head.getByRole("button", { name: "Share" });
   await expect(share).toBeInViewport({ ratio: 1 });
   await share.tap();
@@ -196,7 +199,7 @@ test("the ways to share fit a phone", async ({ app, page }) => {
     await expect(button).toBeInViewport({ ratio: 1 });
     expect((await button.boundingBox())?.height).toBeGreaterThanOrEqual(44);
   }
-  await expectNoSideways(app);
+  await expectNoHorizontalScroll(app);
   await page.setViewportSize({ width: 375, height: 667 });
   await expect(app.dialog).toBeInViewport({ ratio: 1 });
 });

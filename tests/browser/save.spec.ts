@@ -5,7 +5,7 @@ import { readLabels, readTable, type Span } from "./labels";
 
 test("Ctrl+S saves the labels as JSON", async ({ app, page }) => {
   const file = sample("bowling");
-  await app.with(file);
+  await app.openFile(file);
   const saved = await app.download(() => page.keyboard.press("Control+s"));
   expect(saved.name).toBe("bowling.plants.json");
   const labels = readLabels(saved);
@@ -21,7 +21,7 @@ test("Ctrl+S saves the labels as JSON", async ({ app, page }) => {
   }
 });
 
-/** Spans stand in order, apart, within the clip, and tell the same in frames and seconds. */
+/** Plants are in order, disjoint, within the clip, and consistent in frames and seconds. */
 function expectSpans(
   spans: Span[] | undefined,
   { frames, rate }: { frames: number; rate: number },
@@ -39,12 +39,12 @@ function expectSpans(
   }
 }
 
-test("the table of frames has a row a frame that agrees with the JSON", async ({ app }) => {
-  await app.sample("bowling");
+test("the frame table agrees with the JSON document", async ({ app }) => {
+  await app.openSample("bowling");
   const saved = await app.save("Every frame");
   expect(saved.name).toBe("bowling.frames.csv");
-  const { head, rows } = readTable(saved);
-  expect(head).toBe(
+  const { header, rows } = readTable(saved);
+  expect(header).toBe(
     "frame,time,left_contact,left_heel,left_toe,right_contact,right_heel,right_toe",
   );
   expect(rows.map((row) => Number(row.frame))).toEqual([...Array(316).keys()]);
@@ -61,12 +61,12 @@ test("the table of frames has a row a frame that agrees with the JSON", async ({
   }
 });
 
-test("the table of intervals has a row a plant of each part", async ({ app }) => {
-  await app.sample("bowling");
+test("the interval table lists every plant of every part", async ({ app }) => {
+  await app.openSample("bowling");
   const saved = await app.save("Intervals");
   expect(saved.name).toBe("bowling.intervals.csv");
-  const { head, rows } = readTable(saved);
-  expect(head).toBe("foot,part,start_frame,end_frame,start_s,end_s");
+  const { header, rows } = readTable(saved);
+  expect(header).toBe("foot,part,start_frame,end_frame,start_s,end_s");
   const labels = readLabels(await app.save("Labels"));
   for (const side of ["left", "right"] as const) {
     for (const part of ["contact", "heel", "toe"] as const) {
@@ -78,14 +78,12 @@ test("the table of intervals has a row a plant of each part", async ({ app }) =>
   }
 });
 
-test("the table of gait events has every strike and every lift within the clip", async ({
-  app,
-}) => {
-  await app.sample("curved-walk");
+test("the event table lists every foot strike and foot off", async ({ app }) => {
+  await app.openSample("curved-walk");
   const saved = await app.save("Gait events");
   expect(saved.name).toBe("curved-walk.events.csv");
-  const { head, rows } = readTable(saved);
-  expect(head).toBe("time,frame,context,event");
+  const { header, rows } = readTable(saved);
+  expect(header).toBe("time,frame,context,event");
   const { left, right, frames } = readLabels(await app.save("Labels"));
   const feet = [
     ["Left", left],
@@ -104,8 +102,8 @@ test("the table of gait events has every strike and every lift within the clip",
   expect(times).toEqual([...times].sort((a, b) => a - b));
 });
 
-test("arrays for NumPy come back as labels that agree", async ({ app }) => {
-  await app.sample("curved-walk");
+test("reads back the NumPy arrays as labels", async ({ app }) => {
+  await app.openSample("curved-walk");
   const { name, bytes } = await app.save("Arrays");
   expect(name).toBe("curved-walk.contacts.npz");
   await app.drop({ name, mimeType: "", buffer: Buffer.from(bytes) });
@@ -113,8 +111,8 @@ test("arrays for NumPy come back as labels that agree", async ({ app }) => {
   await expect(app.panel.getByRole("row", { name: /^0.0 s/ })).toContainText("100.0");
 });
 
-test("the script for Blender holds the plants of the clip", async ({ app }) => {
-  await app.sample("curved-walk");
+test("the Blender script contains all plants", async ({ app }) => {
+  await app.openSample("curved-walk");
   const labels = readLabels(await app.save("Labels"));
   const { name, text } = await app.save("Blender");
   expect(name).toBe("curved-walk.blender.py");

@@ -14,15 +14,15 @@ interface SegmentsDocument {
 const read = (text: string): SegmentsDocument => JSON.parse(text);
 
 const menu = (app: App) => app.panel.getByRole("combobox", { name: "Method" });
-const progress = (app: App) => app.page.getByText("Finding segments in");
+const progress = (app: App) => app.page.getByText("Segmenting");
 const name = (app: App, number: number) =>
   app.panel.getByRole("textbox", { name: `Name of segment ${number}`, exact: true });
 
-/** The middle of the bar of a segment on the timeline, by clicking upwards until it is hit. */
-async function barOf(app: App, share: number): Promise<{ x: number; y: number }> {
+/** Returns the middle of the segment bar at a position, found by clicking upwards. */
+async function findSegmentBar(app: App, position: number): Promise<{ x: number; y: number }> {
   const box = await app.tracks.boundingBox();
   if (!box) throw new Error("The timeline has no canvas.");
-  const x = box.x + share * box.width;
+  const x = box.x + position * box.width;
   for (let y = box.y + box.height - 40; y > box.y + 150; y -= 3) {
     await app.page.mouse.click(x, y);
     if (await app.timeline.getByText("Loop segment").isVisible()) return { x, y: y - 8 };
@@ -30,8 +30,8 @@ async function barOf(app: App, share: number): Promise<{ x: number; y: number }>
   throw new Error("No bar of a segment was hit.");
 }
 
-test("segments come with a clip and tile it", async ({ app }) => {
-  await app.sample("limp-to-run");
+test("segments a clip without gaps when it is opened", async ({ app }) => {
+  await app.openSample("limp-to-run");
   const segments = await app.segments();
   expect(segments.length).toBeGreaterThan(1);
   let end = 0;
@@ -44,8 +44,8 @@ test("segments come with a clip and tile it", async ({ app }) => {
   await expect(table.getByRole("row")).toHaveCount(segments.length + 1);
 });
 
-test("all six methods are offered and cut a clip", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("offers six methods that segment a clip", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   await app.tab("Segment");
   await expect(menu(app)).toHaveValue("auto");
   const names = await menu(app)
@@ -63,8 +63,8 @@ test("all six methods are offered and cut a clip", async ({ app, page }) => {
   expect(lines.size).toBe(6);
 });
 
-test("the options that matter to a method are offered", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("shows the options of each method", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   await app.tab("Segment");
   for (const [method, dims, residual, template, published] of [
     ["auto", false, false, false, false],
@@ -74,7 +74,7 @@ test("the options that matter to a method are offered", async ({ app, page }) =>
     ["ppca", false, false, false, true],
   ] as const) {
     await menu(app).selectOption(method);
-    const select = (called: string) => app.panel.getByRole("combobox", { name: called });
+    const select = (label: string) => app.panel.getByRole("combobox", { name: label });
     await expect(select("Dimensions d")).toBeVisible({ visible: dims });
     await expect(select("Residual")).toBeVisible({ visible: residual });
     await expect(select("Template")).toBeVisible({ visible: template });
@@ -85,9 +85,9 @@ test("the options that matter to a method are offered", async ({ app, page }) =>
   await app.pressRuler(0.5);
   const frame = await app.frame();
   const template = app.panel.getByRole("combobox", { name: "Template" });
-  await template.selectOption({ label: "This frame" });
+  await template.selectOption({ label: "Current frame" });
   await expect(template).toHaveValue(String(frame));
-  // What is saved is what is shown: until the clip is cut anew, that is what was before.
+  // The saved segments are the displayed ones, until the new segmentation is ready.
   await expect(async () => {
     const { method } = read((await app.saveSegments("Segments")).text) as {
       method: { template?: string };
@@ -97,18 +97,18 @@ test("the options that matter to a method are offered", async ({ app, page }) =>
   await page.keyboard.press("Home");
 });
 
-test("a click on a bar or in the list loops a segment", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("loops a segment by click on its bar or list item", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   const segments = await app.segments();
   await app.pressRuler(0.9);
-  await barOf(app, 0.3);
+  await findSegmentBar(app, 0.3);
   await expect(app.timeline.getByText("Loop segment 1")).toBeVisible();
   expect(await app.frame()).toBe(0);
   const second = app.panel.getByRole("button", { name: /^Loop segment 2/ });
   await second.click();
   await expect(second).toHaveAttribute("aria-pressed", "true");
   expect(await app.frame()).toBe(Math.round((segments[1]?.start ?? 0) * 24));
-  // Playing goes round within the segment.
+  // Playback repeats the segment.
   await page.emulateMedia({ reducedMotion: "no-preference" });
   await page.getByRole("combobox", { name: "Speed" }).selectOption("4");
   await page.keyboard.press("Space");
@@ -130,8 +130,8 @@ test("a click on a bar or in the list loops a segment", async ({ app, page }) =>
   expect(greatest / 24).toBeLessThanOrEqual(to);
 });
 
-test("brackets go from cut to cut, S loops and Enter asks for a name", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("steps through cuts, loops and renames segments by key", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   const { segments } = read((await app.saveSegments("Segments")).text);
   await app.tab("Detect");
   const cuts = segments.slice(1).map(({ start }) => start);
@@ -157,11 +157,11 @@ test("brackets go from cut to cut, S loops and Enter asks for a name", async ({ 
   await expect(app.dialog).toContainText("Previous, next cut");
 });
 
-test("a name is on the bar, in the files, and outlives another method", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("keeps a segment name on the bar, in files and across methods", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   await app.tab("Segment");
   const before = await app.tracks.screenshot();
-  const { x, y } = await barOf(app, 0.3);
+  const { x, y } = await findSegmentBar(app, 0.3);
   await page.keyboard.press("l");
   // A click on the ruler separates the clicks on the bar.
   await app.pressRuler(0.3);
@@ -179,12 +179,12 @@ test("a name is on the bar, in the files, and outlives another method", async ({
   expect(segments[0]).toMatchObject({ label: "Limping, slowly", source: "edited" });
   expect(segments[1]).toMatchObject({ label: "", source: "auto" });
   await app.drop(sample("bowling"));
-  await app.opened("bowling.bvh");
+  await app.waitForClip("bowling.bvh");
   await expect(name(app, 1)).toHaveValue("");
 });
 
-test("segments are saved as documents and tables", async ({ app }) => {
-  await app.sample("limp-to-run");
+test("saves segments as JSON, CSV and BABEL", async ({ app }) => {
+  await app.openSample("limp-to-run");
   const listed = await app.segments();
   const saved = await app.saveSegments("Segments");
   expect(saved.name).toBe("limp-to-run.segments.json");
@@ -202,8 +202,8 @@ test("segments are saved as documents and tables", async ({ app }) => {
   expect(babel.text).toContain("frame_ann");
 });
 
-test("clips of the segments are BVH files that open again", async ({ app }) => {
-  await app.sample("limp-to-run");
+test("saves segments as BVH files that can be opened", async ({ app }) => {
+  await app.openSample("limp-to-run");
   const { segments } = read((await app.saveSegments("Segments")).text);
   await name(app, 1).fill("a limp / walk");
   const saved = await app.saveSegments("Clips");
@@ -218,15 +218,15 @@ test("clips of the segments are BVH files that open again", async ({ app }) => {
   );
   const [path = "", text = ""] = [files[1]?.[0], texts[1]];
   await app.drop(file(path, text));
-  await app.opened(path);
+  await app.waitForClip(path);
   await expect(app.head).toContainText("24 Hz");
 });
 
 for (const button of ["Segments", "Table", "BABEL"] as const) {
-  test(`segments read back from ${button} agree with themselves`, async ({ app }) => {
-    await app.sample("limp-to-run");
+  test(`segments read back from ${button} agree with the segmentation`, async ({ app }) => {
+    await app.openSample("limp-to-run");
     await app.tab("Segment");
-    const lanes = await app.tracks.screenshot();
+    const tracks = await app.tracks.screenshot();
     const saved = await app.saveSegments(button);
     await app.drop(file(saved.name, saved.text));
     await expect(app.panel).toContainText(saved.name);
@@ -234,14 +234,14 @@ for (const button of ["Segments", "Table", "BABEL"] as const) {
       const row = app.panel.getByRole("row", { name: `± ${within} s` });
       await expect(row.getByRole("cell")).toHaveText(["100", "100", "100"]);
     }
-    expect(await app.tracks.screenshot()).not.toEqual(lanes);
+    expect(await app.tracks.screenshot()).not.toEqual(tracks);
     await app.panel.getByRole("button", { name: "Remove" }).click();
-    await expect.poll(() => app.tracks.screenshot()).toEqual(lanes);
+    await expect.poll(() => app.tracks.screenshot()).toEqual(tracks);
   });
 }
 
-test("truth dropped with the clip is compared, and follows the method", async ({ app, page }) => {
-  await app.empty();
+test("compares with segments that are dropped with the clip", async ({ app, page }) => {
+  await app.openStartPage();
   const truth = {
     "limp-to-run": [
       { start: 1, end: 380, label: "limp" },
@@ -249,36 +249,36 @@ test("truth dropped with the clip is compared, and follows the method", async ({
     ],
   };
   await app.drop(file("truth.json", JSON.stringify(truth)), sample("limp-to-run"));
-  await app.opened("limp-to-run.bvh");
+  await app.waitForClip("limp-to-run.bvh");
   await expect(page.getByRole("tabpanel", { name: "Segment" })).toContainText("truth.json");
   const row = app.panel.getByRole("row", { name: "± 1.0 s" });
   await expect(row.getByRole("cell").nth(1)).toHaveText("100");
-  // Labels of the feet stand beside them.
+  // Reference labels and reference segments can be used together.
   await app.drop(clip("samples/limp-to-run.json"));
   await expect(page.getByRole("tabpanel", { name: "Score" })).toContainText("limp-to-run.json");
   await app.tab("Segment");
   await expect(app.panel).toContainText("truth.json");
 });
 
-test("segments of another clip are refused in words", async ({ app }) => {
-  await app.sample("limp-to-run");
+test("rejects segments of another clip", async ({ app }) => {
+  await app.openSample("limp-to-run");
   const saved = await app.saveSegments("Segments");
   await app.drop(sample("bowling"));
-  await app.opened("bowling.bvh");
+  await app.waitForClip("bowling.bvh");
   await app.drop(file(saved.name, saved.text));
   await expect(app.alert).toContainText("744");
   await expect(app.alert).toContainText("316");
 });
 
-test("a long segmentation can be cancelled at once, and what was there stays", async ({ app }) => {
-  await app.with(repeated(sample("limp-to-run"), 14));
+test("cancels a slow segmentation at once and keeps the previous one", async ({ app }) => {
+  await app.openFile(repeated(sample("limp-to-run"), 14));
   const before = await app.segments();
   await name(app, 1).fill("first");
-  const lanes = await app.tracks.screenshot();
+  const tracks = await app.tracks.screenshot();
   await menu(app).selectOption("mvu");
   const cancel = app.page.getByRole("button", { name: "Cancel" });
   await expect(cancel).toBeVisible();
-  const bar = app.page.getByRole("progressbar", { name: /^Finding segments/ });
+  const bar = app.page.getByRole("progressbar", { name: /^Segmenting/ });
   await expect.poll(async () => Number(await bar.getAttribute("value"))).toBeGreaterThan(0);
   const frames = await cancel.evaluate(async (button) => {
     (button as HTMLButtonElement).click();
@@ -290,8 +290,8 @@ test("a long segmentation can be cancelled at once, and what was there stays", a
   await expect(menu(app)).toHaveValue("auto");
   const named = before.map((segment, i) => (i ? segment : { ...segment, name: "first" }));
   expect(await app.segments()).toEqual(named);
-  expect(await app.tracks.screenshot()).toEqual(lanes);
-  // The worker that took its place knows it all again.
+  expect(await app.tracks.screenshot()).toEqual(tracks);
+  // The new worker has restored names and labels.
   const { segments } = read((await app.saveSegments("Segments")).text);
   await expect(app.panel.getByRole("heading", { name: "Segments" })).toContainText(
     String(segments.length),
@@ -300,8 +300,8 @@ test("a long segmentation can be cancelled at once, and what was there stays", a
   expect((await app.result("Left")).plants).toBeGreaterThan(100);
 });
 
-test("settings of the plants are heard while segments are looked for", async ({ app, page }) => {
-  await app.with(repeated(sample("limp-to-run"), 14));
+test("detects plants with new settings during a segmentation", async ({ app, page }) => {
+  await app.openFile(repeated(sample("limp-to-run"), 14));
   const robust = (await app.result("Left")).plants;
   await app.tab("Segment");
   await menu(app).selectOption("mvu");
@@ -314,8 +314,8 @@ test("settings of the plants are heard while segments are looked for", async ({ 
   expect((await app.segments()).length).toBeGreaterThan(1);
 });
 
-test("another rate cuts anew", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("segments again when the rate changes", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   await app.tab("Clip");
   const rate = page.getByRole("spinbutton", { name: "Rate" });
   await rate.fill("48");
@@ -329,13 +329,13 @@ test("another rate cuts anew", async ({ app, page }) => {
     .toBe(155);
 });
 
-test("a clip too short to cut is one segment, and says so", async ({ app }) => {
-  await app.with(good("plain"));
+test("reports that a clip is too short to segment", async ({ app }) => {
+  await app.openFile(good("plain"));
   expect(await app.segments()).toHaveLength(1);
   await expect(app.panel).toContainText("shorter than");
 });
 
-test("a skeleton without a body has no segments; the rest goes on", async ({ app, page }) => {
+test("reports that a skeleton cannot be segmented", async ({ app, page }) => {
   const rows = Array.from({ length: 90 }, (_, i) => `${i} 0 0 0 0 ${i}`).join("\n");
   const body = `HIERARCHY
 ROOT Thing
@@ -352,7 +352,7 @@ Frames: 90
 Frame Time: 0.0333333
 ${rows}
 `;
-  await app.with(file("thing.bvh", body));
+  await app.openFile(file("thing.bvh", body));
   await app.tab("Segment");
   await expect(app.panel).toContainText(/Only 0 of the \d+ joints/);
   await expect(app.panel.getByRole("button", { name: "Save", exact: true })).toBeHidden();

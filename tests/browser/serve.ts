@@ -1,4 +1,4 @@
-/** A plain file server: no rewriting, no fallback page, as the site may meet it anywhere. */
+/** A static file server without rewriting or a fallback page. */
 
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -21,12 +21,12 @@ const types: Record<string, string> = {
 
 export interface Site {
   origin: string;
-  /** The address of the page. */
+  /** URL of the page. */
   home: string;
   close(): Promise<void>;
 }
 
-/** The site below a folder that its build knows nothing of, and the sample clips beside it. */
+/** Serves the site from a subfolder that its build does not know, and the samples from another. */
 export async function serve(site = join(root, "web/dist")): Promise<Site> {
   const folders = { "/deep/sub/": site, "/clips/": join(root, "samples") };
   const server = createServer(async (request, response) => {
@@ -36,7 +36,7 @@ export async function serve(site = join(root, "web/dist")): Promise<Site> {
       const type = types[extname(path)] ?? "application/octet-stream";
       response.writeHead(200, { "content-type": type, "content-length": body.length }).end(body);
     } catch {
-      response.writeHead(404, { "content-type": "text/plain" }).end("There is no such file.");
+      response.writeHead(404, { "content-type": "text/plain" }).end("File not found.");
     }
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
@@ -51,8 +51,8 @@ export async function serve(site = join(root, "web/dist")): Promise<Site> {
   };
 }
 
-function fileOf(address: string, folders: Record<string, string>): string {
-  const path = normalize(decodeURIComponent(address));
+function fileOf(url: string, folders: Record<string, string>): string {
+  const path = normalize(decodeURIComponent(url));
   for (const [prefix, folder] of Object.entries(folders)) {
     if (path.startsWith(prefix)) return join(folder, path.slice(prefix.length) || "index.html");
   }

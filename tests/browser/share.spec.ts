@@ -1,10 +1,10 @@
 import { writeFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import type { Browser, TestInfo } from "@playwright/test";
-import { App, expect, type Saved, test } from "./app";
+import { App, expect, type SavedFile, test } from "./app";
 import { file, good, repeated, sample } from "./clips";
 
-/** All that a link has to bring back. */
+/** Returns everything that a link must restore. */
 async function stateOf(app: App) {
   const link = await app.link();
   const labels = (await app.save("Every frame")).text;
@@ -12,9 +12,9 @@ async function stateOf(app: App) {
   return { link, labels, segments, frame: await app.frame() };
 }
 
-test("a link brings back moment, view, method and settings", async ({ app, page, context }) => {
+test("restores time, view, method and settings from a link", async ({ app, page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await app.sample("curved-walk");
+  await app.openSample("curved-walk");
   await app.tab("Detect");
   await page.getByRole("combobox", { name: "Method" }).selectOption("paper");
   await page.getByRole("slider", { name: "Sensitivity r" }).fill("0.8");
@@ -27,7 +27,7 @@ test("a link brings back moment, view, method and settings", async ({ app, page,
     /#sample=curved-walk&t=[\d.]+&method=paper&r=0\.\d+&segment=lsd&view=side$/,
   );
 
-  await app.share();
+  await app.openShareDialog();
   await app.dialog.getByRole("button", { name: "Copy" }).click();
   await expect(app.dialog.getByRole("button", { name: "Copied" })).toBeVisible();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
@@ -35,23 +35,19 @@ test("a link brings back moment, view, method and settings", async ({ app, page,
 
   const other = new App(await context.newPage(), app.site);
   await other.page.goto(copied);
-  await other.opened("curved-walk.bvh");
+  await other.waitForClip("curved-walk.bvh");
   await expect(other.view.getByRole("button", { name: "Side" })).toHaveAttribute(
     "aria-pressed",
     "true",
   );
   expect(await stateOf(other)).toEqual(before);
-  expect(other.complaints()).toEqual([]);
+  expect(other.unexpectedProblems()).toEqual([]);
 });
 
-test("a link brings back where the camera was dragged, and how the file is read", async ({
-  app,
-  page,
-  context,
-}) => {
+test("restores camera pose and overrides from a link", async ({ app, page, context }) => {
   const url = `${app.site.origin}/clips/limp-to-run.bvh`;
   await page.goto(`${app.site.home}#url=${url}`);
-  await app.opened("limp-to-run.bvh");
+  await app.waitForClip("limp-to-run.bvh");
   await app.tab("Clip");
   await page.getByRole("spinbutton", { name: "Rate" }).fill("60");
   await page.keyboard.press("Enter");
@@ -69,59 +65,59 @@ test("a link brings back where the camera was dragged, and how the file is read"
 
   const other = new App(await context.newPage(), app.site);
   await other.page.goto(before.link);
-  await other.opened("limp-to-run.bvh");
+  await other.waitForClip("limp-to-run.bvh");
   expect(await stateOf(other)).toEqual(before);
 });
 
-test("nothing but the sample stands in a link to what is as usual", async ({ app, page }) => {
-  await app.sample("skipping");
+test("omits default values from links", async ({ app, page }) => {
+  await app.openSample("skipping");
   expect(await app.link()).toBe(`${app.site.home}#sample=skipping`);
   await page.keyboard.press("ArrowRight");
   expect(await app.link()).toMatch(/#sample=skipping&t=[\d.]+$/);
 });
 
-test("what a link says wrongly is left out, and told", async ({ app, page }) => {
+test("ignores and reports invalid parts of a link", async ({ app, page }) => {
   await page.goto(
     `${app.site.home}#sample=bowling&t=2&method=magic&r=%3Cimg%20src=x%20onerror=alert(1)%3E&w=2`,
   );
-  await app.opened("bowling.bvh");
-  await expect(app.remark).toContainText(
-    "The link contains “method=magic”, “r=<img src=x onerror=alert(1)>”, which is not valid",
+  await app.waitForClip("bowling.bvh");
+  await expect(app.toast).toContainText(
+    "The link contains “method=magic”, “r=<img src=x onerror=alert(1)>”, which is invalid",
   );
   expect(await app.frame()).toBe(60);
   await app.tab("Detect");
   await expect(page.getByRole("combobox", { name: "Method" })).toHaveValue("robust");
   await expect(app.panel).toContainText("± 2 frames");
-  await app.remark.getByRole("button", { name: "Dismiss" }).click();
-  await expect(app.remark).toHaveCount(0);
+  await app.toast.getByRole("button", { name: "Dismiss" }).click();
+  await expect(app.toast).toHaveCount(0);
 });
 
-test("no link is given to a file of one's own", async ({ app, page }) => {
-  await app.with(good("plain"));
+test("offers no link for a local file", async ({ app, page }) => {
+  await app.openFile(good("plain"));
   await app.head.getByRole("button", { name: "Share" }).focus();
   await page.keyboard.press("Enter");
-  await expect(app.dialog).toContainText("A link cannot carry a file of your own");
+  await expect(app.dialog).toContainText("There is no link to a local file");
   await expect(app.dialog.getByRole("textbox")).toHaveCount(0);
   await page.keyboard.press("Escape");
   await expect(app.dialog).toHaveCount(0);
   await expect(app.head.getByRole("button", { name: "Share" })).toBeFocused();
 });
 
-test("the view is saved as a picture", async ({ app }) => {
-  await app.sample("ballet");
+test("saves the view as a picture", async ({ app }) => {
+  await app.openSample("ballet");
   await app.pressRuler(0.5);
-  await app.share();
+  await app.openShareDialog();
   const { name, bytes } = await app.download(() =>
     app.dialog.getByRole("button", { name: "Save picture" }).click(),
   );
   expect(name).toBe(`ballet-${await app.frame()}.png`);
   expect([...bytes.subarray(0, 4)]).toEqual([0x89, 0x50, 0x4e, 0x47]);
-  // A picture of nothing is a few kB.
+  // An empty picture has a few kB.
   expect(bytes.length).toBeGreaterThan(20_000);
 });
 
-/** A page in one file as someone has it who has nothing else: from disk, without a network. */
-async function openPage(browser: Browser, { name, bytes }: Saved, info: TestInfo) {
+/** Opens a single-file page from disk in an offline browser. */
+async function openPage(browser: Browser, { name, bytes }: SavedFile, info: TestInfo) {
   const path = info.outputPath(name);
   writeFileSync(path, bytes);
   const context = await browser.newContext({
@@ -130,32 +126,34 @@ async function openPage(browser: Browser, { name, bytes }: Saved, info: TestInfo
     viewport: { width: 1440, height: 900 },
   });
   const home = pathToFileURL(path).href;
-  const asked: string[] = [];
-  context.on("request", (request) => asked.push(request.url()));
+  const requested: string[] = [];
+  context.on("request", (request) => requested.push(request.url()));
   const app = new App(await context.newPage(), {
     origin: "null",
     home,
     close: () => context.close(),
   });
   await app.page.goto(home);
-  const elsewhere = () => asked.filter((url) => url !== home && !/^(blob|data):/.test(url));
-  return { app, context, elsewhere };
+  const otherRequests = () => requested.filter((url) => url !== home && !/^(blob|data):/.test(url));
+  return { app, context, otherRequests };
 }
 
-/** Nothing was asked for but the file itself, and the browser has nothing to complain of. */
-const expectSound = ({ app, elsewhere }: { app: App; elsewhere: () => string[] }) => {
-  expect(elsewhere()).toEqual([]);
+/** Fails if the page requested anything but itself, or if there were unexpected problems. */
+const expectNoRequests = ({ app, otherRequests }: { app: App; otherRequests: () => string[] }) => {
+  expect(otherRequests()).toEqual([]);
   expect(
-    app.complaints().filter((said) => !said.startsWith("request to elsewhere: file:")),
+    app
+      .unexpectedProblems()
+      .filter((problem) => !problem.startsWith("request to elsewhere: file:")),
   ).toEqual([]);
 };
 
-test("a page in one file shows the clip from disk, with labels, corrections and names", async ({
+test("a single-file page contains clip, labels, edits and names", async ({
   app,
   page,
   browser,
 }, info) => {
-  await app.with(sample("limp-to-run"));
+  await app.openFile(sample("limp-to-run"));
   await app.tab("Detect");
   await page.getByRole("slider", { name: "Sensitivity r" }).fill("0.7");
   await app.tab("Labels");
@@ -171,95 +169,92 @@ test("a page in one file shows the clip from disk, with labels, corrections and 
   await app.pressRuler(0.45);
   const labels = await app.save("Labels");
   const segments = (await app.saveSegments("Table")).text;
-  const saved = await app.sharePage();
+  const saved = await app.savePage();
   expect(saved.name).toBe("limp-to-run.html");
   info.annotations.push({ type: "size", description: `${saved.bytes.length} bytes` });
 
-  const there = await openPage(browser, saved, info);
-  await there.app.opened("limp-to-run.bvh");
-  expect(await there.app.frame()).toBe(await app.frame());
-  expect((await there.app.save("Labels")).text).toBe(labels.text);
+  const shared = await openPage(browser, saved, info);
+  await shared.app.waitForClip("limp-to-run.bvh");
+  expect(await shared.app.frame()).toBe(await app.frame());
+  expect((await shared.app.save("Labels")).text).toBe(labels.text);
   expect(labels.text).toContain('"edited"');
-  expect((await there.app.saveSegments("Table")).text).toBe(segments);
-  await expect(there.app.head).toContainText("Shared clip");
-  await expect(there.app.head).toContainText("Made with Plantigrade");
-  await there.app.timeline.getByRole("button", { name: "Play" }).click();
-  const began = await there.app.frame();
-  await expect.poll(() => there.app.frame()).toBeGreaterThan(began);
-  expectSound(there);
-  await there.context.close();
+  expect((await shared.app.saveSegments("Table")).text).toBe(segments);
+  await expect(shared.app.head).toContainText("Shared clip");
+  await expect(shared.app.head).toContainText("Made with Plantigrade");
+  await shared.app.timeline.getByRole("button", { name: "Play" }).click();
+  const start = await shared.app.frame();
+  await expect.poll(() => shared.app.frame()).toBeGreaterThan(start);
+  expectNoRequests(shared);
+  await shared.context.close();
 });
 
-test("a page in one file is corrected, comes back so, and is shared again", async ({
-  app,
-  browser,
-}, info) => {
-  await app.sample("curved-walk");
-  const there = await openPage(browser, await app.sharePage(), info);
-  await there.app.opened("curved-walk.bvh");
-  await there.app.page.keyboard.press("e");
-  await there.app.page.keyboard.press("Delete");
-  await there.app.tab("Labels");
-  const undo = there.app.panel.getByRole("button", { name: "Undo" });
+test("a single-file page stores edits and can be shared again", async ({ app, browser }, info) => {
+  await app.openSample("curved-walk");
+  const shared = await openPage(browser, await app.savePage(), info);
+  await shared.app.waitForClip("curved-walk.bvh");
+  await shared.app.page.keyboard.press("e");
+  await shared.app.page.keyboard.press("Delete");
+  await shared.app.tab("Labels");
+  const undo = shared.app.panel.getByRole("button", { name: "Undo" });
   await expect(undo).toBeEnabled();
-  const corrected = (await there.app.save("Labels")).text;
-  await there.app.page.reload();
-  await there.app.opened("curved-walk.bvh");
-  await expect.poll(async () => (await there.app.save("Labels")).text).toBe(corrected);
+  const corrected = (await shared.app.save("Labels")).text;
+  await shared.app.page.reload();
+  await shared.app.waitForClip("curved-walk.bvh");
+  await expect.poll(async () => (await shared.app.save("Labels")).text).toBe(corrected);
 
-  const again = await there.app.sharePage();
-  expectSound(there);
-  await there.context.close();
+  const again = await shared.app.savePage();
+  expectNoRequests(shared);
+  await shared.context.close();
   const third = await openPage(browser, { ...again, name: "again.html" }, info);
-  await third.app.opened("curved-walk.bvh");
+  await third.app.waitForClip("curved-walk.bvh");
   await expect.poll(async () => (await third.app.save("Labels")).text).toBe(corrected);
-  expectSound(third);
+  expectNoRequests(third);
   await third.context.close();
 });
 
-test("a page in one file opens other clips, one and many", async ({ app, browser }, info) => {
-  await app.sample("bowling");
-  const there = await openPage(browser, await app.sharePage(), info);
-  await there.app.opened("bowling.bvh");
-  await there.app.drop(good("plain"));
-  await there.app.opened("plain.bvh");
-  await there.app.drop(sample("ballet"), sample("skipping"));
-  await expect(there.app.page.getByText(/^All labelled/)).toBeVisible();
-  expectSound(there);
-  await there.context.close();
+test("a single-file page opens other clips", async ({ app, browser }, info) => {
+  await app.openSample("bowling");
+  const shared = await openPage(browser, await app.savePage(), info);
+  await shared.app.waitForClip("bowling.bvh");
+  await shared.app.drop(good("plain"));
+  await shared.app.waitForClip("plain.bvh");
+  await shared.app.drop(sample("ballet"), sample("skipping"));
+  await expect(shared.app.page.getByText(/^All processed/)).toBeVisible();
+  expectNoRequests(shared);
+  await shared.context.close();
 });
 
-test("no name gets out of its place in the page", async ({ app, browser }, info) => {
+test("escapes file names in a single-file page", async ({ app, browser }, info) => {
   const name = "<!--<script><img src=x onerror=alert(1)>.bvh";
-  await app.empty();
+  await app.openStartPage();
   await app.drop(file(name, sample("bowling").buffer.toString()));
-  await app.opened(name);
-  await app.share();
+  await app.waitForClip(name);
+  await app.openShareDialog();
   await expect(app.dialog.getByRole("heading", { name: `Share ${name}` })).toBeVisible();
   await app.page.keyboard.press("Escape");
-  const saved = await app.sharePage();
-  const there = await openPage(browser, { ...saved, name: "nasty.html" }, info);
+  const saved = await app.savePage();
+  const shared = await openPage(browser, { ...saved, name: "nasty.html" }, info);
   const alerts: string[] = [];
-  there.app.page.on("dialog", (dialog) => {
+  shared.app.page.on("dialog", (dialog) => {
     alerts.push(dialog.message());
     void dialog.dismiss();
   });
-  await there.app.opened(name);
-  expect(await there.app.page.locator("img").count()).toBe(0);
+  await shared.app.waitForClip(name);
+  expect(await shared.app.page.locator("img").count()).toBe(0);
   expect(alerts).toEqual([]);
-  expectSound(there);
-  await there.context.close();
+  expectNoRequests(shared);
+  await shared.context.close();
 });
 
-test("a page that takes long to make says how far it is, and can be stopped", async ({ app }) => {
-  await app.with(repeated(sample("limp-to-run"), 100));
-  await app.share();
+test("reports progress of a page and can be cancelled", async ({ app }) => {
+  await app.openFile(repeated(sample("limp-to-run"), 100));
+  await app.openShareDialog();
   const save = app.dialog.getByRole("button", { name: "Save page" });
   await save.click();
-  const bar = app.dialog.getByRole("progressbar", { name: /^Making limp-to-run/ });
+  const bar = app.dialog.getByRole("progressbar", { name: /^Creating limp-to-run/ });
   await expect(bar).toBeVisible();
   expect(Number(await bar.getAttribute("value"))).toBeGreaterThan(0);
-  // At once: by the time a mouse has got there it might be made.
+  // Dispatched directly, because the page might be finished before a mouse click.
   await app.dialog.getByRole("button", { name: "Cancel" }).dispatchEvent("click");
   await expect(bar).toBeHidden();
   await expect(save).toBeEnabled();

@@ -2,8 +2,8 @@ import { expect, test } from "./app";
 import { good, sample } from "./clips";
 import { readLabels } from "./labels";
 
-test("a press on the timeline goes there, and a drag scrubs", async ({ app, page }) => {
-  await app.sample("curved-walk");
+test("seeks by click and scrubs by drag on the timeline", async ({ app, page }) => {
+  await app.openSample("curved-walk");
   const middle = await app.pressRuler(0.5);
   expect(middle).toBeGreaterThan(60);
   expect(middle).toBeLessThan(180);
@@ -11,8 +11,8 @@ test("a press on the timeline goes there, and a drag scrubs", async ({ app, page
   await page.mouse.move(x, y);
   await page.mouse.down();
   let before = middle;
-  for (const share of [0.6, 0.7, 0.8]) {
-    await page.mouse.move((await app.ruler(share)).x, y, { steps: 3 });
+  for (const position of [0.6, 0.7, 0.8]) {
+    await page.mouse.move((await app.ruler(position)).x, y, { steps: 3 });
     const now = await app.frame();
     expect(now).toBeGreaterThan(before);
     before = now;
@@ -22,8 +22,8 @@ test("a press on the timeline goes there, and a drag scrubs", async ({ app, page
   expect(await app.frame()).toBe(244);
 });
 
-test("the playhead can be dragged by its handle", async ({ app, page }) => {
-  await app.sample("curved-walk");
+test("drags the playhead by its handle", async ({ app, page }) => {
+  await app.openSample("curved-walk");
   await app.pressRuler(0.4);
   const before = await app.frame();
   await app.playhead.hover();
@@ -34,20 +34,20 @@ test("the playhead can be dragged by its handle", async ({ app, page }) => {
   expect(await app.frame()).toBeGreaterThan(before + 30);
 });
 
-test("the playhead stands at the start, after a clip without motion too", async ({ app }) => {
+test("places the playhead at the start, also after a clip without motion", async ({ app }) => {
   const file = sample("bowling");
-  await app.with(file);
+  await app.openFile(file);
   const start = await app.playhead.boundingBox();
   await app.drop(good("no-motion"));
-  await app.opened("no-motion.bvh");
+  await app.waitForClip("no-motion.bvh");
   await app.drop(file);
-  await app.opened(file.name);
+  await app.waitForClip(file.name);
   await expect.poll(() => app.playhead.boundingBox()).toEqual(start);
 });
 
-test("the wheel zooms at the pointer and 0 shows the whole clip again", async ({ app, page }) => {
-  await app.sample("foot-drag-walk");
-  const [left, held, right] = [
+test("zooms at the pointer by wheel and resets by 0", async ({ app, page }) => {
+  await app.openSample("foot-drag-walk");
+  const [left, middle, right] = [
     await app.pressRuler(0.3),
     await app.pressRuler(0.5),
     await app.pressRuler(0.7),
@@ -56,7 +56,7 @@ test("the wheel zooms at the pointer and 0 shows the whole clip again", async ({
   await page.mouse.move(x, y);
   await page.mouse.wheel(0, -600);
   await expect.poll(() => app.pressRuler(0.3)).toBeGreaterThan(left + 40);
-  expect(Math.abs((await app.pressRuler(0.5)) - held)).toBeLessThanOrEqual(2);
+  expect(Math.abs((await app.pressRuler(0.5)) - middle)).toBeLessThanOrEqual(2);
   expect(await app.pressRuler(0.7)).toBeLessThan(right - 40);
   await page.keyboard.press("0");
   expect(await app.pressRuler(0.3)).toBe(left);
@@ -66,8 +66,8 @@ test("the wheel zooms at the pointer and 0 shows the whole clip again", async ({
   expect(await app.pressRuler(0.7)).toBe(right);
 });
 
-test("Shift and the arrows go from plant edge to plant edge", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("steps through plant edges by Shift and arrow keys", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   const { left, right, frames } = readLabels(await app.save("Labels"));
   const spans = [...(left.contact ?? []), ...(right.contact ?? [])];
   const edges = new Set(spans.flatMap(({ start, end }) => [start, Math.min(end, frames - 1)]));
@@ -86,18 +86,18 @@ test("Shift and the arrows go from plant edge to plant edge", async ({ app, page
   }
 });
 
-test("the pills keep their places, whatever they say", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("does not move the foot status when its text changes", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   const left = app.view.getByText(/^Left (planted|in the air)/);
-  const place = await left.boundingBox();
+  const box = await left.boundingBox();
   for (let i = 0; i < 6; i++) {
     await page.keyboard.press("Shift+ArrowRight");
-    expect(await left.boundingBox()).toEqual(place);
+    expect(await left.boundingBox()).toEqual(box);
   }
 });
 
-test("a plant of the list goes to its start", async ({ app }) => {
-  await app.sample("limp-to-run");
+test("goes to the start of a listed plant", async ({ app }) => {
+  await app.openSample("limp-to-run");
   const { left, right, rate } = readLabels(await app.save("Labels"));
   const starts = [...(left.contact ?? []), ...(right.contact ?? [])].map(({ start }) => start);
   const plant = app.panel.getByRole("listitem").nth(3).getByRole("button");

@@ -2,8 +2,8 @@
 
 import { expect, test } from "./app";
 
-test("paths are drawn while they are switched on", async ({ app, page }) => {
-  await app.sample("curved-walk");
+test("draws paths while they are enabled", async ({ app, page }) => {
+  await app.openSample("curved-walk");
   for (let i = 0; i < 60; i++) await page.keyboard.press("ArrowRight");
   const without = await app.stillPicture();
   const paths = page.getByRole("button", { name: "Paths" });

@@ -1,4 +1,4 @@
-/** The npm package as a person uses it: packed, installed in a project of its own, and called. */
+/** Tests of the packed npm package, installed in a separate project. */
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 const root = join(import.meta.dirname, "../..");
-const project = mkdtempSync(join(tmpdir(), "uses-plantigrade-"));
+const project = mkdtempSync(join(tmpdir(), "plantigrade-package-"));
 const npm = (args, cwd) =>
   execFileSync(process.platform === "win32" ? "npm.cmd" : "npm", args, { cwd, encoding: "utf8" });
 
@@ -22,8 +22,8 @@ before(() => {
 });
 after(() => rmSync(project, { recursive: true }));
 
-/** What a script of that project prints. */
-function output(script) {
+/** Runs a script in the project and returns its output. */
+function outputOf(script) {
   writeFileSync(join(project, "use.mjs"), script);
   return execFileSync(process.execPath, ["use.mjs", join(root, "samples/curved-walk.bvh")], {
     cwd: project,
@@ -31,9 +31,9 @@ function output(script) {
   });
 }
 
-test("a clip is read, labelled, measured, cleaned and cut", () => {
-  const found = JSON.parse(
-    output(`
+test("reads, labels, edits, measures, cleans and segments a clip", () => {
+  const result = JSON.parse(
+    outputOf(`
       import { readFileSync } from "node:fs";
       import { Clip, init, methods } from "plantigrade";
       await init();
@@ -58,19 +58,19 @@ test("a clip is read, labelled, measured, cleaned and cut", () => {
       plants.free(); clip.free(); cleaned.free();
     `),
   );
-  assert.equal(found.methods, 16);
-  assert.equal(found.frames, 245);
-  assert.deepEqual(found.parts, ["contact", "toe", "heel"]);
-  assert.equal(found.left, 2);
-  assert.ok(Math.abs(found.cadence - 112) < 4);
-  assert.equal(found.rows, 246);
-  assert.equal(found.cleaned, 245);
-  assert.ok(found.worst > 0.001);
-  assert.ok(found.segments >= 1);
+  assert.equal(result.methods, 16);
+  assert.equal(result.frames, 245);
+  assert.deepEqual(result.parts, ["contact", "toe", "heel"]);
+  assert.equal(result.left, 2);
+  assert.ok(Math.abs(result.cadence - 112) < 4);
+  assert.equal(result.rows, 246);
+  assert.equal(result.cleaned, 245);
+  assert.ok(result.worst > 0.001);
+  assert.ok(result.segments >= 1);
 });
 
-test("a bad file is an error that says where", () => {
-  const said = output(`
+test("throws an error with the position in an invalid file", () => {
+  const text = outputOf(`
     import { Clip, init, PlantigradeError } from "plantigrade";
     await init();
     try {
@@ -79,10 +79,10 @@ test("a bad file is an error that says where", () => {
       console.log(error instanceof PlantigradeError, error.failure.line, error.failure.hint.length > 9);
     }
   `);
-  assert.equal(said.trim(), "true 4 true");
+  assert.equal(text.trim(), "true 4 true");
 });
 
-test("the types are those of the package", () => {
+test("exports public types only", () => {
   const types = readFileSync(join(project, "node_modules/plantigrade/index.d.ts"), "utf8");
   assert.match(types, /static read\(bytes: Uint8Array/);
   assert.doesNotMatch(types, /constructor\(clip: WasmClip/);

@@ -1,5 +1,5 @@
 declare module "virtual:player" {
-  /** The address of the page in one file that has its blocks empty. */
-  const address: string;
-  export default address;
+  /** URL of the player: the app as a single HTML file with empty blocks. */
+  const playerUrl: string;
+  export default playerUrl;
 }

@@ -12,9 +12,9 @@ import load, {
   type Failure,
   type FormatInfo,
   type GaitInfo,
+  methods as listMethods,
   plantFormats as listPlantFormats,
   segmentFormats as listSegmentFormats,
-  methods as listMethods,
   segmentMethods as listSegmentMethods,
   type MethodInfo,
   type NoticeInfo,
@@ -63,18 +63,18 @@ let loading: Promise<unknown> | undefined;
  * @param source URL, response, bytes or compiled module. Default: the file in the package.
  */
 export function init(source?: Parameters<typeof load>[0]): Promise<void> {
-  loading ??= (source === undefined ? packagedModule() : Promise.resolve(source)).then((from) =>
-    load({ module_or_path: from as WebAssembly.Module }),
+  loading ??= (source === undefined ? packagedModule() : Promise.resolve(source)).then((module) =>
+    load({ module_or_path: module as WebAssembly.Module }),
   );
   return loading.then(() => {});
 }
 
 /** Returns the module in the package: its URL, or its bytes in Node, which cannot fetch files. */
 async function packagedModule(): Promise<URL | BufferSource> {
-  const address = new URL("./plantigrade_bg.wasm", import.meta.url);
-  if (address.protocol !== "file:") return address;
+  const url = new URL("./plantigrade_bg.wasm", import.meta.url);
+  if (url.protocol !== "file:") return url;
   const { readFile } = await import("node:fs/promises");
-  return readFile(address);
+  return readFile(url);
 }
 
 /** Returns all detection methods, the default first. */

@@ -1,4 +1,4 @@
-//! The bindings in a page.
+//! Runs the tests in a page.
 #![cfg(target_arch = "wasm32")]
 
 mod cases;

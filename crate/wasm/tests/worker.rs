@@ -1,4 +1,4 @@
-//! The bindings in a worker, where the app has them.
+//! Runs the tests in a worker, as in the app.
 #![cfg(target_arch = "wasm32")]
 
 mod cases;

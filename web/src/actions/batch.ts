@@ -50,7 +50,7 @@ export async function resumeBatch() {
   if (signal.aborted) return;
   flushUpdates();
   const failed = batchRows.value.filter(({ status }) => status === "failed").length;
-  announcement.value = `${batchRows.value.length} files labelled${failed ? `, ${failed} could not be read` : ""}`;
+  announcement.value = `${batchRows.value.length} files processed${failed ? `, ${failed} could not be read` : ""}`;
 }
 
 /** Processes all clips again, with the current options. */

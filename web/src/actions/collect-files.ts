@@ -74,11 +74,11 @@ async function listFolder(folder: FileSystemDirectoryEntry): Promise<FileSystemE
   const entries: FileSystemEntry[] = [];
   for (;;) {
     // Returns at most a hundred entries at a time.
-    const some = await new Promise<FileSystemEntry[]>((resolve, reject) =>
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) =>
       reader.readEntries(resolve, reject),
     );
-    if (!some.length) return entries;
-    entries.push(...some);
+    if (!batch.length) return entries;
+    entries.push(...batch);
   }
 }
 
@@ -91,16 +91,16 @@ export async function collectFiles({
   if (isTruncated) collected.errors.push(truncatedError);
   // Concurrently, because each file would otherwise wait for the page to render.
   const kinds = await mapConcurrent(files, detectFileKind);
-  for (const [at, file] of files.entries()) {
-    const kind = kinds[at] ?? "clip";
+  for (const [i, file] of files.entries()) {
+    const kind = kinds[i] ?? "clip";
     if (kind !== "archive") addFile(collected, kind, file);
     else {
       const unpacked = await unpack(file);
       if (!unpacked) return undefined;
       if (Array.isArray(unpacked)) {
         const innerKinds = await mapConcurrent(unpacked, innerFileKind);
-        for (const [at, inner] of unpacked.entries()) {
-          addFile(collected, innerKinds[at] ?? "clip", inner);
+        for (const [i, inner] of unpacked.entries()) {
+          addFile(collected, innerKinds[i] ?? "clip", inner);
         }
       } else collected.errors.push(unpacked);
     }
@@ -113,7 +113,7 @@ const truncatedError: ErrorReport = {
   name: "More files",
   failure: {
     message: `the folder has more than ${maxFiles} files: the others were ignored`,
-    hint: "Drop its folders one by one.",
+    hint: "Drop its subfolders one at a time.",
   },
 };
 
@@ -130,8 +130,8 @@ export function attachLabels(
     errors: unmatched.map(({ name }) => ({
       name,
       failure: {
-        message: "no clip of this drop has the name of these labels",
-        hint: "Open their clip, and drop them on it.",
+        message: "no clip of this drop has a matching file name",
+        hint: "Open the clip, then drop this file.",
       },
     })),
   };
@@ -158,7 +158,7 @@ async function unpack(archive: File): Promise<File[] | ErrorReport | undefined> 
     );
     if (!unpacked.ok) return { name, failure: unpacked.failure };
     if (unpacked.files.length) return unpacked.files;
-    return { name, failure: { message: "there is no BVH file in the archive" } };
+    return { name, failure: { message: "the archive contains no BVH file" } };
   } catch (error) {
     if (controller.signal.aborted) return undefined;
     return { name, failure: { message: messageOf(error) } };

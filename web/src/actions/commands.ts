@@ -165,7 +165,7 @@ const list = [
   {
     id: "loop",
     group: "Play",
-    label: "Loop the clip, a plant, a segment, nothing",
+    label: "Loop: clip, plant, segment, off",
     help: "Loop: clip, plant, segment, off",
     keys: [{ key: "l" }],
     run: cycleLoop,
@@ -213,24 +213,24 @@ const list = [
   {
     id: "set-start",
     group: "Edit",
-    label: "Start at the playhead",
-    help: "Start, end it at the playhead",
+    label: "Set start to the playhead",
+    help: "Move start, end of the plant to the playhead",
     keys: [{ key: "i" }],
     run: startAtPlayhead,
   },
   {
     id: "set-end",
     group: "Edit",
-    label: "End at the playhead",
-    help: "Start, end it at the playhead",
+    label: "Set end to the playhead",
+    help: "Move start, end of the plant to the playhead",
     keys: [{ key: "o" }],
     run: endAtPlayhead,
   },
   {
     id: "split",
     group: "Edit",
-    label: "Split here",
-    help: "Split it at the playhead",
+    label: "Split at playhead",
+    help: "Split the plant at the playhead",
     keys: [{ key: "k" }],
     run: splitAtPlayhead,
   },
@@ -238,7 +238,7 @@ const list = [
     id: "merge",
     group: "Edit",
     label: "Merge with next",
-    help: "Merge it with the next one",
+    help: "Merge the plant with the next one",
     keys: [{ key: "m" }],
     run: mergeNext,
   },
@@ -246,7 +246,7 @@ const list = [
     id: "add",
     group: "Edit",
     label: "Add a plant at the playhead",
-    help: "Add a plant at the playhead, of the side selected last",
+    help: "Add a plant at the playhead, for the side selected last",
     keys: [{ key: "a" }],
     run: addForLastSide,
   },
@@ -254,7 +254,7 @@ const list = [
     id: "delete",
     group: "Edit",
     label: "Delete",
-    help: "Delete it",
+    help: "Delete the plant",
     keys: [{ key: "delete" }, { key: "backspace" }],
     run: removeSelected,
   },
@@ -331,7 +331,7 @@ const list = [
   {
     id: "paths",
     group: "View",
-    label: "Paths of the toes and hips, one second back and ahead",
+    label: "Paths of toes and hips, ± 1 s",
     help: "Paths of toes and hips",
     keys: [{ key: "t" }],
     run: () => {
@@ -357,7 +357,7 @@ const list = [
   {
     id: "fit",
     group: "View",
-    label: "Show the whole clip",
+    label: "Show the entire clip",
     help: "Fit the timeline",
     keys: [{ key: "0" }],
     run: fitTimeline,
@@ -384,8 +384,8 @@ const list = [
   {
     id: "keys",
     group: "File",
-    label: "Keys",
-    help: "Show these keys",
+    label: "Keyboard shortcuts",
+    help: "Keyboard shortcuts",
     keys: [{ key: "?" }],
     enabled: () => true,
     run: () => {
@@ -412,7 +412,9 @@ export function commandForKey(event: Pick<KeyboardEvent, "key" | "shiftKey">, mo
   const key = event.key.toLowerCase();
   const matches = (shift: boolean) =>
     commands.find(({ keys }) =>
-      keys.some((k) => k.key === key && !!k.mod === mod && !!k.shift === shift),
+      keys.some(
+        (binding) => binding.key === key && !!binding.mod === mod && !!binding.shift === shift,
+      ),
     );
   // Shift is part of some characters, so that it matters only where a binding asks for it.
   return matches(event.shiftKey) ?? (mod ? undefined : matches(false));

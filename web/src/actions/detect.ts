@@ -22,7 +22,7 @@ async function listMethodsAndFormats() {
 }
 
 // The wait is long because a stopped worker has to read the file again.
-const job = createExclusiveJob("Finding plants in", 2000);
+const job = createExclusiveJob("Detecting plants in", 2000);
 
 /** True while a detection with the current options is running. */
 export const detecting = job.busy;
@@ -88,6 +88,7 @@ export function setDetectOptions(change: Partial<DetectOptions>) {
 }
 
 const overrideLatest = latestOnly(async (overrides: Overrides) => {
+  const action = "read with these settings";
   const open = session.value;
   const name = open.source?.name ?? "";
   job.stopIfSlow();
@@ -96,11 +97,11 @@ const overrideLatest = latestOnly(async (overrides: Overrides) => {
     const opened = await open.run("override", () => engine.override(overrides));
     if (!opened) return;
     if (opened.ok) open.clip.value = opened.clip;
-    else errorReport.value = { name, action: "read that way", failure: opened.failure };
+    else errorReport.value = { name, action, failure: opened.failure };
     await runDetection();
     if (!open.signal.aborted) await runSegmentation();
   } catch (error) {
-    reportFailure("read that way", name, error);
+    reportFailure(action, name, error);
   }
 });
 

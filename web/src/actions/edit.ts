@@ -49,7 +49,8 @@ export const selection = computed(() => {
   if (!plantRef || !track || !tracks) return undefined;
   const isPrincipal = plantRef.part === principalPart(detection.value?.parts ?? {});
   const plant =
-    isPrincipal && plants.value.find((p) => p.side === plantRef.side && p.start === plantRef.start);
+    isPrincipal &&
+    plants.value.find(({ side, start }) => side === plantRef.side && start === plantRef.start);
   return {
     plantRef,
     track,
@@ -120,9 +121,12 @@ async function applyEdits(open: ClipSession): Promise<void> {
 function withParts(before: Detection, parts: EditedParts): Detection {
   const after: Detection["parts"] = {};
   for (const part of Object.keys(before.parts) as Part[]) {
-    const [was, now] = [before.parts[part], parts[part]];
-    if (was && now) {
-      after[part] = { left: { ...was.left, ...now.left }, right: { ...was.right, ...now.right } };
+    const [tracks, labels] = [before.parts[part], parts[part]];
+    if (tracks && labels) {
+      after[part] = {
+        left: { ...tracks.left, ...labels.left },
+        right: { ...tracks.right, ...labels.right },
+      };
     }
   }
   return { ...before, parts: after };
@@ -154,14 +158,14 @@ export function selectAtPlayhead() {
     .flatMap((side) => parts.map((part) => partTrackOf({ side, part })))
     .map((track) => track && plantRefAt(track, frame.value))
     .filter((plantRef) => plantRef !== undefined);
-  const at = candidates.findIndex(
+  const index = candidates.findIndex(
     ({ side, part }) => side === selected.value?.side && part === selected.value.part,
   );
-  const next = candidates[(at + 1) % candidates.length];
+  const next = candidates[(index + 1) % candidates.length];
   select(next);
   announcement.value = next
     ? `${next.side} ${next.part} selected, frames ${next.start} to ${next.end}`
-    : "No foot is planted here";
+    : "No foot is planted at the playhead";
 }
 
 /** Gives the selected plant another start or end. */
@@ -172,7 +176,7 @@ export function resizeSelected(to: Partial<FrameRange>): Promise<void> | undefin
   const range = { start: to.start ?? plantRef.start, end: to.end ?? plantRef.end };
   if (range.start === plantRef.start && range.end === plantRef.end) return undefined;
   if (range.start >= range.end) {
-    announcement.value = "It would end before it starts";
+    announcement.value = "The end must be after the start";
     return undefined;
   }
   const next = [...edits.value, ...resizePlant(track, plantRef, range)];
@@ -187,15 +191,15 @@ export function splitAtPlayhead() {
   change(
     ({ track, plantRef }) => splitPlant(track, plantRef, frame.value),
     "Split",
-    "Put the playhead inside it first",
+    "Move the playhead into the plant to split it",
   );
 }
 
 export function mergeNext() {
   change(
     ({ track, plantRef }) => mergeWithNext(track, plantRef),
-    "Merged with the next one",
-    "There is no next one",
+    "Merged with the next plant",
+    "There is no next plant to merge with",
   );
 }
 
@@ -217,12 +221,12 @@ function change(
 /** Reverts the selected plant to what was detected. */
 export function revertSelected() {
   const plantRef = selected.value;
-  if (plantRef) void commit(withoutEditsOf(edits.value, plantRef), "As detected");
+  if (plantRef) void commit(withoutEditsOf(edits.value, plantRef), "Plant reverted");
 }
 
 /** Reverts all labels to what was detected. */
 export function revertAll() {
-  if (edits.value.length) void commit([], "All as detected");
+  if (edits.value.length) void commit([], "All plants reverted");
 }
 
 /** Adds a plant that starts at the playhead. */
@@ -232,7 +236,7 @@ export function addAtPlayhead(side: Side, part: Part) {
   const added = addPlant(track, frame.value, addedDuration * (clip.value?.rate ?? 1));
   const [first] = added;
   if (!first) {
-    announcement.value = `The ${side} foot is already planted here`;
+    announcement.value = `The ${side} foot is already planted at the playhead`;
     return;
   }
   select({ side, part, start: first.start, end: first.end });
@@ -252,7 +256,7 @@ export function addForLastSide() {
 export async function adoptReference(): Promise<void> {
   const open = session.value;
   const reference = await open.run("reference edits", () => engine.referenceEdits());
-  if (reference?.length) await commit(reference, "The reference labels are now yours");
+  if (reference?.length) await commit(reference, "Labels replaced by those of the reference");
 }
 
 /** Shows the start and end fields of a plant. */

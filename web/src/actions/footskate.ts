@@ -22,13 +22,15 @@ export async function cleanClip(): Promise<void> {
   open.cleaning.value = true;
   try {
     const cleaned = await open.run("clean", () =>
-      runJob({ title: "Cleaning" }, new AbortController(), (options) => engine.clean(options)),
+      runJob({ title: "Removing foot skate from" }, new AbortController(), (options) =>
+        engine.clean(options),
+      ),
     );
     // Labels that changed meanwhile need another clean-up.
     if (!cleaned || open.detection.value !== detection) return;
     batch(() => {
       open.cleanUp.value = { clip: before, detection, overrides, cleaned, view: "both" };
-      announcement.value = "Cleaned: the view shows the clip before as a ghost";
+      announcement.value = "Foot skate removed; the original is shown as a ghost";
     });
   } catch (error) {
     if (!(error instanceof Cancelled)) reportFailure("cleaned", before.name, error);

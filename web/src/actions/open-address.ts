@@ -28,7 +28,10 @@ async function openEmbedded(page: EmbeddedClip): Promise<void> {
     const view = await parseLinkView(page.showing);
     await openSource({ ...(await embeddedSource(page)), view });
   } catch (error) {
-    reportOpenFailure(page.name, { message: messageOf(error), hint: "Ask for the page again." });
+    reportOpenFailure(page.name, {
+      message: messageOf(error),
+      hint: "Ask the sender for a new copy of the page.",
+    });
   }
 }
 

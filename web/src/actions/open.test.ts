@@ -113,7 +113,7 @@ describe("detection", () => {
     await openFiles({ files: [file("walk.bvh")] });
     setDetectOptions({ method: "njw" });
     expect(detecting.value).toBe(true);
-    await vi.waitFor(() => expect(jobs.value[0]?.title).toBe("Finding plants in"));
+    await vi.waitFor(() => expect(jobs.value[0]?.title).toBe("Detecting plants in"));
     expect(phase.value).toBe("ready");
     jobs.value[0]?.stop();
     expect(detectOptions.value.method).toBe("robust");

@@ -164,7 +164,7 @@ export const openUrl = (url: string, more: Partial<Source> = {}) =>
   openRemote(url, fileNameOfUrl(url), "fetch", { ...more, origin: { kind: "url", url } });
 
 export async function openSample(name: string, more: Partial<Source> = {}): Promise<boolean> {
-  const sample = samples.find((s) => s.name === name);
+  const sample = samples.find((other) => other.name === name);
   if (sample) {
     const { truthUrl } = sample;
     const origin = { kind: "sample", name } as const;
@@ -179,7 +179,7 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
   }
   reportOpenFailure(name, {
     message: `There is no sample called "${name}".`,
-    hint: "Choose one below.",
+    hint: "Choose one of the samples on this page.",
   });
   return false;
 }

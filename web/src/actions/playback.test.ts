@@ -3,16 +3,16 @@ import { ClipSession, openSession } from "../store/clip-session";
 import { frame, loop, speed, timeView } from "../store/playback";
 import { detection, edges, plants } from "../store/session";
 import { announcement } from "../store/view";
-import { walker, walkerTrack } from "../testing/walker";
+import { createWalkingClip, createWalkingTrack } from "../testing/walking-clip";
 
 vi.mock("../engine", () => import("../testing/fake-engine"));
 
 const { changeSpeed, cycleLoop, seek, seekPlant, stepEdge, stepFrame } = await import("./playback");
 
-const clip = walker("walk.bvh");
+const clip = createWalkingClip("walk.bvh");
 const toe = {
-  left: walkerTrack(clip, 0, 0.1, 0.6, 0, 17),
-  right: walkerTrack(clip, 0.5, 0.1, 0.6, 0, 22),
+  left: createWalkingTrack(clip, 0, 0.1, 0.6, 0, 17),
+  right: createWalkingTrack(clip, 0.5, 0.1, 0.6, 0, 22),
 };
 
 beforeEach(() => {

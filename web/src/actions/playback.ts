@@ -114,8 +114,8 @@ export function loopSegment(segment: NamedSegment) {
     loopRegion.value = segment;
     loop.value = "segment";
     seek(segment.start);
-    const words = [segment.name, segmentKind(segment)].filter(Boolean).join(", ");
-    announcement.value = `Segment ${segment.number}${words && `, ${words}`}, frames ${segment.start} to ${segment.end}`;
+    const details = [segment.name, segmentKind(segment)].filter(Boolean).join(", ");
+    announcement.value = `Segment ${segment.number}${details && `, ${details}`}, frames ${segment.start} to ${segment.end}`;
   });
 }
 
@@ -123,15 +123,15 @@ export function loopSegment(segment: NamedSegment) {
 export const segmentAtPlayhead = () => segmentAt(namedSegments.value, frame.value);
 
 export function changeSpeed(direction: 1 | -1) {
-  const nearest = speeds.findIndex((s) => s >= speed.value);
+  const nearest = speeds.findIndex((value) => value >= speed.value);
   const next = speeds[Math.min(Math.max(nearest + direction, 0), speeds.length - 1)];
   if (next) speed.value = next;
 }
 
 /** Loops nothing, the clip, the plant under the playhead or the next one, or the segment there. */
 export function cycleLoop() {
-  const at = playhead.value;
-  const plant = plantAt(plants.value, at) ?? plants.value.find((p) => p.start >= at);
+  const now = playhead.value;
+  const plant = plantAt(plants.value, now) ?? plants.value.find(({ start }) => start >= now);
   const regions = { plant, segment: segmentAtPlayhead() };
   const order = ["off", "clip", "plant", "segment"] as const;
   const next = order
@@ -151,6 +151,7 @@ export function fitTimeline() {
 /** Zooms around the playhead, or around the middle if the playhead is out of sight. */
 export function zoomTimeline(factor: number) {
   const { start, end } = timeView.value;
-  const at = playhead.value >= start && playhead.value <= end ? playhead.value : (start + end) / 2;
-  timeView.value = zoomAt(timeView.value, at, factor, clip.value?.frames ?? 1);
+  const isVisible = playhead.value >= start && playhead.value <= end;
+  const centre = isVisible ? playhead.value : (start + end) / 2;
+  timeView.value = zoomAt(timeView.value, centre, factor, clip.value?.frames ?? 1);
 }

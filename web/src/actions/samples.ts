@@ -78,4 +78,4 @@ function listSamples(): Sample[] {
 export const samples: readonly Sample[] = listSamples();
 
 /** The sample behind the start page: a long one, so that it rarely repeats. */
-export const previewSample = samples.find((s) => s.name === "limp-to-run") ?? samples[0];
+export const previewSample = samples.find(({ name }) => name === "limp-to-run") ?? samples[0];

@@ -13,7 +13,7 @@ import { activeTab, sheetOpen } from "../store/view";
 import { latestOnly } from "../util/latest-only";
 import { updateCutScores } from "./compare";
 
-const job = createExclusiveJob("Finding segments in", 300);
+const job = createExclusiveJob("Segmenting", 300);
 
 async function listMethodsAndFormats() {
   if (segmentMethods.value.length) return;

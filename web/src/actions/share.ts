@@ -37,10 +37,12 @@ const stem = () => stemOf(source.value?.name ?? "clip");
 /** Downloads a page that contains the clip and the player. */
 export function savePage(): Promise<void> {
   const name = `${stem()}.html`;
-  return download(name, () => runJob({ title: "Making", name }, new AbortController(), makePage));
+  return download(name, () =>
+    runJob({ title: "Creating", name }, new AbortController(), createPage),
+  );
 }
 
-async function makePage(options: CallOptions): Promise<Blob> {
+async function createPage(options: CallOptions): Promise<Blob> {
   const { name, data } = source.value ?? { name: "clip.bvh", data: new Blob() };
   const clip: EmbeddedClip = {
     version: 1,
@@ -87,6 +89,7 @@ function publicHome(): Pick<EmbeddedClip, "home"> {
 export const savePicture = () =>
   download(`${stem()}-${frame.value}.png`, async () => {
     const picture = await stageHandle.value?.picture();
-    if (!picture) throw new Error("There is no picture: this browser does not support 3D.");
+    if (!picture)
+      throw new Error("The picture could not be rendered: this browser does not support WebGL.");
     return picture;
   });

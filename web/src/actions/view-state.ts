@@ -86,7 +86,7 @@ export async function parseLinkView(text: string): Promise<ViewState> {
   const { view, rejected } = parseViewState(text, { detect, segment });
   if (rejected.length) {
     const list = rejected.map((part) => `“${part.slice(0, 60)}”`).join(", ");
-    showToast({ text: `The link contains ${list}, which is not valid and was ignored.` });
+    showToast({ text: `The link contains ${list}, which is invalid and was ignored.` });
   }
   return view;
 }

@@ -14,24 +14,25 @@ import { listenForDrops } from "./drop";
 import { ErrorCard } from "./ErrorCard";
 import { Head } from "./Head";
 import { onKey } from "./key-handler";
-import { keepOffline } from "./offline";
+import { registerServiceWorker } from "./offline";
 import { releaseFocus } from "./release-focus";
 import { SidePanel } from "./SidePanel";
 import { StartPage } from "./StartPage";
 import { Toasts } from "./Toasts";
-import { hinted, Tour } from "./Tour";
+import { hintTarget, Tour } from "./Tour";
 
+/** The page. */
 export function App() {
   useEffect(() => {
-    const off = new AbortController();
-    const options = { signal: off.signal };
-    addEventListener("keydown", onKey, options);
-    addEventListener("hashchange", () => void openFromAddress(), options);
-    listenForDrops(off.signal);
-    releaseFocus(off.signal);
+    const controller = new AbortController();
+    const { signal } = controller;
+    addEventListener("keydown", onKey, { signal });
+    addEventListener("hashchange", () => void openFromAddress(), { signal });
+    listenForDrops(signal);
+    releaseFocus(signal);
     void openFromAddress();
-    keepOffline();
-    return () => off.abort();
+    registerServiceWorker();
+    return () => controller.abort();
   }, []);
   const clip = openClip.value;
   useEffect(() => {
@@ -42,7 +43,7 @@ export function App() {
       class="shell"
       data-state={phase.value}
       data-clip={clip ? "open" : "none"}
-      data-hint={hinted()}
+      data-hint={hintTarget()}
     >
       <Head />
       <main>
@@ -57,7 +58,7 @@ export function App() {
           onChange={(event) => openPickedFiles(event.currentTarget)}
         />
         <ErrorCard />
-        {/* An open dialog shows it, as nothing else can be clicked then. */}
+        {/* An open dialog contains it, because only the dialog can be clicked then. */}
         {!dialog.value && <Progress />}
       </main>
       {clip && <SidePanel />}
@@ -65,11 +66,11 @@ export function App() {
       {tableVisible.value && <Batch />}
       <Dialogs />
       <Toasts />
-      <p class="hidden" role="status">
+      <p class="visually-hidden" role="status">
         {announcement}
       </p>
       {filesDragged.value && (
-        <div class="drop">
+        <div class="drop-overlay">
           <p>Drop to open</p>
         </div>
       )}

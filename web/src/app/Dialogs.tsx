@@ -6,6 +6,7 @@ import { Dialog } from "../ui/Dialog";
 import { ShareDialog } from "./ShareDialog";
 import { startTour } from "./Tour";
 
+/** The open dialog, if any. */
 export function Dialogs() {
   if (dialog.value === "keys") return <KeysDialog />;
   if (dialog.value === "notices") return <NoticesDialog />;
@@ -15,7 +16,7 @@ export function Dialogs() {
 
 function KeysDialog() {
   return (
-    <Dialog title="Keys">
+    <Dialog title="Keyboard shortcuts">
       <div class="key-groups">
         {keyTable.map(({ group, rows }) => (
           <section key={group}>
@@ -36,9 +37,9 @@ function KeysDialog() {
         ))}
       </div>
       <p class="note">
-        On the timeline: the wheel zooms, Shift and wheel or a middle drag pans, a click on a bar
-        goes to its start, a drag of its end moves it, a double click on a segment names it. In a
-        plot: ← and → move by frames, Enter goes to the frame.
+        Timeline: scroll to zoom, Shift and scroll or drag with the middle button to pan, click a
+        bar to go to its start, drag its edge to move it, double-click a segment to rename it.
+        Plots: ← and → step by frames, Enter goes to the frame.
       </p>
       <button
         type="button"
@@ -56,12 +57,12 @@ function KeysDialog() {
 
 function NoticesDialog() {
   return (
-    <Dialog title={`Notices on ${clip.value?.name ?? ""}`}>
+    <Dialog title={`Notices for ${clip.value?.name ?? ""}`}>
       <ul class="notices">
         {notices.value.map((notice, i) => (
           <li key={i}>
             <p>{notice.text}</p>
-            <p class="quiet">
+            <p class="muted">
               <code>{notice.code}</code>
               {locationText(notice) && ` ${locationText(notice)}`}
             </p>

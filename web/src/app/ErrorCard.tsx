@@ -11,13 +11,13 @@ import { type ErrorReport, errorReport } from "../store/errors";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";
 
-/** What went wrong with the last file, over the clip that stays open. */
+/** The last failure; the clip that was open stays open. */
 export function ErrorCard() {
-  const held = errorReport.value;
-  /** What was copied: another failure can be copied anew. */
+  const error = errorReport.value;
+  /** The report that was copied last. */
   const copied = useSignal<string | null>(null);
-  if (!held) return null;
-  const report = failureReport(held.name, held.failure);
+  if (!error) return null;
+  const report = failureReport(error.name, error.failure);
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(report);
@@ -27,14 +27,14 @@ export function ErrorCard() {
     }
   };
   return (
-    <div class="failure" role="alert">
-      <div class="failure-head">
+    <div class="error-card" role="alert">
+      <div class="error-head">
         <h2>
-          {held.name} could not be {held.action ?? "opened"}
+          {error.name} could not be {error.action ?? "opened"}
         </h2>
         <button
           type="button"
-          class="button plain icon-only"
+          class="button flat icon-only"
           aria-label="Dismiss"
           onClick={() => {
             errorReport.value = null;
@@ -43,9 +43,9 @@ export function ErrorCard() {
           <Icon name="close" />
         </button>
       </div>
-      <Reason of={held} />
-      {openClip.value && !held.action && <p class="quiet">{openClip.value.name} is still open.</p>}
-      <p class="failure-foot">
+      <Reason report={error} />
+      {openClip.value && !error.action && <p class="muted">{openClip.value.name} is still open.</p>}
+      <p class="error-foot">
         <button type="button" class="button" onClick={copy}>
           {copied.value === report ? "Copied" : "Copy report"}
         </button>
@@ -54,23 +54,23 @@ export function ErrorCard() {
   );
 }
 
-/** Why one file was refused, the line it is about, and the way out. */
-function Reason({ of: { failure: why, source } }: { of: ErrorReport }) {
-  const where = locationText(why);
-  const excerpt = why.excerpt ? excerptWithCaret(why.excerpt, why.column) : undefined;
+/** The message of a failure, the line that caused it, and what to do. */
+function Reason({ report: { failure, source } }: { report: ErrorReport }) {
+  const location = locationText(failure);
+  const excerpt = failure.excerpt ? excerptWithCaret(failure.excerpt, failure.column) : undefined;
   return (
     <>
-      <p>{toSentence(why.message)}</p>
-      {where && <p class="quiet">At {where}:</p>}
+      <p>{toSentence(failure.message)}</p>
+      {location && <p class="muted">At {location}:</p>}
       {excerpt && (
-        // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: a scroll container must be focusable by keyboard
         <pre tabIndex={0}>
           {excerpt.line}
           {excerpt.caret && `\n${excerpt.caret}`}
         </pre>
       )}
-      {why.hint && <p>{why.hint}</p>}
-      {source && canReadLeniently(why) && (
+      {failure.hint && <p>{failure.hint}</p>}
+      {source && canReadLeniently(failure) && (
         <p>
           <button
             type="button"

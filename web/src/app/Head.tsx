@@ -6,19 +6,20 @@ import { embedded } from "../store/embedded";
 import { notices, openClip } from "../store/session";
 import { nextTheme, themeChoice } from "../store/theme";
 import { dialog } from "../store/view";
-import { Icon, Mark } from "../ui/icons";
+import { Icon, Logo } from "../ui/icons";
 import { formatCount, formatDuration, formatRate } from "../util/format";
 import { MadeWith } from "./MadeWith";
 
+/** The header of the page. */
 export function Head() {
   return (
     <header class="head">
       <h1 class="brand">
-        <Mark />
+        <Logo />
         {embedded ? "Shared clip" : "Plantigrade"}
       </h1>
-      <About />
-      <span class="spring" />
+      <ClipSummary />
+      <span class="spacer" />
       {embedded && <MadeWith />}
       {batchRows.value.length > 0 && (
         <button
@@ -44,21 +45,21 @@ export function Head() {
       <button
         type="button"
         class="button icon-only keys"
-        aria-label="Keys"
+        aria-label={commandOf("keys").label}
         title={tooltip("keys")}
         onClick={commandOf("keys").run}
       >
         ?
       </button>
       {(openClip.value || tableVisible.value) && (
-        <button type="button" class="button open-high" title={tooltip("open")} onClick={pickFiles}>
+        <button type="button" class="button open-top" title={tooltip("open")} onClick={pickFiles}>
           Open
         </button>
       )}
       {openClip.value && (
         <button
           type="button"
-          class="button strong share"
+          class="button primary share"
           aria-haspopup="dialog"
           onClick={openShareDialog}
         >
@@ -69,24 +70,24 @@ export function Head() {
   );
 }
 
-/** What is open, in one line. */
-function About() {
-  const held = openClip.value;
-  if (!held) return null;
-  const facts = held.frames
+/** Name, length, rate and units of the open clip, and the number of notices. */
+function ClipSummary() {
+  const clip = openClip.value;
+  if (!clip) return null;
+  const facts = clip.frames
     ? [
-        `${formatCount(held.frames)} frames`,
-        formatRate(held.rate),
-        formatDuration(held.frames / held.rate),
+        `${formatCount(clip.frames)} frames`,
+        formatRate(clip.rate),
+        formatDuration(clip.frames / clip.rate),
       ]
     : ["rest pose only"];
-  facts.push(`${held.unit ? `${held.unit}, ` : ""}${held.up.replace("-", "−").toUpperCase()} up`);
-  const heard = notices.value.length;
+  facts.push(`${clip.unit ? `${clip.unit}, ` : ""}${clip.up.replace("-", "−").toUpperCase()} up`);
+  const noticeCount = notices.value.length;
   return (
-    <p class="about">
-      <strong title={held.name}>{held.name}</strong>
-      <span class="facts-line">{facts.join(" · ")}</span>
-      {heard > 0 && (
+    <p class="clip-summary">
+      <strong title={clip.name}>{clip.name}</strong>
+      <span class="clip-facts">{facts.join(" · ")}</span>
+      {noticeCount > 0 && (
         <button
           type="button"
           class="link"
@@ -95,7 +96,7 @@ function About() {
             dialog.value = "notices";
           }}
         >
-          {heard} {heard === 1 ? "notice" : "notices"}
+          {noticeCount} {noticeCount === 1 ? "notice" : "notices"}
         </button>
       )}
     </p>

@@ -1,14 +1,14 @@
 import { embedded } from "../store/embedded";
 
-/** Whoever was sent a clip may want to open one too. */
+/** Credit on shared pages, with a link to the app if it has a public address. */
 export function MadeWith() {
-  const words = "Made with Plantigrade";
+  const text = "Made with Plantigrade";
   const { home = "" } = embedded ?? {};
-  // Nothing but a web address: a page may have been tampered with.
-  if (!/^https?:/.test(home)) return <span class="made quiet">{words}</span>;
+  // The page may have been tampered with: only web addresses become links.
+  if (!/^https?:/.test(home)) return <span class="credit muted">{text}</span>;
   return (
-    <a class="made link" href={home} target="_blank" rel="noreferrer">
-      {words}
+    <a class="credit link" href={home} target="_blank" rel="noreferrer">
+      {text}
     </a>
   );
 }

@@ -9,36 +9,37 @@ import { Dialog } from "../ui/Dialog";
 import { formatClock } from "../util/format";
 import { MadeWith } from "./MadeWith";
 
+/** Ways to share the open clip: a link, a single-file page, a picture. */
 export function ShareDialog() {
   const link = useComputed(currentLink).value;
-  const isMaking = useSignal(false);
-  const makePage = async () => {
-    isMaking.value = true;
+  const isCreating = useSignal(false);
+  const createPage = async () => {
+    isCreating.value = true;
     await savePage();
-    isMaking.value = false;
+    isCreating.value = false;
   };
   return (
     <Dialog title={`Share ${clip.value?.name ?? ""}`}>
-      <div class="ways">
-        {link ? <LinkWay link={link} /> : <NoLink />}
+      <div class="share-options">
+        {link ? <ShareLink link={link} /> : <NoLink />}
         <section>
           <h3>Page</h3>
           <p>
-            One HTML file with the clip, its labels and this player. It opens from disk, without a
-            network.
+            A single HTML file with the clip, its labels and this player. It opens from disk,
+            without a network connection.
           </p>
           <button
             type="button"
-            class={`button ${link ? "" : "strong"}`}
-            disabled={isMaking.value}
-            onClick={makePage}
+            class={`button ${link ? "" : "primary"}`}
+            disabled={isCreating.value}
+            onClick={createPage}
           >
-            {isMaking.value ? "Making…" : "Save page"}
+            {isCreating.value ? "Creating…" : "Save page"}
           </button>
         </section>
         <section>
           <h3>Picture</h3>
-          <p>The view at {formatClock(playhead.value / (clip.value?.rate ?? 1))}, as PNG.</p>
+          <p>The view at {formatClock(playhead.value / (clip.value?.rate ?? 1))} as a PNG file.</p>
           <button type="button" class="button" disabled={!stageHandle.value} onClick={savePicture}>
             Save picture
           </button>
@@ -49,29 +50,29 @@ export function ShareDialog() {
   );
 }
 
-function LinkWay({ link }: { link: string }) {
+function ShareLink({ link }: { link: string }) {
   const field = useRef<HTMLInputElement>(null);
-  const said = useSignal("Copy");
+  const copyLabel = useSignal("Copy");
   const copy = async () => {
     field.current?.select();
     try {
       await navigator.clipboard.writeText(link);
-      said.value = "Copied";
+      copyLabel.value = "Copied";
     } catch {
-      // Not everywhere may a page write to the clipboard; the link is selected by now.
-      said.value = "Press Ctrl C";
+      // The page may not write to the clipboard; the link is already selected.
+      copyLabel.value = "Press Ctrl C";
     }
-    announcement.value = said.value;
+    announcement.value = copyLabel.value;
   };
-  const changed = edits.value.length > 0 || segmentNames.value.length > 0;
+  const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
   return (
-    <section class="link-way">
+    <section class="share-link">
       <h3>
         <label for="share-link">Link</label>
       </h3>
       <p>
-        Opens this clip at this moment, with this view and these settings.
-        {changed && " Corrections and names are not in it: the page below has them."}
+        Opens this clip at the current time, with the current view and settings.
+        {hasChanges && " Edits and segment names are not included; save a page to share them."}
       </p>
       <input
         ref={field}
@@ -81,8 +82,8 @@ function LinkWay({ link }: { link: string }) {
         value={link}
         onFocus={(event) => event.currentTarget.select()}
       />
-      <button type="button" class="button strong" onClick={copy}>
-        {said.value}
+      <button type="button" class="button primary" onClick={copy}>
+        {copyLabel.value}
       </button>
     </section>
   );
@@ -94,8 +95,8 @@ function NoLink() {
       <h3>Link</h3>
       <p>
         {embedded
-          ? "This page is a file, and no link leads to it: send it as it is, or save it with your changes."
-          : "A link cannot carry a file of your own: nothing of it has left your computer. Send the page instead, which holds the clip."}
+          ? "This page is a file, so there is no link to it. Send the file, or save a page with your changes."
+          : "There is no link to a local file, because files are not uploaded. Save a page instead; it contains the clip."}
       </p>
     </section>
   );

@@ -11,32 +11,34 @@ import { activeTab, sheetOpen, type Tab } from "../store/view";
 
 const allTabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
   ["detect", "Detect", DetectPanel],
-  ["why", "Why", EvidencePanel],
+  ["evidence", "Evidence", EvidencePanel],
   ["segment", "Segment", SegmentPanel],
   ["labels", "Labels", LabelsPanel],
   ["score", "Score", ScorePanel],
   ["clip", "Clip", ClipPanel],
 ];
 
-/** The panel at the right; on a phone a sheet over the lower half, with an Open button. */
+/** The side panel; on phones a bottom sheet with an Open button. */
 export function SidePanel() {
-  const list = useRef<HTMLDivElement>(null);
-  // Without other labels there is nothing to score.
+  const tabList = useRef<HTMLDivElement>(null);
+  // The score requires a reference.
   const tabs = allTabs.filter(([id]) => id !== "score" || reference.value);
   const choose = (next: Tab) => {
-    // On a phone the tab that is up already puts the sheet down again.
+    // On phones, the tab that is shown collapses the sheet.
     sheetOpen.value = !(sheetOpen.value && activeTab.value === next);
     activeTab.value = next;
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    const at = tabs.findIndex(([id]) => id === activeTab.value);
-    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: tabs.length - 1 }[event.key];
-    if (to === undefined) return;
+    const index = tabs.findIndex(([id]) => id === activeTab.value);
+    const target = { ArrowRight: index + 1, ArrowLeft: index - 1, Home: 0, End: tabs.length - 1 }[
+      event.key
+    ];
+    if (target === undefined) return;
     event.preventDefault();
-    const next = tabs[(to + tabs.length) % tabs.length];
+    const next = tabs[(target + tabs.length) % tabs.length];
     if (!next) return;
     activeTab.value = next[0];
-    list.current?.querySelector<HTMLElement>(`#tab-${next[0]}`)?.focus();
+    tabList.current?.querySelector<HTMLElement>(`#tab-${next[0]}`)?.focus();
   };
   const Body = tabs.find(([id]) => id === activeTab.value)?.[2] ?? DetectPanel;
   return (
@@ -45,13 +47,13 @@ export function SidePanel() {
         type="button"
         class="sheet-handle"
         aria-expanded={sheetOpen.value}
-        aria-label={sheetOpen.value ? "Lower the panel" : "Raise the panel"}
+        aria-label={sheetOpen.value ? "Collapse panel" : "Expand panel"}
         onClick={() => {
           sheetOpen.value = !sheetOpen.value;
         }}
       />
       <div class="panel-head">
-        <div class="tabs" role="tablist" aria-label="Panel" ref={list} onKeyDown={onKeyDown}>
+        <div class="tabs" role="tablist" aria-label="Panel" ref={tabList} onKeyDown={onKeyDown}>
           {tabs.map(([id, name]) => (
             <button
               key={id}
@@ -67,7 +69,7 @@ export function SidePanel() {
             </button>
           ))}
         </div>
-        <button type="button" class="button open-low" onClick={pickFiles}>
+        <button type="button" class="button open-bottom" onClick={pickFiles}>
           Open
         </button>
       </div>
@@ -77,7 +79,7 @@ export function SidePanel() {
         role="tabpanel"
         id="panel-body"
         aria-labelledby={`tab-${activeTab.value}`}
-        // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: a scroll container must be focusable by keyboard
         tabIndex={0}
       >
         <Body />

@@ -3,18 +3,18 @@ import { pickFiles } from "../actions/pick-files";
 import { type Sample, samples } from "../actions/samples";
 import { maxFileBytes } from "../model/limits";
 
-/** The first impression: the page itself is the drop target, a sample walks behind it. */
+/** The page without a clip. A sample plays behind it; files can be dropped anywhere. */
 export function StartPage() {
   return (
-    <section class="empty" aria-label="Open a clip">
-      <div class="welcome">
-        <p class="sentence">Drop a BVH file to see every foot plant.</p>
-        <p class="choices">
-          <button type="button" class="button strong big" onClick={pickFiles}>
+    <section class="start-page" aria-label="Open a clip">
+      <div class="introduction">
+        <p class="headline">Drop a BVH file to see every foot plant.</p>
+        <p class="start-actions">
+          <button type="button" class="button primary large" onClick={pickFiles}>
             Open a file
           </button>
-          <span class="quiet">
-            Nothing leaves your computer. Up to {maxFileBytes / 2 ** 30} GiB.
+          <span class="muted">
+            Files stay on your computer. Up to {maxFileBytes / 2 ** 30} GiB.
           </span>
         </p>
       </div>
@@ -24,7 +24,7 @@ export function StartPage() {
           <ul>
             {samples.map((sample) => (
               <li key={sample.name}>
-                <Card sample={sample} />
+                <SampleCard sample={sample} />
               </li>
             ))}
           </ul>
@@ -34,13 +34,13 @@ export function StartPage() {
   );
 }
 
-function Card({ sample }: { sample: Sample }) {
+function SampleCard({ sample }: { sample: Sample }) {
   return (
     <button type="button" class="card" title={sample.note} onClick={() => openSample(sample.name)}>
       {sample.drawing && (
-        // Our own drawings, shipped with the app: no text of any file comes this way.
+        // Drawings are part of the app; they contain no text of users' files.
         <span
-          class="drawing"
+          class="card-drawing"
           aria-hidden="true"
           dangerouslySetInnerHTML={{ __html: sample.drawing }}
         />

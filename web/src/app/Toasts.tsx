@@ -1,22 +1,23 @@
 import { dismissToast, toasts } from "../store/toasts";
 import { Icon } from "../ui/icons";
 
+/** Messages that do not interrupt the user. */
 export function Toasts() {
   return (
-    <div class="remarks" role="status">
-      {toasts.value.map((remark) => (
-        <div class="remark" key={remark.text}>
-          <p>{remark.text}</p>
-          {remark.action && (
-            <button type="button" class="button" onClick={remark.action.run}>
-              {remark.action.name}
+    <div class="toasts" role="status">
+      {toasts.value.map((toast) => (
+        <div class="toast" key={toast.text}>
+          <p>{toast.text}</p>
+          {toast.action && (
+            <button type="button" class="button" onClick={toast.action.run}>
+              {toast.action.name}
             </button>
           )}
           <button
             type="button"
-            class="button plain icon-only"
+            class="button flat icon-only"
             aria-label="Dismiss"
-            onClick={() => dismissToast(remark)}
+            onClick={() => dismissToast(toast)}
           >
             <Icon name="close" />
           </button>

@@ -2,87 +2,87 @@ import { signal } from "@preact/signals";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";
 
-/** What a new person is shown, and beside which part of the page. */
+/** Hints: the part of the page that is outlined, and the text. */
 const hints = [
   [
     "viewer",
-    "A lit foot is planted: on the ground and still, lower and slower than elsewhere in this clip. Every plant leaves a numbered print.",
+    "A highlighted foot is planted: it rests on the ground, lower and slower than in the rest of the clip. Every plant leaves a numbered footprint.",
   ],
   [
     "timeline",
-    "Each bar is a plant: blue left, orange right, toes solid, heels hatched, dotted where the detector is unsure. Click one to go to it.",
+    "Each bar is a plant: blue for left, orange for right; toes are solid, heels hatched, uncertain frames dotted. Click a bar to go to it.",
   ],
   [
     "timeline",
-    "Drag the end of a bar to correct it, or press E and then I, O, K, M or Delete. Ctrl Z takes it back. Edits are kept in this browser.",
+    "Drag the edge of a bar to correct it, or press E and then I, O, K, M or Delete. Ctrl Z undoes an edit. Edits are stored in this browser.",
   ],
   [
     "panel",
-    "Nothing needs tuning. If you want to: the sensitivity plants feet longer or shorter, live. Labels and clips without foot skate are saved from here.",
+    "The defaults need no tuning. A higher sensitivity makes plants longer. Save labels and clips without foot skate from this panel.",
   ],
   [
     "head",
-    "Drop more: a folder or an archive fills a table, and labels of the clip stand beside yours. Press ? for all keys.",
+    "Drop a folder or an archive to process many clips, or a label file to compare it with these labels. Press ? for keyboard shortcuts.",
   ],
 ] as const;
 
-const key = "plantigrade:tour";
+const storageKey = "plantigrade:tour";
 
-/** Place of the hint on show; the last one past means that the tour is over. */
-const at = signal(isDone() ? hints.length : 0);
+/** Index of the current hint; the number of hints after the tour. */
+const step = signal(isDone() ? hints.length : 0);
 
 function isDone() {
   try {
-    return localStorage.getItem(key) === "done";
+    return localStorage.getItem(storageKey) === "done";
   } catch {
     return true;
   }
 }
 
-function go(to: number) {
-  at.value = to;
-  if (to < hints.length) return;
+function goTo(index: number) {
+  step.value = index;
+  if (index < hints.length) return;
   try {
-    localStorage.setItem(key, "done");
+    localStorage.setItem(storageKey, "done");
   } catch {
-    // Then it is shown again: nothing worse.
+    // Without storage, the tour is shown again on the next visit.
   }
 }
 
-/** Shows the tour from its beginning. */
-export const startTour = () => go(0);
+/** Starts the tour at the first hint. */
+export const startTour = () => goTo(0);
 
-/** The part of the page that the hint on show is about. */
-export const hinted = () => (openClip.value && hints[at.value]?.[0]) || undefined;
+/** Returns the part of the page that the current hint describes. */
+export const hintTarget = () => (openClip.value && hints[step.value]?.[0]) || undefined;
 
-/** Five hints for whoever is new here, one after the other, in nobody's way. */
+/** A tour of five hints for new users. It does not block the page. */
 export function Tour() {
-  const [, text] = hints[at.value] ?? [];
+  const [, text] = hints[step.value] ?? [];
   if (!openClip.value || !text) return null;
-  const isLast = at.value === hints.length - 1;
+  const isLast = step.value === hints.length - 1;
   return (
     <aside class="tour" aria-label="Tour">
       <p aria-live="polite">{text}</p>
       <div class="tour-foot">
-        <span class="quiet">
-          {at.value + 1} of {hints.length}
+        <span class="muted">
+          {step.value + 1} of {hints.length}
         </span>
-        <span class="spring" />
-        {at.value > 0 && (
-          <button type="button" class="button plain" onClick={() => go(at.value - 1)}>
+        <span class="spacer" />
+        {step.value > 0 && (
+          <button type="button" class="button flat" onClick={() => goTo(step.value - 1)}>
             Back
           </button>
         )}
-        <button type="button" class="button strong" onClick={() => go(at.value + 1)}>
+        <button type="button" class="button primary" onClick={() => goTo(step.value + 1)}>
           {isLast ? "Done" : "Next"}
         </button>
       </div>
       {!isLast && (
         <button
           type="button"
-          class="button plain icon-only"
+          class="button flat icon-only"
           aria-label="End the tour"
-          onClick={() => go(hints.length)}
+          onClick={() => goTo(hints.length)}
         >
           <Icon name="close" />
         </button>

@@ -3,50 +3,53 @@ import { openFiles } from "../actions/open-files";
 import { messageOf, reportOpenFailure } from "../store/errors";
 import { filesDragged } from "../store/view";
 
-/** Files dropped anywhere on the page, or pasted into it. */
+/** Opens files that are dropped anywhere on the page or pasted, until `signal` aborts. */
 export function listenForDrops(signal: AbortSignal) {
-  // Each element left is another one entered: only when all are left the files are gone.
-  const inside = new Set<EventTarget>();
+  // `dragenter` of an element precedes `dragleave` of the previous one: the files have left the page
+  // when no entered element remains.
+  const entered = new Set<EventTarget>();
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
-  const over = (event: DragEvent) => {
+  const onDragOver = (event: DragEvent) => {
     if (!hasFiles(event)) return;
     event.preventDefault();
     if (event.dataTransfer) event.dataTransfer.dropEffect = "copy";
   };
-  const settle = () => {
-    filesDragged.value = inside.size > 0;
+  const updateDragged = () => {
+    filesDragged.value = entered.size > 0;
   };
   addEventListener(
     "dragenter",
     (event) => {
       if (!hasFiles(event) || !event.target) return;
       event.preventDefault();
-      inside.add(event.target);
-      settle();
+      entered.add(event.target);
+      updateDragged();
     },
     { signal },
   );
   addEventListener(
     "dragleave",
     (event) => {
-      if (event.target) inside.delete(event.target);
-      // What was removed while it was entered never leaves by itself.
-      for (const at of inside) if (at instanceof Node && !at.isConnected) inside.delete(at);
-      settle();
+      if (event.target) entered.delete(event.target);
+      // Elements that were removed from the page get no `dragleave`.
+      for (const element of entered) {
+        if (element instanceof Node && !element.isConnected) entered.delete(element);
+      }
+      updateDragged();
     },
     { signal },
   );
-  addEventListener("dragover", over, { signal });
+  addEventListener("dragover", onDragOver, { signal });
   addEventListener(
     "drop",
     (event) => {
       if (!hasFiles(event)) return;
       event.preventDefault();
-      inside.clear();
-      settle();
+      entered.clear();
+      updateDragged();
       if (!event.dataTransfer) return;
       void filesOfTransfer(event.dataTransfer).then(openFiles, (error) =>
-        reportOpenFailure("What was dropped", { message: messageOf(error) }),
+        reportOpenFailure("The dropped files", { message: messageOf(error) }),
       );
     },
     { signal },

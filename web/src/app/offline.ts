@@ -1,11 +1,11 @@
-/** The app once visited opens without a network: a service worker keeps its files. */
+/** Offline use: a service worker caches the files of the app. */
 
 import { embedded } from "../store/embedded";
 import { showToast } from "../store/toasts";
 
-export function keepOffline() {
+/** Registers the service worker after the page has loaded. */
+export function registerServiceWorker() {
   if (!import.meta.env.PROD || embedded || !("serviceWorker" in navigator)) return;
-  // The page comes first; its files are kept when it has nothing left to load.
   if (document.readyState === "complete") void register();
   else addEventListener("load", () => void register(), { once: true });
 }
@@ -13,23 +13,25 @@ export function keepOffline() {
 async function register() {
   try {
     const worker = await navigator.serviceWorker.register("./sw.js");
-    worker.addEventListener("updatefound", () => void tellIfOld());
+    worker.addEventListener("updatefound", () => void notifyIfOutdated());
   } catch {
-    // Private windows may forbid it: then the page needs a network, as any other.
+    // Private windows may not allow service workers; the page then requires a network.
   }
 }
 
-/** A reload always shows the newest version; what is open stays as it is until then. */
-async function tellIfOld() {
-  // Who comes for the first time has nothing older.
+/** Offers a reload if a newer version than this page has been published. */
+async function notifyIfOutdated() {
+  // On the first visit there is no older version.
   if (!navigator.serviceWorker.controller) return;
-  const own = document.querySelector<HTMLScriptElement>("script[type=module]")?.getAttribute("src");
-  const newest = await fetch("./", { cache: "no-cache" })
+  const currentScript = document
+    .querySelector<HTMLScriptElement>("script[type=module]")
+    ?.getAttribute("src");
+  const newestPage = await fetch("./", { cache: "no-cache" })
     .then((response) => response.text())
-    .catch(() => own);
-  if (!own || newest?.includes(own)) return;
+    .catch(() => currentScript);
+  if (!currentScript || newestPage?.includes(currentScript)) return;
   showToast({
-    text: "A new version is ready.",
+    text: "A new version is available.",
     action: { name: "Reload", run: () => location.reload() },
   });
 }

@@ -1,25 +1,25 @@
 /**
- * A button or menu used with the pointer gives the focus back, so that the next press of
- * Space plays instead of pressing it again. Whoever works by keyboard keeps the focus.
+ * Removes the focus from buttons and menus after they are used with the pointer, so that Space plays
+ * instead of pressing them again. After use by keyboard the focus stays.
  */
 export function releaseFocus(signal: AbortSignal) {
-  let byPointer = false;
+  let usesPointer = false;
   const release = (event: Event) => {
-    const at = event.target;
-    if (!byPointer || !(at instanceof Element) || at.closest("dialog")) return;
-    at.closest<HTMLElement>("button, select")?.blur();
+    const { target } = event;
+    if (!usesPointer || !(target instanceof Element) || target.closest("dialog")) return;
+    target.closest<HTMLElement>("button, select")?.blur();
   };
   addEventListener(
     "pointerdown",
     () => {
-      byPointer = true;
+      usesPointer = true;
     },
     { signal, capture: true },
   );
   addEventListener(
     "keydown",
     () => {
-      byPointer = false;
+      usesPointer = false;
     },
     { signal, capture: true },
   );

@@ -8,47 +8,47 @@ import { detectMethods, detectOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
 import { Rows } from "./Rows";
 
-const words = signal("");
+const query = signal("");
 const order = signal<{ key: string; direction: 1 | -1 }>({ key: "", direction: 1 });
 
-const listed = computed(() =>
-  sortRows(filterRows(batchRows.value, words.value), order.value.key, order.value.direction),
+const visibleRows = computed(() =>
+  sortRows(filterRows(batchRows.value, query.value), order.value.key, order.value.direction),
 );
 
-/** All clips of a drop in one table that fills as they are labelled. */
+/** The table of all clips of a drop, updated while they are processed. */
 export function Batch() {
-  const box = useRef<HTMLElement>(null);
-  useEffect(() => box.current?.focus(), []);
+  const section = useRef<HTMLElement>(null);
+  useEffect(() => section.current?.focus(), []);
   return (
-    <section class="batch" aria-labelledby="batch-title" ref={box} tabIndex={-1}>
-      <Head />
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard */}
+    <section class="batch" aria-labelledby="batch-title" ref={section} tabIndex={-1}>
+      <Toolbar />
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a scroll container must be focusable by keyboard */}
       <div class="batch-scroll" data-scrolls tabIndex={0}>
-        <table aria-rowcount={listed.value.length + 1} aria-labelledby="batch-title">
-          <ColumnHeads />
-          <Rows rows={listed.value} />
+        <table aria-rowcount={visibleRows.value.length + 1} aria-labelledby="batch-title">
+          <ColumnHeaders />
+          <Rows rows={visibleRows.value} />
         </table>
       </div>
     </section>
   );
 }
 
-function Head() {
-  const all = batchRows.value.length;
+function Toolbar() {
+  const total = batchRows.value.length;
   const done = finishedCount.value;
   const isRunning = batchRows.value.some(({ status }) => status === "running");
-  const isStopped = done < all && !isRunning;
+  const isStopped = done < total && !isRunning;
   const method = detectMethods.value.find(({ name }) => name === batchRequest.value?.detect.method);
-  const back = openClip.value ? `Back to ${openClip.value.name}` : "Back to the start";
+  const closeLabel = `Back to ${openClip.value?.name ?? "the start page"}`;
   const isStale = batchRequest.value?.detect !== detectOptions.value;
   return (
     <div class="batch-head">
-      <h2 id="batch-title">{all} clips</h2>
-      <p class="quiet" aria-live="off">
-        {done < all ? `${done} labelled` : "All labelled"}
-        {method && ` by ${method.title}`}
+      <h2 id="batch-title">{total} clips</h2>
+      <p class="muted" aria-live="off">
+        {done < total ? `${done} processed` : "All processed"}
+        {method && ` · ${method.title}`}
       </p>
-      {done < all && <progress aria-label="Clips labelled" value={done} max={all} />}
+      {done < total && <progress aria-label="Processed clips" value={done} max={total} />}
       {isRunning && (
         <button type="button" class="button" onClick={stopBatch}>
           Stop
@@ -56,33 +56,33 @@ function Head() {
       )}
       {isStopped && (
         <button type="button" class="button" onClick={resumeBatch}>
-          Go on
+          Resume
         </button>
       )}
       {!isRunning && !isStopped && isStale && (
         <button type="button" class="button" onClick={rerunBatch}>
-          Label again
+          Process again
         </button>
       )}
-      <span class="spring" />
+      <span class="spacer" />
       <input
         class="input"
         type="search"
         aria-label="Filter by name"
         placeholder="Filter"
-        value={words.value}
+        value={query.value}
         onInput={(event) => {
-          words.value = event.currentTarget.value;
+          query.value = event.currentTarget.value;
         }}
       />
       <button type="button" class="button" disabled={done === 0} onClick={exportAll}>
-        Save all <span class="quiet">zip</span>
+        Save all <span class="muted">zip</span>
       </button>
       <button
         type="button"
         class="button icon-only"
-        aria-label={back}
-        title={back}
+        aria-label={closeLabel}
+        title={closeLabel}
         onClick={() => {
           tableVisible.value = false;
         }}
@@ -93,7 +93,7 @@ function Head() {
   );
 }
 
-function ColumnHeads() {
+function ColumnHeaders() {
   const { key, direction } = order.value;
   return (
     <thead>
@@ -107,7 +107,7 @@ function ColumnHeads() {
           >
             <button
               type="button"
-              title={column.about}
+              title={column.description}
               onClick={() => {
                 order.value = {
                   key: column.key,
@@ -116,7 +116,7 @@ function ColumnHeads() {
               }}
             >
               {column.title}
-              {key === column.key && <Icon name={direction > 0 ? "less" : "more"} />}
+              {key === column.key && <Icon name={direction > 0 ? "collapse" : "expand"} />}
             </button>
           </th>
         ))}

@@ -10,9 +10,9 @@ import { useVisibleRows } from "../ui/use-visible-rows";
 
 const rowHeight = 40;
 
-const minor = columns.filter((column) => column.minor).length;
+const minorCount = columns.filter((column) => column.minor).length;
 
-/** The rows in sight; the style sheet keeps the room of those above and below. */
+/** The visible rows; the style sheet reserves the height of the rows above and below. */
 export function Rows({ rows }: { rows: readonly BatchRow[] }) {
   const body = useRef<HTMLTableSectionElement>(null);
   const { from, to } = useVisibleRows(body, rowHeight, rows.length);
@@ -20,8 +20,8 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
     <tbody
       ref={(element) => {
         body.current = element;
-        element?.style.setProperty("--above", `${from * rowHeight}px`);
-        element?.style.setProperty("--below", `${(rows.length - to) * rowHeight}px`);
+        element?.style.setProperty("--height-above", `${from * rowHeight}px`);
+        element?.style.setProperty("--height-below", `${(rows.length - to) * rowHeight}px`);
       }}
     >
       {rows.slice(from, to).map((row, i) => (
@@ -40,60 +40,66 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
 
 function Cells({ row }: { row: BatchRow }) {
   const [name, ...others] = columns;
-  const why = row.failure?.message ?? row.summary?.missing[0];
+  const problem = row.failure?.message ?? row.summary?.missing[0];
   return (
     <>
       <th scope="row">
         <button type="button" title={row.source.name} onClick={() => openRow(row)}>
           {name?.text(row)}
         </button>
-        {row.summary?.edited && <span class="quiet"> edited</span>}
-        {row.summary && openClip.value && row.source !== source.value && <BesideButton row={row} />}
+        {row.summary?.edited && <span class="muted"> edited</span>}
+        {row.summary && openClip.value && row.source !== source.value && (
+          <SideBySideButton row={row} />
+        )}
       </th>
       {row.summary ? (
         others.map((column) => (
           <td
             key={column.key}
             data-minor={column.minor}
-            title={column.text(row) === "–" ? toSentence(why ?? "") : undefined}
+            title={column.text(row) === "–" ? toSentence(problem ?? "") : undefined}
           >
             {column.text(row)}
           </td>
         ))
       ) : (
         <>
-          <td class="batch-why" colSpan={others.length - minor} title={why && toSentence(why)}>
-            {row.status === "failed" && toSentence(why ?? "")}
-            {row.status === "running" && "Labelling…"}
+          <td
+            class="batch-message"
+            colSpan={others.length - minorCount}
+            title={problem && toSentence(problem)}
+          >
+            {row.status === "failed" && toSentence(problem ?? "")}
+            {row.status === "running" && "Processing…"}
             {row.status === "waiting" && "Waiting"}
           </td>
-          <td colSpan={minor} data-minor />
+          <td colSpan={minorCount} data-minor />
         </>
       )}
     </>
   );
 }
 
-/** Puts a clip at the side of the one that is open, or takes it away. */
-function BesideButton({ row: { source } }: { row: BatchRow }) {
-  const isBeside = companions.value.some((other) => other.source === source);
+/** Shows a clip side by side with the open one, or hides it. */
+function SideBySideButton({ row: { source } }: { row: BatchRow }) {
+  const isShown = companions.value.some((other) => other.source === source);
   return (
     <button
       type="button"
-      class="beside"
-      aria-label={`${source.name} beside ${openClip.value?.name}`}
-      aria-pressed={isBeside}
-      disabled={!isBeside && companions.value.length >= maxCompanions}
+      class="side-by-side"
+      aria-label={`${source.name} side by side with ${openClip.value?.name}`}
+      aria-pressed={isShown}
+      disabled={!isShown && companions.value.length >= maxCompanions}
       title={
-        isBeside
-          ? "Take it away"
+        isShown
+          ? "Remove from the view"
           : companions.value.length < maxCompanions
-            ? `Put it beside ${openClip.value?.name}`
-            : `No more than ${maxCompanions} stand beside it`
+            ? `Show side by side with ${openClip.value?.name}`
+            : `At most ${maxCompanions} clips can be shown side by side with the open one`
       }
-      onClick={() => (isBeside ? removeCompanion(source) : addCompanion(source))}
+      onClick={() => (isShown ? removeCompanion(source) : addCompanion(source))}
     >
-      Beside
+      Side by side
     </button>
   );
 }

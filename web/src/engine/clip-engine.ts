@@ -201,16 +201,16 @@ export function createEngine(
   /** Makes the page's side of the calls that have no state to restore, from their names. */
   function makeSimpleCalls() {
     const entries = Object.entries(simpleCalls).map(([name, [requirement, count]]) => {
-      const engineCall = (...given: unknown[]) =>
+      const engineCall = (...args: unknown[]) =>
         callWith(
           requirement,
           (calls, _, report) => {
             const method = calls[name as keyof SimpleCalls] as (
-              ...a: unknown[]
+              ...values: unknown[]
             ) => Promise<unknown>;
-            return method(...given.slice(0, count), ...(report ? [report] : []));
+            return method(...args.slice(0, count), ...(report ? [report] : []));
           },
-          given[count] as CallOptions | undefined,
+          args[count] as CallOptions | undefined,
         );
       return [name, engineCall];
     });
@@ -305,7 +305,7 @@ function asFailure(error: unknown): { ok: false; failure: { message: string; hin
     ok: false,
     failure: {
       message: `the program failed on this clip (${reason})`,
-      hint: "Nothing else is affected. Please report it, with the file if you may share it.",
+      hint: "Please report the problem, with the file if possible.",
     },
   };
 }

@@ -11,11 +11,17 @@ import { frame } from "../store/playback";
 import { detectFailure, detection, edits } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";
 import { SensitivitySlider, WindowSlider } from "../ui/DetectionSliders";
-import { isAtKnee, normsFrame, runningVariance, sortedNorms, varianceFrame } from "./norm-curves";
+import {
+  isSigmaAtKnee,
+  normsSpec,
+  runningVariancePlot,
+  sortedNormsPlot,
+  varianceSpec,
+} from "./norm-curves";
 import { Plot } from "./Plot";
-import { scatter, scatterFrame } from "./scatter";
+import { scatterPlot, scatterSpec } from "./scatter";
 
-/** Why feet are taken for planted, and what other settings would make of them. */
+/** Evidence for the labels: the state of both feet in a frame, plots, and the detection settings. */
 export function EvidencePanel() {
   useEffect(trackEvidence, []);
   const input = useComputed<ExplanationInput | null>(() => {
@@ -24,37 +30,40 @@ export function EvidencePanel() {
       ? { evidence: evidence.value, tracks, edits: edits.value }
       : null;
   });
-  const lastInput = useLast(input);
-  const clustering = useLast(useComputed(() => input.value?.evidence.clustering ?? null));
+  const lastInput = useLastValue(input);
+  const clustering = useLastValue(useComputed(() => input.value?.evidence.clustering ?? null));
   if (!input.value) {
     const reason = detectFailure.value?.message;
-    return <p class="note">{reason ? toSentence(reason) : "Looking for the reasons…"}</p>;
+    return <p class="note">{reason ? toSentence(reason) : "Loading evidence…"}</p>;
   }
   return (
-    <div class="why-panel">
-      <Parts />
-      <Reading found={lastInput} />
-      <Scatter found={lastInput} />
-      {input.value.evidence.clustering && <Curves found={lastInput} clustering={clustering} />}
+    <div class="evidence">
+      <PartSwitch />
+      <FrameStatus input={lastInput} />
+      <ScatterSection input={lastInput} />
+      {input.value.evidence.clustering && (
+        <NormSections input={lastInput} clustering={clustering} />
+      )}
     </div>
   );
 }
 
-/** The last thing that there was: what shows it may be told of the next thing before it is gone. */
-function useLast<T>(now: ReadonlySignal<T | null>): ReadonlySignal<T> {
+/** Returns the last value that was not null: components may render once more after it is cleared. */
+function useLastValue<T>(current: ReadonlySignal<T | null>): ReadonlySignal<T> {
   const last = useRef<T | null>(null);
   return useComputed(() => {
-    last.current = now.value ?? last.current;
+    last.current = current.value ?? last.current;
     return last.current as T;
   });
 }
 
-function Parts() {
+/** Buttons that choose the explained part of the foot. */
+function PartSwitch() {
   const parts = Object.keys(detection.value?.parts ?? {}) as Part[];
   if (parts.length < 2) return null;
   return (
-    <fieldset class="segmented parts">
-      <legend class="hidden">Part</legend>
+    <fieldset class="segmented full-width">
+      <legend class="visually-hidden">Part</legend>
       {parts.map((part) => (
         <button
           key={part}
@@ -69,24 +78,25 @@ function Parts() {
   );
 }
 
-const atNow = () => pointedFrame.value?.frame ?? frame.value;
+/** Returns the pointed frame, or the frame at the playhead. */
+const shownFrame = () => pointedFrame.value?.frame ?? frame.value;
 
-/** Both feet at the playhead, or at the frame pointed at, in words. */
-function Reading({ found }: { found: ReadonlySignal<ExplanationInput> }) {
-  const at = useComputed(atNow);
+/** The state of both feet in the shown frame, as text. */
+function FrameStatus({ input }: { input: ReadonlySignal<ExplanationInput> }) {
+  const shown = useComputed(shownFrame);
   return (
-    <div class="field reading" data-pointed={pointedFrame.value !== null}>
-      <h2>Frame {at}</h2>
+    <div class="field frame-status" data-pointed={pointedFrame.value !== null}>
+      <h2>Frame {shown}</h2>
       <dl>
-        <Foot found={found} side="left" />
-        <Foot found={found} side="right" />
+        <FootStatus input={input} side="left" />
+        <FootStatus input={input} side="right" />
       </dl>
     </div>
   );
 }
 
-function Foot({ found, side }: { found: ReadonlySignal<ExplanationInput>; side: Side }) {
-  const { label, reason } = explain(found.value, side, atNow());
+function FootStatus({ input, side }: { input: ReadonlySignal<ExplanationInput>; side: Side }) {
+  const { label, reason } = explain(input.value, side, shownFrame());
   return (
     <div class={side}>
       <dt>
@@ -98,111 +108,114 @@ function Foot({ found, side }: { found: ReadonlySignal<ExplanationInput>; side: 
   );
 }
 
-/** What a screen reader is told of the frame, in every plot. */
-function useText(found: ReadonlySignal<ExplanationInput>) {
+/** Returns the description of the shown frame for screen readers. */
+function useDescription(input: ReadonlySignal<ExplanationInput>) {
   return useComputed(() => {
-    const at = atNow();
+    const shown = shownFrame();
     const feet = (["left", "right"] as const).map((side) => {
-      const { label, reason } = explain(found.value, side, at);
+      const { label, reason } = explain(input.value, side, shown);
       return `${label}: ${reason}`;
     });
-    return `Frame ${at}. ${feet.join(". ")}`;
+    return `Frame ${shown}. ${feet.join(". ")}`;
   });
 }
 
-function Scatter({ found }: { found: ReadonlySignal<ExplanationInput> }) {
-  const picture = useComputed(() => scatter(found.value.tracks, found.value.evidence));
-  const text = useText(found);
+function ScatterSection({ input }: { input: ReadonlySignal<ExplanationInput> }) {
+  const plotData = useComputed(() => scatterPlot(input.value.tracks, input.value.evidence));
+  const text = useDescription(input);
   return (
     <div class="field">
       <div class="field-head">
         <h2>Height and speed</h2>
-        <p class="why-key" aria-hidden="true">
+        <p class="plot-legend" aria-hidden="true">
           <span class="left">
             <i class="dot" /> L
           </span>
           <span class="right">
             <i class="dot" /> R planted
           </span>
-          <span class="air">
+          <span class="swing">
             <i class="dot" /> air
           </span>
         </p>
       </div>
-      <Plot frame={scatterFrame} picture={picture} text={text} />
-      <p class="note">{scatterNote(found.value)}</p>
+      <Plot spec={scatterSpec} plotData={plotData} text={text} />
+      <p class="note">{scatterNote(input.value)}</p>
     </div>
   );
 }
 
+/** Returns the explanation of the lines in the scatter plot. */
 function scatterNote({ evidence: { thresholds, clustering } }: ExplanationInput): string {
   const title =
     detectMethods.value.find(({ name }) => name === detectOptions.value.method)?.title ?? "";
   if (clustering && !Number.isFinite(clustering.threshold))
-    return "All frames are alike: nothing parts them.";
+    return "All frames are equal, so there is no decision boundary.";
   if (clustering?.field) {
-    return "Green: √degree at its threshold, for a foot that holds this height and speed. 1 is a typical planted frame.";
+    return "Green line: decision boundary, where √degree equals the threshold for a foot at constant height and speed. A typical planted frame has √degree 1.";
   }
   if (clustering) {
-    return `${title} parts frames by a value of their own, u, which has no line in this plane.`;
+    return `${title} classifies frames by a value u that does not depend on height and speed alone, so no boundary is drawn.`;
   }
   if (thresholds.height !== undefined || thresholds.speed !== undefined) {
-    return "The green lines are the thresholds that are set. This method clusters nothing, so it has no σ and no r.";
+    return "Green lines: thresholds. This method does not use clustering, so it has no σ and no r.";
   }
   return detection.value?.notices.length && methodFamily() === "spectral"
-    ? "Nothing was clustered here: the report says why."
-    : `${title} clusters no graph, so there is no spectral evidence: no σ, no r and no boundary to draw.`;
+    ? "The frames were not clustered. See the report for the reason."
+    : `${title} is not a spectral method, so it has no σ, no r and no decision boundary.`;
 }
 
+/** Returns the family of the chosen detection method. */
 const methodFamily = () =>
   detectMethods.value.find(({ name }) => name === detectOptions.value.method)?.family;
 
-function Curves({
-  found,
+/** The plots of the norms and their running variance, with the sliders for r and w. */
+function NormSections({
+  input,
   clustering,
 }: {
-  found: ReadonlySignal<ExplanationInput>;
+  input: ReadonlySignal<ExplanationInput>;
   clustering: ReadonlySignal<Clustering>;
 }) {
-  const norms = useComputed(() => sortedNorms(clustering.value));
-  const variance = useComputed(() => runningVariance(clustering.value, dragR));
-  const text = useText(found);
+  const norms = useComputed(() => sortedNormsPlot(clustering.value));
+  const variance = useComputed(() => runningVariancePlot(clustering.value, setSensitivity));
+  const text = useDescription(input);
   const { sigma, knee, count } = clustering.value;
-  const share = Math.round((100 * knee) / Math.max(count - 1, 1));
-  const atKnee = isAtKnee(clustering.value);
+  const percent = Math.round((100 * knee) / Math.max(count - 1, 1));
+  const hasKnee = isSigmaAtKnee(clustering.value);
   return (
     <>
       <div class="field">
         <div class="field-head">
           <h2>Running variance</h2>
-          <output class="green">knee {share} %</output>
+          <output class="accent">knee {percent} %</output>
         </div>
-        <Plot frame={varianceFrame} picture={variance} text={text} />
+        <Plot spec={varianceSpec} plotData={variance} text={text} />
         <p class="note">
-          {atKnee
-            ? "Of the norms below, up to each one. The knee is the last within r: drag the line or use the slider."
-            : "Of the norms below, up to each one. This method does not look for the knee."}
+          {hasKnee
+            ? "Variance of the sorted norms up to each rank. The knee is the last rank within r. Drag the line or use the slider to change r."
+            : "Variance of the sorted norms up to each rank. This method does not use the knee."}
         </p>
       </div>
       <div class="field">
         <div class="field-head">
           <h2>Sorted norms</h2>
-          <output class="green">σ {sigma.toFixed(3)}</output>
+          <output class="accent">σ {sigma.toFixed(3)}</output>
         </div>
-        <Plot frame={normsFrame} picture={norms} text={text} />
+        <Plot spec={normsSpec} plotData={norms} text={text} />
         <p class="note">
-          {atKnee
-            ? "How far each sample is from standing still, in order. σ is the one at the knee."
-            : "How far each sample is from standing still, in order. σ is the method’s own."}
+          {hasKnee
+            ? "Distance of each sample from rest, in ascending order. σ is the norm at the knee."
+            : "Distance of each sample from rest, in ascending order. This method determines σ in another way."}
         </p>
       </div>
-      {atKnee && <SensitivitySlider />}
+      {hasKnee && <SensitivitySlider />}
       <WindowSlider />
     </>
   );
 }
 
-function dragR(to: number) {
+function setSensitivity(r: number) {
   const { min, max } = sensitivity;
-  setDetectOptions({ r: Number(Math.min(Math.max(to, min), max).toFixed(4)) });
+  setDetectOptions({ r: Number(Math.min(Math.max(r, min), max).toFixed(4)) });
 }

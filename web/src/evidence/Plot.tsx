@@ -6,33 +6,33 @@ import { clip } from "../store/session";
 import { createPlot } from "./plot";
 import type { PlotData, PlotSpec } from "./plot-data";
 
-/** A plot that is walked through by frames, with a pointer or with keys; `text` says what it shows. */
+/** A plot in which frames are selected with the pointer or with keys; `text` describes the frame. */
 export function Plot({
-  frame,
-  picture,
+  spec,
+  plotData,
   text,
 }: {
-  frame: PlotSpec;
-  picture: ReadonlySignal<PlotData>;
+  spec: PlotSpec;
+  plotData: ReadonlySignal<PlotData>;
   text: ReadonlySignal<string>;
 }) {
   const host = useRef<HTMLDivElement>(null);
   useEffect(
-    () => (host.current ? createPlot(host.current, frame, picture) : undefined),
-    [frame, picture],
+    () => (host.current ? createPlot(host.current, spec, plotData) : undefined),
+    [spec, plotData],
   );
-  const at = useComputed(() => pointedFrame.value?.frame ?? playheadFrame.value);
+  const currentFrame = useComputed(() => pointedFrame.value?.frame ?? playheadFrame.value);
   return (
     <div
       ref={host}
-      class="why-plot"
-      data-height={frame.height}
+      class="plot"
+      data-height={spec.height}
       role="slider"
       tabIndex={0}
-      aria-label={frame.name}
+      aria-label={spec.name}
       aria-valuemin={0}
       aria-valuemax={Math.max(0, (clip.value?.frames ?? 1) - 1)}
-      aria-valuenow={at}
+      aria-valuenow={currentFrame}
       aria-valuetext={text}
     />
   );

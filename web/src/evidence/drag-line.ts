@@ -3,36 +3,36 @@ import type { PlotData } from "./plot-data";
 
 export type DragLine = ReturnType<typeof createDragLine>;
 
-/** The grip of a level that can be dragged up and down: an element of its own, wide enough for a finger. */
+/** Creates the handle of a draggable horizontal line, large enough to touch. */
 export function createDragLine(plot: uPlot, host: HTMLElement) {
-  const grip = document.createElement("div");
-  grip.className = "level";
-  const text = document.createElement("b");
-  grip.append(text);
-  plot.over.append(grip);
-  let shown: PlotData["level"];
-  const drag = (event: PointerEvent) => {
+  const handle = document.createElement("div");
+  handle.className = "drag-line";
+  const label = document.createElement("b");
+  handle.append(label);
+  plot.over.append(handle);
+  let current: PlotData["dragLine"];
+  const onDrag = (event: PointerEvent) => {
     event.stopPropagation();
     if (event.type === "pointerdown") {
-      grip.setPointerCapture(event.pointerId);
-      // The slider is the way of the keyboard; the plot's own keys should not be lost either.
+      handle.setPointerCapture(event.pointerId);
+      // The keyboard alternative is the slider, so the handle is not focusable; the plot keeps its keys.
       event.preventDefault();
       host.focus({ preventScroll: true });
     }
-    if (!grip.hasPointerCapture(event.pointerId)) return;
+    if (!handle.hasPointerCapture(event.pointerId)) return;
     const top = event.clientY - plot.over.getBoundingClientRect().top;
-    shown?.set(plot.posToVal(top, "y"));
+    current?.onDrag(plot.posToVal(top, "y"));
   };
-  grip.addEventListener("pointerdown", drag);
-  grip.addEventListener("pointermove", drag);
-  grip.addEventListener("click", (event) => event.stopPropagation());
+  handle.addEventListener("pointerdown", onDrag);
+  handle.addEventListener("pointermove", onDrag);
+  handle.addEventListener("click", (event) => event.stopPropagation());
   return {
-    show({ level }: PlotData) {
-      shown = level;
-      grip.hidden = !level;
-      if (!level) return;
-      grip.style.translate = `0 ${plot.valToPos(level.at, "y")}px`;
-      if (text.textContent !== level.text) text.textContent = level.text;
+    update({ dragLine }: PlotData) {
+      current = dragLine;
+      handle.hidden = !dragLine;
+      if (!dragLine) return;
+      handle.style.translate = `0 ${plot.valToPos(dragLine.value, "y")}px`;
+      if (label.textContent !== dragLine.label) label.textContent = dragLine.label;
     },
   };
 }

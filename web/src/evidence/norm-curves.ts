@@ -11,91 +11,103 @@ import type { Clustering } from "../model/types";
 import { niceCeiling } from "../util/axis-steps";
 import { type PlotData, type PlotSpec, paintLine, paintText } from "./plot-data";
 
-const plain = (values: number[]) => values.map((value) => String(Number(value.toPrecision(3))));
-/** The last one would stick out. */
-const percent = (values: number[]) =>
+/** Formats numbers with up to three significant digits. */
+const toThreeDigits = (values: number[]) =>
+  values.map((value) => String(Number(value.toPrecision(3))));
+/** Formats fractions as percentages. 100 % is left out, since it would be cut off. */
+const toPercent = (values: number[]) =>
   values.map((value) => (value < 1 ? `${Math.round(100 * value)} %` : ""));
 
-export const normsFrame: PlotSpec = {
+export const normsSpec: PlotSpec = {
   name: "Sorted norms",
   height: 118,
-  x: { size: 20, values: percent },
-  y: { size: 38, values: plain },
+  x: { size: 20, values: toPercent },
+  y: { size: 38, values: toThreeDigits },
 };
 
-export const varianceFrame: PlotSpec = {
+export const varianceSpec: PlotSpec = {
   name: "Running variance",
   height: 104,
-  x: { size: 0, hidden: true, values: percent },
-  y: { size: 38, values: plain },
+  x: { size: 0, hidden: true, values: toPercent },
+  y: { size: 38, values: toThreeDigits },
 };
 
-/** Whether σ is the norm at the knee: some methods have one of their own. */
-export function isAtKnee({ sigma, knee, ...evidence }: Clustering): boolean {
-  const at = valueAtRank({ sigma, knee, ...evidence }, evidence.norms, knee);
-  return Math.abs(at - sigma) <= 1e-5 * sigma;
+/** True if σ is the norm at the knee. Some methods determine σ in another way. */
+export function isSigmaAtKnee(clustering: Clustering): boolean {
+  const { norms, sigma, knee } = clustering;
+  return Math.abs(valueAtRank(clustering, norms, knee) - sigma) <= 1e-5 * sigma;
 }
 
-/** The norms of all samples in ascending order: σ is the one at the knee. */
-export function sortedNorms(evidence: Clustering): PlotData {
-  const { norms, sigma } = evidence;
+/** Returns the plot of the sample norms in ascending order, with σ and the knee. */
+export function sortedNormsPlot(clustering: Clustering): PlotData {
+  const { norms, sigma } = clustering;
   return {
-    ...curve(evidence, norms, niceCeiling(norms.at(-1) ?? 1)),
-    paint(plot, ink) {
-      if (isAtKnee(evidence)) paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.why, true);
-      paintLine(plot, "y", sigma, ink.why);
+    ...curvePlot(clustering, norms, niceCeiling(norms.at(-1) ?? 1)),
+    paint(plot, theme) {
+      if (isSigmaAtKnee(clustering))
+        paintLine(plot, "x", fractionOfRank(clustering, clustering.knee), theme.accent, true);
+      paintLine(plot, "y", sigma, theme.accent);
       const { left } = plot.bbox;
       const y = plot.valToPos(sigma, "y", true) - 9 * devicePixelRatio;
-      paintText(plot, ink, `σ ${sigma.toFixed(3)}`, left + 6 * devicePixelRatio, y, "left");
+      paintText(plot, theme, `σ ${sigma.toFixed(3)}`, left + 6 * devicePixelRatio, y, "left");
     },
   };
 }
 
-/** The variance of the norms up to each one: the knee is the last within r, which can be dragged. */
-export function runningVariance(evidence: Clustering, setR: (to: number) => void): PlotData {
-  const { r, tolerance, variances } = evidence;
-  const atKnee = isAtKnee(evidence);
-  // A wider window has longer norms: what is drawn is r in their measure.
-  const measure = tolerance / r;
-  const level = {
-    at: tolerance,
-    text: `r ${r.toFixed(4)}`,
-    set: (to: number) => setR(to / measure),
+/**
+ * Returns the plot of the variance of the sorted norms up to each rank. The knee is the last rank
+ * whose variance is within r; the line at r can be dragged.
+ */
+export function runningVariancePlot(clustering: Clustering, setR: (r: number) => void): PlotData {
+  const { r, tolerance, variances } = clustering;
+  const hasKnee = isSigmaAtKnee(clustering);
+  // Norms grow with the window, so that r is scaled to their size.
+  const scale = tolerance / r;
+  const dragLine = {
+    value: tolerance,
+    label: `r ${r.toFixed(4)}`,
+    onDrag: (value: number) => setR(value / scale),
   };
   return {
-    ...curve(evidence, variances, 1.15 * sensitivity.max * measure),
-    ...(atKnee && { level }),
-    paint(plot, ink) {
-      if (!atKnee) return;
-      paintLine(plot, "x", shareOf(evidence, evidence.knee), ink.why, true);
-      paintLine(plot, "y", tolerance, ink.why);
+    ...curvePlot(clustering, variances, 1.15 * sensitivity.max * scale),
+    ...(hasKnee && { dragLine }),
+    paint(plot, theme) {
+      if (!hasKnee) return;
+      paintLine(plot, "x", fractionOfRank(clustering, clustering.knee), theme.accent, true);
+      paintLine(plot, "y", tolerance, theme.accent);
     },
   };
 }
 
-const shareOf = ({ count }: Clustering, rank: number) => rank / Math.max(count - 1, 1);
+/** Returns a rank as a fraction of the greatest rank. */
+const fractionOfRank = ({ count }: Clustering, rank: number) => rank / Math.max(count - 1, 1);
 
-function curve(evidence: Clustering, values: Float32Array, top: number): Omit<PlotData, "paint"> {
-  const { ranks, count, feet } = evidence;
+/** Returns the plot of values by rank. */
+function curvePlot(
+  clustering: Clustering,
+  values: Float32Array,
+  max: number,
+): Omit<PlotData, "paint"> {
+  const { ranks, count, feet } = clustering;
   const last = Math.max(count - 1, 1);
-  const jump = Math.max(1, Math.round(count / 256));
-  const atRank = (rank: number) =>
-    nearestSample(evidence, valueAtRank(evidence, evidence.norms, rank));
+  const stepSize = Math.max(1, Math.round(count / 256));
+  const sampleAtRank = (rank: number) =>
+    nearestSample(clustering, valueAtRank(clustering, clustering.norms, rank));
   return {
     data: [ranks.map((rank) => rank / last), values] as unknown as uPlot.AlignedData,
-    top: { x: 1, y: top },
-    place({ side, frame }) {
+    max: { x: 1, y: max },
+    position({ side, frame }) {
       const norm = feet[side].norms[frame] ?? Number.NaN;
       if (Number.isNaN(norm)) return undefined;
-      const rank = rankOfNorm(evidence, norm);
-      return { x: rank / last, y: Math.min(valueAtRank(evidence, values, rank), top) };
+      const rank = rankOfNorm(clustering, norm);
+      return { x: rank / last, y: Math.min(valueAtRank(clustering, values, rank), max) };
     },
-    nearest: (plot, left) => atRank(Math.round(plot.posToVal(left, "x") * last)),
-    step(from: FootFrame, by) {
-      if (by === "other")
+    nearest: (plot, left) => sampleAtRank(Math.round(plot.posToVal(left, "x") * last)),
+    move(from: FootFrame, by) {
+      if (by === "other-foot")
         return { side: from.side === "left" ? "right" : "left", frame: from.frame };
-      if (by === "first" || by === "last") return atRank(by === "first" ? 0 : last) ?? from;
-      return nextSample(evidence, from, by === "on" ? jump : -jump);
+      if (by === "first" || by === "last") return sampleAtRank(by === "first" ? 0 : last) ?? from;
+      return nextSample(clustering, from, by === "next" ? stepSize : -stepSize);
     },
   };
 }

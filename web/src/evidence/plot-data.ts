@@ -2,79 +2,82 @@ import type uPlot from "uplot";
 import type { FootFrame } from "../model/evidence";
 import type { CanvasTheme } from "../ui/canvas-theme";
 
-/** What one plot shows of the evidence, and where in it each sample lies. */
+/** Contents of a plot, and the positions of samples in it. */
 export interface PlotData {
-  /** x, and y where there is a curve. */
+  /** x and y of the curve. */
   data: uPlot.AlignedData;
-  /** The greatest x and y; both begin at 0. */
-  top: { x: number; y: number };
-  /** Draws what is no curve: before that is over, in pixels of the canvas. */
-  paint(plot: uPlot, ink: CanvasTheme): void;
-  /** Where a sample lies, in units of the axes. */
-  place(sample: FootFrame): { x: number; y: number } | undefined;
-  /** The sample closest to a place, in pixels of the plot. */
+  /** Greatest x and y; both axes start at 0. */
+  max: { x: number; y: number };
+  /** Draws everything but the curve, in device pixels. */
+  paint(plot: uPlot, theme: CanvasTheme): void;
+  /** Returns the position of a sample, in axis units; undefined if the sample was excluded. */
+  position(sample: FootFrame): { x: number; y: number } | undefined;
+  /** Returns the sample nearest to a position, in CSS pixels of the plot. */
   nearest(plot: uPlot, left: number, top: number): FootFrame | undefined;
-  /** Where a key leads from a sample. */
-  step(from: FootFrame, by: Step): FootFrame;
-  /** A level that can be dragged. */
-  level?: { at: number; text: string; set: (to: number) => void };
+  /** Returns the sample to which a key moves from another sample. */
+  move(from: FootFrame, by: Move): FootFrame;
+  /** A draggable horizontal line. */
+  dragLine?: { value: number; label: string; onDrag: (value: number) => void };
 }
 
-export type Step = "back" | "on" | "first" | "last" | "other";
+/** Moves by keys between samples. */
+export type Move = "previous" | "next" | "first" | "last" | "other-foot";
 
-/** Axes and scales of one kind of plot. */
+/** Title, axes and scales of a plot. */
 export interface PlotSpec {
   name: string;
   height: number;
-  /** Axes whose numbers stand closer near 0. */
-  square?: boolean;
+  /** Uses square-root scales, which enlarge small values. */
+  hasSqrtAxes?: boolean;
   x: Axis;
   y: Axis;
 }
 
 interface Axis {
+  /** Formats the ticks. */
   values: (values: number[]) => string[];
-  /** Hidden where the plot below has the same. */
+  /** True if the plot below shows the same axis. */
   hidden?: boolean;
+  /** Size of the axis, in pixels. */
   size: number;
 }
 
-/** A line across the plot at a value of one axis. */
+/** Draws a line across the plot at a value of one axis. */
 export function paintLine(
   plot: uPlot,
   axis: "x" | "y",
   value: number,
   color: string,
-  dash = false,
+  isDashed = false,
 ) {
   const { ctx, bbox } = plot;
   const ratio = devicePixelRatio;
-  const at = Math.round(plot.valToPos(value, axis, true));
+  const position = Math.round(plot.valToPos(value, axis, true));
   ctx.save();
   ctx.strokeStyle = color;
   ctx.lineWidth = 1.5 * ratio;
-  ctx.setLineDash(dash ? [4 * ratio, 3 * ratio] : []);
+  ctx.setLineDash(isDashed ? [4 * ratio, 3 * ratio] : []);
   ctx.beginPath();
   if (axis === "x") {
-    ctx.moveTo(at, bbox.top);
-    ctx.lineTo(at, bbox.top + bbox.height);
+    ctx.moveTo(position, bbox.top);
+    ctx.lineTo(position, bbox.top + bbox.height);
   } else {
-    ctx.moveTo(bbox.left, at);
-    ctx.lineTo(bbox.left + bbox.width, at);
+    ctx.moveTo(bbox.left, position);
+    ctx.lineTo(bbox.left + bbox.width, position);
   }
   ctx.stroke();
   ctx.restore();
 }
 
-/** A word on the plot with the ground behind it, so that it reads over dots and lines. */
+/** Draws a text with an outline in the background colour, legible over points and lines. */
 export function paintText(
   { ctx }: uPlot,
-  ink: CanvasTheme,
+  theme: CanvasTheme,
   text: string,
   x: number,
   y: number,
   align: CanvasTextAlign,
-  color = ink.why,
+  color = theme.accent,
 ) {
   const ratio = devicePixelRatio;
   ctx.save();
@@ -83,7 +86,7 @@ export function paintText(
   ctx.textBaseline = "middle";
   ctx.lineJoin = "round";
   ctx.lineWidth = 4 * ratio;
-  ctx.strokeStyle = ink.ground;
+  ctx.strokeStyle = theme.background;
   ctx.strokeText(text, x, y);
   ctx.fillStyle = color;
   ctx.fillText(text, x, y);

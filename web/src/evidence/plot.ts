@@ -7,91 +7,92 @@ import { frame as playheadFrame } from "../store/playback";
 import { theme } from "../store/theme";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
 import { createDragLine, type DragLine } from "./drag-line";
-import { createMarks, type Marks } from "./marks";
-import type { PlotData, PlotSpec, Step } from "./plot-data";
-import { squareTicks } from "./sqrt-ticks";
+import { createMarkers, type Markers } from "./markers";
+import type { Move, PlotData, PlotSpec } from "./plot-data";
+import { sqrtTicks } from "./sqrt-ticks";
 
 const font = '11px "Inter Variable", system-ui, sans-serif';
 
-/** A picture on uPlot's axes, kept at what the signal holds; returns how to end it. */
+/** Creates a plot and updates it from the signal. Returns a function that removes it. */
 export function createPlot(
   host: HTMLElement,
-  frame: PlotSpec,
-  picture: ReadonlySignal<PlotData>,
+  spec: PlotSpec,
+  plotData: ReadonlySignal<PlotData>,
 ): () => void {
-  let ink: CanvasTheme | undefined;
-  const inkOf = (plot: uPlot) => {
-    ink ??= readCanvasTheme(host, plot.ctx, devicePixelRatio);
-    return ink;
+  let canvasTheme: CanvasTheme | undefined;
+  const themeOf = (plot: uPlot) => {
+    canvasTheme ??= readCanvasTheme(host, plot.ctx, devicePixelRatio);
+    return canvasTheme;
   };
   const width = () => Math.max(120, host.clientWidth);
-  let marks: Marks | undefined;
-  let level: DragLine | undefined;
+  let markers: Markers | undefined;
+  let dragLine: DragLine | undefined;
   const plot = new uPlot(
     {
-      ...options(frame, picture, inkOf, () => {
-        level?.show(picture.peek());
-        marks?.draw();
+      ...options(spec, plotData, themeOf, () => {
+        dragLine?.update(plotData.peek());
+        markers?.redraw();
       }),
       width: width(),
-      height: frame.height,
+      height: spec.height,
     },
-    picture.peek().data,
+    plotData.peek().data,
     host,
   );
-  marks = createMarks(plot, frame, () => inkOf(plot));
-  level = createDragLine(plot, host);
-  const stops = [
+  markers = createMarkers(plot, spec, () => themeOf(plot));
+  dragLine = createDragLine(plot, host);
+  const disposers = [
     effect(() => {
       void theme.value;
-      ink = undefined;
-      plot.setData(picture.value.data);
+      canvasTheme = undefined;
+      plot.setData(plotData.value.data);
     }),
     effect(() => {
       void theme.value;
-      marks?.show(picture.value, playheadFrame.value, pointedFrame.value);
+      markers?.update(plotData.value, playheadFrame.value, pointedFrame.value);
     }),
-    listen(host, plot, picture),
+    attachListeners(host, plot, plotData),
   ];
   const observer = new ResizeObserver(() => {
     if (width() === plot.width) return;
-    plot.setSize({ width: width(), height: frame.height });
+    plot.setSize({ width: width(), height: spec.height });
   });
   observer.observe(host);
   return () => {
     observer.disconnect();
-    for (const stop of stops) stop();
-    marks?.end();
+    for (const dispose of disposers) dispose();
+    markers?.dispose();
     plot.destroy();
   };
 }
 
+/** Returns the uPlot options of a plot. */
 function options(
-  frame: PlotSpec,
-  picture: ReadonlySignal<PlotData>,
-  inkOf: (plot: uPlot) => CanvasTheme,
+  spec: PlotSpec,
+  plotData: ReadonlySignal<PlotData>,
+  themeOf: (plot: uPlot) => CanvasTheme,
   onDrawn: () => void,
 ): Omit<uPlot.Options, "width" | "height"> {
   const scale = (key: "x" | "y"): uPlot.Scale => ({
     time: false,
-    range: () => [0, picture.peek().top[key]],
-    ...(frame.square && { distr: 100, fwd: Math.sqrt, bwd: (value: number) => value * value }),
+    range: () => [0, plotData.peek().max[key]],
+    ...(spec.hasSqrtAxes && { distr: 100, fwd: Math.sqrt, bwd: (value: number) => value * value }),
   });
   const axis = (key: "x" | "y"): uPlot.Axis => ({
-    show: !frame[key].hidden,
-    size: frame[key].size,
+    show: !spec[key].hidden,
+    size: spec[key].size,
     gap: 4,
     font,
-    stroke: (plot) => inkOf(plot).muted,
-    grid: { stroke: (plot) => inkOf(plot).line, width: 1 },
+    stroke: (plot) => themeOf(plot).muted,
+    grid: { stroke: (plot) => themeOf(plot).border, width: 1 },
     ticks: { show: false },
     space: key === "x" ? 60 : 28,
     filter: (_, splits) => splits,
-    values: (_, values) => frame[key].values(values),
-    ...(frame.square && { splits: () => squareTicks(picture.peek().top[key]) }),
+    values: (_, values) => spec[key].values(values),
+    ...(spec.hasSqrtAxes && { splits: () => sqrtTicks(plotData.peek().max[key]) }),
   });
   return {
-    padding: [8, 8, frame.x.hidden ? 4 : 0, 0],
+    padding: [8, 8, spec.x.hidden ? 4 : 0, 0],
     legend: { show: false },
     cursor: { show: false },
     scales: { x: scale("x"), y: scale("y") },
@@ -99,59 +100,68 @@ function options(
     series: [
       {},
       {
-        stroke: (plot) => inkOf(plot).text,
+        stroke: (plot) => themeOf(plot).text,
         width: 1.5,
         points: { show: false },
-        ...(frame.square && { paths: () => null }),
+        ...(spec.hasSqrtAxes && { paths: () => null }),
       },
     ],
-    // Only now the scales are those of the picture.
-    hooks: { draw: [(plot) => picture.peek().paint(plot, inkOf(plot)), onDrawn] },
+    // The scales are up to date only in the draw hook.
+    hooks: { draw: [(plot) => plotData.peek().paint(plot, themeOf(plot)), onDrawn] },
   };
 }
 
-const steps: Record<string, Step> = {
-  ArrowLeft: "back",
-  ArrowRight: "on",
-  ArrowUp: "other",
-  ArrowDown: "other",
+const movesByKey: Record<string, Move> = {
+  ArrowLeft: "previous",
+  ArrowRight: "next",
+  ArrowUp: "other-foot",
+  ArrowDown: "other-foot",
   Home: "first",
   End: "last",
 };
 
-/** Pointers and keys: what is pointed at lights up everywhere, a click or Enter goes there. */
-function listen(host: HTMLElement, plot: uPlot, picture: ReadonlySignal<PlotData>): () => void {
-  const under = (event: MouseEvent): FootFrame | undefined => {
+/** Handles pointer and keys: they select the pointed frame; a click or Enter seeks to it. */
+function attachListeners(
+  host: HTMLElement,
+  plot: uPlot,
+  plotData: ReadonlySignal<PlotData>,
+): () => void {
+  const sampleAt = (event: MouseEvent): FootFrame | undefined => {
     const box = plot.over.getBoundingClientRect();
     const [left, top] = [event.clientX - box.left, event.clientY - box.top];
-    return picture.peek().nearest(plot, left, top);
+    return plotData.peek().nearest(plot, left, top);
   };
-  const go = (sample: { frame: number } | undefined) => {
+  const seekTo = (sample: { frame: number } | undefined) => {
     if (!sample) return;
     pause();
     seek(sample.frame);
   };
-  const off = new AbortController();
-  const quiet = { signal: off.signal };
+  const listeners = new AbortController();
+  const listenerOptions = { signal: listeners.signal };
   const { over } = plot;
-  over.addEventListener("pointermove", (event) => pointAt(under(event)), quiet);
-  over.addEventListener("pointerleave", () => pointAt(undefined), quiet);
-  // A click's place is rounded: it means what was lit.
-  over.addEventListener("click", (event) => go(pointedFrame.peek() ?? under(event)), quiet);
-  host.addEventListener("blur", () => pointAt(undefined), quiet);
+  over.addEventListener("pointermove", (event) => pointAt(sampleAt(event)), listenerOptions);
+  over.addEventListener("pointerleave", () => pointAt(undefined), listenerOptions);
+  // Click positions are rounded, so the frame that was highlighted is used.
+  over.addEventListener(
+    "click",
+    (event) => seekTo(pointedFrame.peek() ?? sampleAt(event)),
+    listenerOptions,
+  );
+  host.addEventListener("blur", () => pointAt(undefined), listenerOptions);
   host.addEventListener(
     "keydown",
     (event) => {
-      const by = steps[event.key];
+      const move = movesByKey[event.key];
       if (event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
-      const { frame, side = "left" } = pointedFrame.peek() ?? { frame: playheadFrame.peek() };
-      if (by) pointAt(picture.peek().step({ side, frame }, by));
-      else if (event.key === "Enter") go(pointedFrame.peek() ?? undefined);
+      const from = pointedFrame.peek() ?? { frame: playheadFrame.peek() };
+      const sample = { side: from.side ?? ("left" as const), frame: from.frame };
+      if (move) pointAt(plotData.peek().move(sample, move));
+      else if (event.key === "Enter") seekTo(pointedFrame.peek() ?? undefined);
       else if (event.key === "Escape") pointAt(undefined);
       else return;
       event.preventDefault();
     },
-    quiet,
+    listenerOptions,
   );
-  return () => off.abort();
+  return () => listeners.abort();
 }

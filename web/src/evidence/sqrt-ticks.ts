@@ -1,17 +1,17 @@
-/** Least distance of two numbers on an axis, as a share of it. */
-const apart = 0.15;
+/** Least distance between two ticks, as a fraction of the axis length. */
+const minSpacing = 0.15;
 
-/** Round numbers for an axis from 0 to `top` on which places are the roots of shares. */
-export function squareTicks(top: number): number[] {
-  const ticks = [top];
-  let last = 1;
-  for (let power = 10 ** Math.ceil(Math.log10(top)); power > top * 1e-4; power /= 10) {
+/** Returns round ticks from 0 to `max` for an axis with a square-root scale. */
+export function sqrtTicks(max: number): number[] {
+  const ticks = [max];
+  let lastPosition = 1;
+  for (let power = 10 ** Math.ceil(Math.log10(max)); power > max * 1e-4; power /= 10) {
     for (const step of [5, 2, 1]) {
       const tick = Number((step * power).toPrecision(1));
-      const share = Math.sqrt(tick / top);
-      if (tick >= top || last - share < apart || share < apart) continue;
+      const position = Math.sqrt(tick / max);
+      if (tick >= max || lastPosition - position < minSpacing || position < minSpacing) continue;
       ticks.unshift(tick);
-      last = share;
+      lastPosition = position;
     }
   }
   return [0, ...ticks];

@@ -2,24 +2,25 @@ import { expect, it } from "vitest";
 import { nextDisagreement } from "./disagreements";
 import type { Disagreement } from "./types";
 
-const at = (start: number): Disagreement => ({
+const disagreementAt = (start: number): Disagreement => ({
   side: "left",
   part: "toe",
   start,
   end: start + 2,
   kind: "missed",
 });
-const list = [at(5), at(9), at(30)];
+const list = [disagreementAt(5), disagreementAt(9), disagreementAt(30)];
 
-it("goes on to the next beginning and starts over at the end", () => {
+it("returns the next disagreement and wraps around at the end", () => {
   expect(nextDisagreement(list, 0, 1)?.start).toBe(5);
   expect(nextDisagreement(list, 5, 1)?.start).toBe(9);
   expect(nextDisagreement(list, 30, 1)?.start).toBe(5);
 });
 
-it("goes back, and from the first to the last", () => {
+it("returns the previous disagreement and wraps around at the start", () => {
   expect(nextDisagreement(list, 10, -1)?.start).toBe(9);
   expect(nextDisagreement(list, 5, -1)?.start).toBe(30);
 });
 
-it("goes nowhere where all agrees", () => expect(nextDisagreement([], 3, 1)).toBeUndefined());
+it("returns undefined if there are no disagreements", () =>
+  expect(nextDisagreement([], 3, 1)).toBeUndefined());

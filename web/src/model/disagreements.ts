@@ -1,6 +1,9 @@
 import type { Disagreement } from "./types";
 
-/** The disagreement that begins next after (or last before) a frame; beyond the end it starts over. */
+/**
+ * Returns the first disagreement that starts after a frame, or the last that starts before it. Wraps
+ * around at the ends of the list.
+ */
 export function nextDisagreement(
   list: readonly Disagreement[],
   frame: number,

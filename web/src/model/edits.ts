@@ -1,131 +1,134 @@
 import { firstIntervalAfter, intervalAt } from "./intervals";
 import type { Edit, Part, Side } from "./types";
 
-/** Frames, half-open. */
+/** A range of frames, half-open. */
 export interface FrameRange {
   start: number;
   end: number;
 }
 
-/** One stay of one part of a foot on the ground: what a bar of the timeline shows. */
+/** A plant of one part of one foot, shown as a bar of the timeline. */
 export interface PlantRef extends FrameRange {
   side: Side;
   part: Part;
 }
 
-/** Where a part of a foot is planted, and how long the clip is. */
+/** The plants of one part of one foot. */
 export interface PartTrack {
   side: Side;
   part: Part;
-  /** start, end, start, end …, half-open. */
+  /** Plants as frame ranges: start, end, start, end, …. */
   intervals: Uint32Array;
+  /** Number of frames of the clip. */
   frames: number;
 }
 
 /**
- * The edits that give a stay other edges. What it gives up is set free; a neighbour that it
- * reaches is taken in.
+ * Returns edits that change the range of a plant. Frames outside of the new range are no longer
+ * planted; plants that overlap or touch it are merged.
  */
-export function resizePlant(lane: PartTrack, stay: PlantRef, to: FrameRange): Edit[] {
-  const start = clamp(to.start, 0, lane.frames - 1);
-  const end = clamp(to.end, start + 1, lane.frames);
-  const joined = { start, end };
-  // A plant that only touches is the same plant too.
-  for (const other of rangesOf(lane.intervals)) {
-    if (other.start === stay.start || other.end < start || other.start > end) continue;
-    joined.start = Math.min(joined.start, other.start);
-    joined.end = Math.max(joined.end, other.end);
+export function resizePlant(track: PartTrack, plant: PlantRef, range: FrameRange): Edit[] {
+  const start = clamp(range.start, 0, track.frames - 1);
+  const end = clamp(range.end, start + 1, track.frames);
+  const merged = { start, end };
+  for (const other of rangesOf(track.intervals)) {
+    if (other.start === plant.start || other.end < start || other.start > end) continue;
+    merged.start = Math.min(merged.start, other.start);
+    merged.end = Math.max(merged.end, other.end);
   }
-  const given: Edit[] = [];
-  if (stay.start < joined.start)
-    given.push(createEdit(stay, stay.start, Math.min(stay.end, joined.start), false));
-  if (stay.end > joined.end)
-    given.push(createEdit(stay, Math.max(stay.start, joined.end), stay.end, false));
-  return [...given, ...pinEdges(stay, joined, lane.frames)];
+  const removed: Edit[] = [];
+  if (plant.start < merged.start)
+    removed.push(createEdit(plant, plant.start, Math.min(plant.end, merged.start), false));
+  if (plant.end > merged.end)
+    removed.push(createEdit(plant, Math.max(plant.start, merged.end), plant.end, false));
+  return [...removed, ...pinEdges(plant, merged, track.frames)];
 }
 
-/** The edits that part a stay in two around one frame without a plant; none at its edges. */
-export function splitPlant(lane: PartTrack, stay: PlantRef, frame: number): Edit[] {
-  if (frame <= stay.start || frame >= stay.end - 1) return [];
-  return [...pinEdges(stay, stay, lane.frames), createEdit(stay, frame, frame + 1, false)];
+/** Returns edits that split a plant at a frame, which is no longer planted; none at its edges. */
+export function splitPlant(track: PartTrack, plant: PlantRef, frame: number): Edit[] {
+  if (frame <= plant.start || frame >= plant.end - 1) return [];
+  return [...pinEdges(plant, plant, track.frames), createEdit(plant, frame, frame + 1, false)];
 }
 
-/** The edits that join a stay with the next one; none where there is no next one. */
-export function mergeWithNext(lane: PartTrack, stay: PlantRef): Edit[] {
-  const next = nextPlantRef(lane, stay);
-  return next ? pinEdges(stay, { start: stay.start, end: next.end }, lane.frames) : [];
+/** Returns edits that merge a plant with the next one; none if it is the last. */
+export function mergeWithNext(track: PartTrack, plant: PlantRef): Edit[] {
+  const next = nextPlantRef(track, plant);
+  return next ? pinEdges(plant, { start: plant.start, end: next.end }, track.frames) : [];
 }
 
-/** The edits that say a stay is none. */
-export function removePlant(stay: PlantRef): Edit[] {
-  return [createEdit(stay, stay.start, stay.end, false)];
-}
-
-/** The edits that make a stay where there is none: so many frames from one on, up to the next stay. */
-export function addPlant(lane: PartTrack, frame: number, length: number): Edit[] {
-  if (intervalAt(lane.intervals, frame) >= 0) return [];
-  const at = firstIntervalAfter(lane.intervals, frame);
-  const next = lane.intervals[at] ?? lane.frames + 1;
-  const before = at > 0 ? (lane.intervals[at - 1] ?? 0) : -1;
-  // Apart from its neighbours by a frame, or it would be one of them.
-  const start = Math.max(frame, before + 1);
-  const end = Math.min(start + Math.max(1, Math.round(length)), next - 1, lane.frames);
-  return end > start ? pinEdges(lane, { start, end }, lane.frames) : [];
-}
-
-/** The edits but those that made a stay what it is. */
-export function withoutEditsOf(edits: readonly Edit[], stay: PlantRef): readonly Edit[] {
-  return edits.filter(
-    (edit) => edit.side !== stay.side || edit.end < stay.start || edit.start > stay.end,
-  );
-}
-
-/** The stay of a lane that holds a frame, or ends or begins nearest to it. */
-export function plantRefAt(lane: PartTrack, frame: number): PlantRef | undefined {
-  const at = intervalAt(lane.intervals, frame);
-  return at < 0 ? undefined : plantRefOf(lane, at);
-}
-
-/** The stay of a lane that has most in common with a span. */
-export function matchingPlantRef(lane: PartTrack, span: FrameRange): PlantRef | undefined {
-  let found: PlantRef | undefined;
-  let most = 0;
-  for (
-    let at = firstIntervalAfter(lane.intervals, span.start);
-    at < lane.intervals.length;
-    at += 2
-  ) {
-    const stay = plantRefOf(lane, at);
-    if (stay.start >= span.end) break;
-    const common = Math.min(stay.end, span.end) - Math.max(stay.start, span.start);
-    if (common > most) [found, most] = [stay, common];
-  }
-  return found;
-}
-
-/** The stay that follows another one. */
-export function nextPlantRef(lane: PartTrack, { end }: FrameRange): PlantRef | undefined {
-  const at = firstIntervalAfter(lane.intervals, end);
-  return at < lane.intervals.length ? plantRefOf(lane, at) : undefined;
-}
-
-function plantRefOf(lane: PartTrack, at: number): PlantRef {
-  const { side, part, intervals } = lane;
-  return { side, part, start: intervals[at] ?? 0, end: intervals[at + 1] ?? 0 };
+/** Returns the edit that removes a plant. */
+export function removePlant(plant: PlantRef): Edit[] {
+  return [createEdit(plant, plant.start, plant.end, false)];
 }
 
 /**
- * Says of a span that it is planted, and of the frames beside it that they are not, so that
- * its edges stay where they are when the clip is detected anew.
+ * Returns edits that add a plant of up to `length` frames, at `frame` or as soon after it as is
+ * possible without touching other plants; none if the frame is planted.
+ */
+export function addPlant(track: PartTrack, frame: number, length: number): Edit[] {
+  if (intervalAt(track.intervals, frame) >= 0) return [];
+  const index = firstIntervalAfter(track.intervals, frame);
+  const nextStart = track.intervals[index] ?? track.frames + 1;
+  const previousEnd = index > 0 ? (track.intervals[index - 1] ?? 0) : -1;
+  // One free frame on each side; otherwise the plants would be merged.
+  const start = Math.max(frame, previousEnd + 1);
+  const end = Math.min(start + Math.max(1, Math.round(length)), nextStart - 1, track.frames);
+  return end > start ? pinEdges(track, { start, end }, track.frames) : [];
+}
+
+/** Returns the edits that do not affect a plant. */
+export function withoutEditsOf(edits: readonly Edit[], plant: PlantRef): readonly Edit[] {
+  return edits.filter(
+    (edit) => edit.side !== plant.side || edit.end < plant.start || edit.start > plant.end,
+  );
+}
+
+/** Returns the plant that contains a frame, if any. */
+export function plantRefAt(track: PartTrack, frame: number): PlantRef | undefined {
+  const index = intervalAt(track.intervals, frame);
+  return index < 0 ? undefined : plantRefOf(track, index);
+}
+
+/** Returns the plant that shares the most frames with a range, if any. */
+export function matchingPlantRef(track: PartTrack, range: FrameRange): PlantRef | undefined {
+  let match: PlantRef | undefined;
+  let maxOverlap = 0;
+  for (
+    let index = firstIntervalAfter(track.intervals, range.start);
+    index < track.intervals.length;
+    index += 2
+  ) {
+    const plant = plantRefOf(track, index);
+    if (plant.start >= range.end) break;
+    const overlap = Math.min(plant.end, range.end) - Math.max(plant.start, range.start);
+    if (overlap > maxOverlap) [match, maxOverlap] = [plant, overlap];
+  }
+  return match;
+}
+
+/** Returns the first plant after another one, if any. */
+export function nextPlantRef(track: PartTrack, { end }: FrameRange): PlantRef | undefined {
+  const index = firstIntervalAfter(track.intervals, end);
+  return index < track.intervals.length ? plantRefOf(track, index) : undefined;
+}
+
+function plantRefOf(track: PartTrack, index: number): PlantRef {
+  const { side, part, intervals } = track;
+  return { side, part, start: intervals[index] ?? 0, end: intervals[index + 1] ?? 0 };
+}
+
+/**
+ * Returns edits that make a range planted and its two neighbouring frames not planted, so that its
+ * edges do not move when the clip is detected again.
  */
 function pinEdges(
-  of: Pick<PlantRef, "side" | "part">,
+  target: Pick<PlantRef, "side" | "part">,
   { start, end }: FrameRange,
   frames: number,
 ): Edit[] {
-  const pins = [createEdit(of, start, end, true)];
-  if (start > 0) pins.push(createEdit(of, start - 1, start, false));
-  if (end < frames) pins.push(createEdit(of, end, end + 1, false));
+  const pins = [createEdit(target, start, end, true)];
+  if (start > 0) pins.push(createEdit(target, start - 1, start, false));
+  if (end < frames) pins.push(createEdit(target, end, end + 1, false));
   return pins;
 }
 
@@ -144,5 +147,5 @@ function* rangesOf(intervals: Uint32Array): Generator<FrameRange> {
   }
 }
 
-const clamp = (value: number, least: number, most: number) =>
-  Math.min(Math.max(Math.round(value), least), most);
+const clamp = (value: number, min: number, max: number) =>
+  Math.min(Math.max(Math.round(value), min), max);

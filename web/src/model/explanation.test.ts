@@ -38,48 +38,54 @@ const clustering: Clustering = {
 };
 const evidence: Evidence = { part: "contact", thresholds: {}, clustering };
 
-const say = (about: Evidence, side: Side, frame: number) => {
-  const { label, reason } = explain({ evidence: about, tracks, edits: [] }, side, frame);
+const explainText = (of: Evidence, side: Side, frame: number) => {
+  const { label, reason } = explain({ evidence: of, tracks, edits: [] }, side, frame);
   return `${label}: ${reason}`;
 };
 
-test("a frame is planted because its degree is above the threshold", () => {
-  expect(say(evidence, "left", 0)).toBe("Left planted: √degree 0.91, above 0.60");
-  expect(say(evidence, "right", 0)).toBe("Right in the air: √degree 0.40, below 0.60");
+test("compares the decision value with the threshold", () => {
+  expect(explainText(evidence, "left", 0)).toBe("Left planted: √degree 0.91, above 0.60");
+  expect(explainText(evidence, "right", 0)).toBe("Right in the air: √degree 0.40, below 0.60");
 });
 
-test("what is labelled otherwise than its degree says was cleaned up", () => {
-  expect(say(evidence, "left", 1)).toBe("Left planted: 0.50, below 0.60, cleaned up");
-  expect(say(evidence, "right", 1)).toBe("Right in the air: 0.70, above 0.60, cleaned up");
-});
-
-test("frames that were not clustered, and clips that are all alike, say so", () => {
-  expect(say(evidence, "left", 3)).toBe("Left planted: left out, as the next frame");
-  const alike = { ...clustering, threshold: Number.NEGATIVE_INFINITY };
-  expect(say({ ...evidence, clustering: alike }, "right", 3)).toBe(
-    "Right planted: all frames are alike",
+test("reports labels that post-processing has changed", () => {
+  expect(explainText(evidence, "left", 1)).toBe("Left planted: 0.50, below 0.60, post-processed");
+  expect(explainText(evidence, "right", 1)).toBe(
+    "Right in the air: 0.70, above 0.60, post-processed",
   );
 });
 
-test("values that are no degrees are as they are, and may be planted below", () => {
+test("reports frames that were not clustered, and clips without a threshold", () => {
+  expect(explainText(evidence, "left", 3)).toBe("Left planted: excluded, label of nearest frame");
+  const similar = { ...clustering, threshold: Number.NEGATIVE_INFINITY };
+  expect(explainText({ ...evidence, clustering: similar }, "right", 3)).toBe(
+    "Right planted: all frames are similar",
+  );
+});
+
+test("shows other decision values in their own unit, also if planted ones are below the threshold", () => {
   const other = { ...clustering, hasField: false, plantedIsHigh: false };
-  expect(say({ ...evidence, clustering: other }, "right", 3)).toBe(
-    "Right planted: 11.0, above 6.00, cleaned up",
+  expect(explainText({ ...evidence, clustering: other }, "right", 3)).toBe(
+    "Right planted: 11.0, above 6.00, post-processed",
   );
-  expect(say({ ...evidence, clustering: other }, "right", 1)).toBe(
+  expect(explainText({ ...evidence, clustering: other }, "right", 1)).toBe(
     "Right in the air: u 7.00, above 6.00",
   );
 });
 
-test("a person's word counts more", () => {
+test("an edit takes precedence", () => {
   const edit = { side: "left", part: "contact", start: 2, end: 4, planted: false } as const;
   const reason = (frame: number) =>
     explain({ evidence, tracks, edits: [edit] }, "left", frame).reason;
-  expect([1, 2, 3].map(reason).map((text) => text === "as you said")).toEqual([false, true, true]);
+  expect([1, 2, 3].map(reason).map((text) => text === "edited")).toEqual([false, true, true]);
 });
 
-test("thresholds are named, and methods without any show what there is", () => {
-  const plain: Evidence = { part: "toe", thresholds: { height: 0.05, speed: 0.5 } };
-  expect(say(plain, "left", 0)).toBe("Left planted: 2.10 cm, below 5.00;\n0.10 m/s, below 0.50");
-  expect(say({ ...plain, thresholds: {} }, "left", 2)).toBe("Left in the air: 20.0 cm, 12.0 m/s");
+test("compares height and speed with thresholds, or shows them without", () => {
+  const thresholded: Evidence = { part: "toe", thresholds: { height: 0.05, speed: 0.5 } };
+  expect(explainText(thresholded, "left", 0)).toBe(
+    "Left planted: 2.10 cm, below 5.00;\n0.10 m/s, below 0.50",
+  );
+  expect(explainText({ ...thresholded, thresholds: {} }, "left", 2)).toBe(
+    "Left in the air: 20.0 cm, 12.0 m/s",
+  );
 });

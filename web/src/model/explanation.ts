@@ -1,18 +1,19 @@
 import type { Clustering, Edit, Evidence, Side, Tracks } from "./types";
 
-/** What a foot's label in a frame is read from. */
+/** Everything that determines the label of a foot in a frame. */
 export interface ExplanationInput {
   evidence: Evidence;
   tracks: Tracks;
   edits: readonly Edit[];
 }
 
-/** What a foot is labelled in a frame, and why. */
+/** The label of a foot in a frame and the reason for it, as displayed. */
 export interface Explanation {
   label: string;
   reason: string;
 }
 
+/** Explains the label of a foot in a frame. */
 export function explain(
   { evidence, tracks, edits }: ExplanationInput,
   side: Side,
@@ -21,55 +22,67 @@ export function explain(
   const { part, clustering } = evidence;
   const planted = tracks[side].planted[frame] === 1;
   const label = `${side === "left" ? "Left" : "Right"} ${planted ? "planted" : "in the air"}`;
-  const isHere = (edit: Edit) =>
+  const appliesHere = (edit: Edit) =>
     edit.side === side && edit.part === part && edit.start <= frame && frame < edit.end;
-  if (edits.some(isHere)) return { label, reason: "as you said" };
+  if (edits.some(appliesHere)) return { label, reason: "edited" };
   const reason = clustering
-    ? byClustering(clustering, side, frame, planted)
-    : byThresholds(evidence, tracks, side, frame);
+    ? clusteringReason(clustering, side, frame, planted)
+    : thresholdReason(evidence, tracks, side, frame);
   return { label, reason };
 }
 
-function byClustering(clustering: Clustering, side: Side, frame: number, planted: boolean): string {
+function clusteringReason(
+  clustering: Clustering,
+  side: Side,
+  frame: number,
+  planted: boolean,
+): string {
   const value = clustering.feet[side].values[frame] ?? Number.NaN;
-  if (Number.isNaN(value)) return "left out, as the next frame";
+  if (Number.isNaN(value)) return "excluded, label of nearest frame";
   const { threshold } = clustering;
-  if (!Number.isFinite(threshold)) return "all frames are alike";
+  if (!Number.isFinite(threshold)) return "all frames are similar";
   const unit = unitOf(clustering);
   const above = value > threshold;
   const compared = `${formatValue(value / unit)}, ${comparison(above)} ${formatValue(threshold / unit)}`;
   return planted === (above === clustering.plantedIsHigh)
     ? `${valueName(clustering)} ${compared}`
-    : `${compared}, cleaned up`;
+    : `${compared}, post-processed`;
 }
 
-function byThresholds({ thresholds }: Evidence, tracks: Tracks, side: Side, frame: number): string {
+function thresholdReason(
+  { thresholds }: Evidence,
+  tracks: Tracks,
+  side: Side,
+  frame: number,
+): string {
   const height = 100 * (tracks[side].height[frame] ?? 0);
   const speed = tracks[side].speed[frame] ?? 0;
-  const words: string[] = [];
+  const conditions: string[] = [];
   if (thresholds.height !== undefined) {
-    const most = 100 * thresholds.height;
-    words.push(`${formatValue(height)} cm, ${comparison(height >= most)} ${formatValue(most)}`);
+    const limit = 100 * thresholds.height;
+    conditions.push(
+      `${formatValue(height)} cm, ${comparison(height >= limit)} ${formatValue(limit)}`,
+    );
   }
   if (thresholds.speed !== undefined) {
-    words.push(
+    conditions.push(
       `${formatValue(speed)} m/s, ${comparison(speed >= thresholds.speed)} ${formatValue(thresholds.speed)}`,
     );
   }
-  return words.join(";\n") || `${formatValue(height)} cm, ${formatValue(speed)} m/s`;
+  return conditions.join(";\n") || `${formatValue(height)} cm, ${formatValue(speed)} m/s`;
 }
 
 const comparison = (above: boolean) => (above ? "above" : "below");
 
-/** Roots of degrees count in those of a foot that is well planted; other values as they are. */
+/** Unit of displayed decision values: the median sqrt-degree of planted frames, otherwise 1. */
 function unitOf({ hasField, plantedMedian }: Clustering): number {
   return hasField && plantedMedian > 0 ? plantedMedian : 1;
 }
 
-/** What u is. */
+/** Name of the decision value. */
 const valueName = ({ hasField }: Clustering) => (hasField ? "√degree" : "u");
 
-/** As many digits as tell something. */
+/** Formats a value with three significant digits or so, and a typographic minus. */
 export function formatValue(value: number): string {
   return value.toFixed(Math.abs(value) < 10 ? 2 : 1).replace("-", "−");
 }

@@ -1,15 +1,16 @@
 import type { Clip, Joint, Side } from "./types";
 
-/** The joints of one foot; where a skeleton has no toe the ankle's own end stands in. */
+/** Joint indices of one foot; a missing toe or tip is replaced by the joint above it. */
 export interface Foot {
   ankle: number;
   toe: number;
   tip: number;
 }
 
-/** Which light a bone carries: nothing, or the heel or toe of a foot. */
-export const footLights = ["none", "leftHeel", "leftToe", "rightHeel", "rightToe"] as const;
+/** Highlights of bones, by the part of a foot to which they belong. */
+const highlights = { none: 0, leftHeel: 1, leftToe: 2, rightHeel: 3, rightToe: 4 } as const;
 
+/** Returns the joints of a foot; undefined if the skeleton has no ankle on that side. */
 export function footOf(clip: Pick<Clip, "joints" | "roles">, side: Side): Foot | undefined {
   const { joints, roles } = clip;
   const ankle = roles[`${side}_ankle`];
@@ -19,27 +20,33 @@ export function footOf(clip: Pick<Clip, "joints" | "roles">, side: Side): Foot |
   return { ankle, toe, tip };
 }
 
-/** Per joint, the place in `lights` of the bone that ends there. */
+/**
+ * Returns for every joint the highlight of the bone that ends there: 0 none, 1 left heel,
+ * 2 left toe, 3 right heel, 4 right toe.
+ */
 export function footLightOfJoints(clip: Pick<Clip, "joints" | "roles">): Uint8Array {
-  const lit = new Uint8Array(clip.joints.length);
+  const highlightOf = new Uint8Array(clip.joints.length);
   for (const side of ["left", "right"] as const) {
     const foot = footOf(clip, side);
     if (!foot) continue;
-    const heel = side === "left" ? 1 : 3;
-    const below = new Set([foot.ankle]);
-    clip.joints.forEach((joint, i) => {
-      if (joint.parent === undefined || !below.has(joint.parent)) return;
-      below.add(i);
-      lit[i] = heel;
-    });
-    const beyond = new Set([foot.toe]);
-    clip.joints.forEach((joint, i) => {
-      if (joint.parent === undefined || !beyond.has(joint.parent)) return;
-      beyond.add(i);
-      lit[i] = heel + 1;
-    });
+    for (const joint of descendants(clip.joints, foot.ankle)) {
+      highlightOf[joint] = highlights[`${side}Heel`];
+    }
+    for (const joint of descendants(clip.joints, foot.toe)) {
+      highlightOf[joint] = highlights[`${side}Toe`];
+    }
   }
-  return lit;
+  return highlightOf;
+}
+
+/** Returns the joints below a joint; parents precede their children in the list. */
+function descendants(joints: readonly Joint[], root: number): number[] {
+  const below = new Set([root]);
+  joints.forEach(({ parent }, i) => {
+    if (parent !== undefined && below.has(parent)) below.add(i);
+  });
+  below.delete(root);
+  return [...below];
 }
 
 function childOf(joints: readonly Joint[], parent: number): number | undefined {

@@ -21,6 +21,6 @@ test.each([
     bytes(0xff, 0xfe, 72, 0, 73, 0, 69, 0, 82, 0, 65, 0, 82, 0, 67, 0, 72, 0, 89, 0, 10, 0),
     "clip",
   ],
-])("%s that begins with %j is a %s", async (name, content, kind) => {
+])("%s starting with %j has the kind %s", async (name, content, kind) => {
   expect(await detectFileKind(new File([content as BlobPart], name))).toBe(kind);
 });

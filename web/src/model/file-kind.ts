@@ -1,23 +1,24 @@
-/** What a file is, by its first bytes: names are often wrong. */
+/** Kind of a file. */
 export type FileKind = "clip" | "labels" | "archive";
 
+/** Detects the kind of a file from its first bytes, because names are often wrong. */
 export async function detectFileKind(file: Blob & { name?: string }): Promise<FileKind> {
   const head = new Uint8Array(await file.slice(0, 512).arrayBuffer());
-  // NPZ is an archive too, but one of labels.
+  // An NPZ file is a zip archive too.
   if (head[0] === 0x50 && head[1] === 0x4b && head[2] === 3 && head[3] === 4) {
     return /\.npz$/i.test(file.name ?? "") ? "labels" : "archive";
   }
-  const text = new TextDecoder(utf16(head) ?? "utf-8").decode(head).trimStart();
+  const text = new TextDecoder(utf16Encoding(head) ?? "utf-8").decode(head).trimStart();
   if (/^hierarchy\b/i.test(text)) return "clip";
   if (/^[{[]/.test(text)) return "labels";
   const [line = ""] = text.split(/\r?\n|\r/, 1);
   if (/(^|,)(left|right)_|(^|,)start(_frame|_s)?(,|$)/.test(line)) return "labels";
-  // Whatever else it is, the reader says best what is wrong with it.
+  // The reader of the file reports what is wrong with any other content.
   return /\.(json|csv)$/i.test(file.name ?? "") ? "labels" : "clip";
 }
 
-/** The name of the UTF-16 whose mark the bytes begin with. */
-function utf16([first, second]: Uint8Array): string | undefined {
+/** Returns the UTF-16 encoding whose byte order mark the bytes start with. */
+function utf16Encoding([first, second]: Uint8Array): string | undefined {
   if (first === 0xff && second === 0xfe) return "utf-16le";
   if (first === 0xfe && second === 0xff) return "utf-16be";
   return undefined;

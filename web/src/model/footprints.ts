@@ -3,7 +3,7 @@ import { type Foot, footOf } from "./feet";
 import type { Plant } from "./plants";
 import type { Clip, Side } from "./types";
 
-/** A sole on the floor: its middle, the unit direction of the toes, its length (metres). */
+/** A footprint on the floor: its centre, the unit direction of the toes, and its length, in metres. */
 export interface Footprint {
   x: number;
   z: number;
@@ -12,29 +12,33 @@ export interface Footprint {
   length: number;
 }
 
-/** How far the heel stands out behind the ankle and the toes before the tip, as shares of ankle to tip. */
-const behind = 0.28;
-const before = 0.08;
+/** Extent of the sole behind the ankle and in front of the tip, relative to ankle to tip. */
+const heelOverhang = 0.28;
+const toeOverhang = 0.08;
 
-/** The sole of a foot: how long it is, and how far it goes on before the tip. */
+/** The dimensions of a sole, in metres. */
 export interface Sole {
   length: number;
+  /** Extent in front of the tip. */
   front: number;
-  /** From ankle to tip, where the foot lies flat. */
+  /** Distance from ankle to tip on the floor when the foot is flat. */
   reach: number;
 }
 
-/** A sole as long as the foot's own bones say; a foot cut short by its skeleton gets its toes back. */
+/**
+ * Returns the sole of a foot, from the lengths of its bones. The length is limited to 0.25 to 0.45
+ * of the leg, because some skeletons have no toes.
+ */
 export function soleOf(clip: Pick<Clip, "positions" | "joints" | "leg">, foot: Foot): Sole {
   const at = (joint: number, axis: number) => clip.positions[3 * joint + axis] ?? 0;
   const between = (a: number, b: number) =>
     Math.hypot(at(a, 0) - at(b, 0), at(a, 1) - at(b, 1), at(a, 2) - at(b, 2));
-  // From the ankle to the toe a bone slants: on the floor it is shorter.
+  // The bone from ankle to toe slopes; its projection on the floor is shorter.
   const reach = Math.max(0.88 * between(foot.ankle, foot.toe) + between(foot.toe, foot.tip), 0.02);
-  const own = reach * (1 + behind + before);
-  const leg = clip.leg ?? own / 0.3;
-  const length = Math.min(Math.max(own, 0.25 * leg), 0.45 * leg);
-  return { length, front: before * reach + Math.max(length - own, 0), reach };
+  const natural = reach * (1 + heelOverhang + toeOverhang);
+  const leg = clip.leg ?? natural / 0.3;
+  const length = Math.min(Math.max(natural, 0.25 * leg), 0.45 * leg);
+  return { length, front: toeOverhang * reach + Math.max(length - natural, 0), reach };
 }
 
 export interface FootWithSole {
@@ -42,12 +46,13 @@ export interface FootWithSole {
   sole: Sole;
 }
 
+/** Returns the joints and the sole of a foot; undefined if the skeleton has no such foot. */
 export function footWithSole(clip: Clip, side: Side): FootWithSole | undefined {
   const foot = footOf(clip, side);
   return foot && { foot, sole: soleOf(clip, foot) };
 }
 
-/** Where a sole lies during a plant: under the foot as it stands in the middle of it. */
+/** Returns the footprint of a plant: the sole under the foot in the middle frame of the plant. */
 export function footprintOf(
   clip: Pick<Clip, "positions" | "joints" | "frames">,
   foot: Foot,
@@ -59,17 +64,17 @@ export function footprintOf(
   const last = Math.max(clip.frames - 1, 0);
   const at = (frame: number, joint: number, axis: number) =>
     positions[Math.min(frame, last) * stride + joint * 3 + axis] ?? 0;
-  /** From ankle to tip on the floor. */
-  const along = (frame: number) => [
+  /** Horizontal vector from ankle to tip. */
+  const direction = (frame: number) => [
     at(frame, foot.tip, 0) - at(frame, foot.ankle, 0),
     at(frame, foot.tip, 2) - at(frame, foot.ankle, 2),
   ];
   const middle = Math.floor((plant.start + plant.end) / 2);
-  let [vx = 0, vz = 0] = along(middle);
-  // A foot that stands upright on its toes points where it did when it came and will when it goes.
+  let [vx = 0, vz = 0] = direction(middle);
+  // A foot that is vertical has no direction; those of the first and last frame are used instead.
   if (Math.hypot(vx, vz) < 0.15 * length) {
     for (const frame of [plant.start, Math.max(plant.end - 1, 0)]) {
-      const [x = 0, z = 0] = along(frame);
+      const [x = 0, z = 0] = direction(frame);
       vx += x;
       vz += z;
     }
@@ -77,7 +82,7 @@ export function footprintOf(
   const norm = Math.hypot(vx, vz);
   const dx = norm > 1e-6 ? vx / norm : 0;
   const dz = norm > 1e-6 ? vz / norm : 1;
-  // Measured from the tip: when the heel is up, the toes are what stands on the floor.
+  // Measured from the tip, because the toes are on the floor while the heel is raised.
   const back = length / 2 - front;
   return {
     x: at(middle, foot.tip, 0) - dx * back,
@@ -88,7 +93,7 @@ export function footprintOf(
   };
 }
 
-/** Something that lies on the floor during a span of time. */
+/** A disc on the floor that belongs to an interval of time. */
 export interface FloorItem {
   x: number;
   z: number;
@@ -98,66 +103,71 @@ export interface FloorItem {
 }
 
 /**
- * Where things lie on each other, the one nearest in time is seen: from when until when
- * that is each one, [from, until, from, until …] in their unit of time. `list` is in order of start.
+ * Returns the interval in which each item is visible: from, until, from, until, …. Of items that
+ * overlap in space but not in time, only the nearest in time is visible.
+ *
+ * @param items Sorted by start.
  */
-export function visibilityIntervals(list: readonly FloorItem[]): Float32Array {
-  const found = new Float32Array(2 * list.length);
-  // What lies on something lies in the same cell as that or in one beside it.
-  const width = 2 * Math.max(0, ...list.map(({ radius }) => radius));
+export function visibilityIntervals(items: readonly FloorItem[]): Float32Array {
+  const intervals = new Float32Array(2 * items.length);
+  // Items that overlap are in the same cell or in neighbouring ones.
+  const width = 2 * Math.max(0, ...items.map(({ radius }) => radius));
   const cells = new Map<number, number[]>();
-  list.forEach((late, i) => {
-    found[2 * i] = -1e9;
-    found[2 * i + 1] = 1e9;
-    const [column, row] = [Math.floor(late.x / width), Math.floor(late.z / width)];
-    for (let beside = 0; beside < 9; beside++) {
-      const cell = cellOf(column + (beside % 3) - 1, row + Math.floor(beside / 3) - 1);
-      for (const j of cells.get(cell) ?? []) {
-        const early = list[j] as FloorItem;
-        // Both at once are seen both: feet side by side.
-        if (early.end > late.start) continue;
-        const x = early.x - late.x;
-        const z = early.z - late.z;
-        const apart = early.radius + late.radius;
-        if (x * x + z * z >= apart * apart) continue;
-        const handover = (early.end + late.start) / 2;
-        found[2 * i] = Math.max(found[2 * i] as number, handover);
-        found[2 * j + 1] = Math.min(found[2 * j + 1] as number, handover);
+  items.forEach((later, i) => {
+    intervals[2 * i] = -1e9;
+    intervals[2 * i + 1] = 1e9;
+    const [column, row] = [Math.floor(later.x / width), Math.floor(later.z / width)];
+    for (let neighbour = 0; neighbour < 9; neighbour++) {
+      const key = cellKey(column + (neighbour % 3) - 1, row + Math.floor(neighbour / 3) - 1);
+      for (const j of cells.get(key) ?? []) {
+        const earlier = items[j] as FloorItem;
+        // Items of the same time are both visible, as are feet that touch each other.
+        if (earlier.end > later.start) continue;
+        const x = earlier.x - later.x;
+        const z = earlier.z - later.z;
+        const reach = earlier.radius + later.radius;
+        if (x * x + z * z >= reach * reach) continue;
+        const change = (earlier.end + later.start) / 2;
+        intervals[2 * i] = Math.max(intervals[2 * i] as number, change);
+        intervals[2 * j + 1] = Math.min(intervals[2 * j + 1] as number, change);
       }
     }
-    const own = cellOf(column, row);
-    const others = cells.get(own);
-    if (others) others.push(i);
-    else cells.set(own, [i]);
+    const key = cellKey(column, row);
+    const cell = cells.get(key);
+    if (cell) cell.push(i);
+    else cells.set(key, [i]);
   });
-  return found;
+  return intervals;
 }
 
-/** Where the floor is so wide that two cells share a number, those in both are only looked at in vain. */
-const cellOf = (column: number, row: number) => 65_536 * column + row;
+/** Returns the key of a cell. On huge floors two cells may share a key, which costs only time. */
+const cellKey = (column: number, row: number) => 65_536 * column + row;
 
-/** Before and after a moment so many plants leave prints, and never fewer than half of that. */
+/**
+ * Number of plants before and after a frame whose footprints are drawn. A window is used until fewer
+ * than half as many remain on one side.
+ */
 const windowRadius = 300;
 
-/** The plants whose prints lie on the floor, from one place in their list to another. */
+/** The plants whose footprints are drawn, as a range of indices. */
 export interface PlantWindow {
   from: number;
   to: number;
-  /** The frames for which these are enough. */
+  /** Frames for which this window can be used, half-open. */
   since: number;
   until: number;
 }
 
-/** The plants near a moment: of an hour's walk nobody sees more, and all would be a crowd. */
+/** Returns the plants near a frame; those of an hour would be too many to draw. */
 export function plantWindowAt(plants: readonly Pick<Plant, "start">[], frame: number): PlantWindow {
-  const at = (place: number) => (plants[place] as Plant).start;
-  const now = firstIndexWhere(plants.length, (place) => at(place) > frame);
-  const from = Math.max(0, now - windowRadius);
-  const to = Math.min(plants.length, now + windowRadius);
+  const startOf = (index: number) => (plants[index] as Plant).start;
+  const next = firstIndexWhere(plants.length, (index) => startOf(index) > frame);
+  const from = Math.max(0, next - windowRadius);
+  const to = Math.min(plants.length, next + windowRadius);
   return {
     from,
     to,
-    since: from > 0 ? at(from + windowRadius / 2) : Number.NEGATIVE_INFINITY,
-    until: to < plants.length ? at(to - windowRadius / 2) : Number.POSITIVE_INFINITY,
+    since: from > 0 ? startOf(from + windowRadius / 2) : Number.NEGATIVE_INFINITY,
+    until: to < plants.length ? startOf(to - windowRadius / 2) : Number.POSITIVE_INFINITY,
   };
 }

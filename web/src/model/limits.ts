@@ -1,11 +1,11 @@
 import { formatBytes } from "../util/format";
 import type { Failure } from "./types";
 
-/** Larger files are refused before a byte is read: a worker's memory ends at a few times that. */
+/** Maximum file size, checked before reading; a worker has room for a few times that. */
 export const maxFileBytes = 2 ** 30;
 
-/** Why a file of so many bytes is not opened. */
+/** Returns the failure of opening a file above the limit. */
 export const fileTooLarge = (size: number): Failure => ({
   message: `The file has ${formatBytes(size)}; the limit is ${formatBytes(maxFileBytes)}.`,
-  hint: "Split the clip, or leave out joints nobody needs, and export it again.",
+  hint: "Split the clip or remove unneeded joints, and export it again.",
 });

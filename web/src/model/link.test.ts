@@ -4,17 +4,17 @@ import { fileNameOfUrl, formatHash, parseHash } from "./link";
 const sample = (name: string, view = "") => ({ origin: { kind: "sample", name }, view });
 const url = (url: string, view = "") => ({ origin: { kind: "url", url }, view });
 
-it("reads a sample's name", () => {
+it("parses the name of a sample", () => {
   expect(parseHash("#sample=walk")).toEqual(sample("walk"));
 });
 
-it("reads an address, encoded or not, with its own query", () => {
-  const address = "https://example.org/a b.bvh?x=1&y=2";
-  expect(parseHash(`#url=${address}`)).toEqual(url(address));
-  expect(parseHash(`#url=${encodeURIComponent(address)}`)).toEqual(url(address));
+it("parses a URL with a query, encoded or not", () => {
+  const fileUrl = "https://example.org/a b.bvh?x=1&y=2";
+  expect(parseHash(`#url=${fileUrl}`)).toEqual(url(fileUrl));
+  expect(parseHash(`#url=${encodeURIComponent(fileUrl)}`)).toEqual(url(fileUrl));
 });
 
-it("reads how the clip is to be shown", () => {
+it("separates the view state", () => {
   expect(parseHash("#sample=walk&t=1.25&method=paper")).toEqual(
     sample("walk", "t=1.25&method=paper"),
   );
@@ -24,13 +24,13 @@ it("reads how the clip is to be shown", () => {
   );
 });
 
-it("asks for nothing otherwise", () => {
+it("returns undefined for other hashes", () => {
   for (const hash of ["", "#url=", "#elsewhere", "#t=2", "#sample=", "#curl=https://a.b"]) {
     expect(parseHash(hash)).toBeUndefined();
   }
 });
 
-it("reads what it writes", () => {
+it("parses what it formats", () => {
   const addresses = [
     "https://example.org/a.bvh",
     "https://example.org/a%20b.bvh?x=1&y=%2F#part",
@@ -52,7 +52,7 @@ it("reads what it writes", () => {
   );
 });
 
-it("names the file of an address", () => {
+it("returns the file name of a URL", () => {
   expect(fileNameOfUrl("https://example.org/clips/walk%201.bvh?raw=1")).toBe("walk 1.bvh");
   expect(fileNameOfUrl("https://example.org/")).toBe("example.org");
 });

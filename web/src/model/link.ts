@@ -1,20 +1,21 @@
-/** Where a clip can be had from by anyone. */
+/** Public source of a clip. */
 export type Origin = { kind: "url"; url: string } | { kind: "sample"; name: string };
 
-/** What the address asks for: `#sample=name&t=1.25` or `#t=1.25&url=https://…`. */
+/** A parsed address hash: `#sample=name&t=1.25` or `#t=1.25&url=https://…`. */
 export interface Link {
   origin: Origin;
-  /** How the clip is to be shown, not read yet. */
+  /** View state as text, not parsed yet. */
   view: string;
 }
 
+/** Parses the hash of an address. Returns undefined if it names no clip. */
 export function parseHash(hash: string): Link | undefined {
   const text = hash.replace(/^#/, "");
   // A pasted address is rarely percent-encoded: everything after `url=` belongs to it.
-  const [, showing = "", rest] = text.match(/^(|.*?&)url=(.*)$/s) ?? [];
-  if (rest !== undefined) {
-    const url = decode(rest);
-    return url ? { origin: { kind: "url", url }, view: showing.slice(0, -1) } : undefined;
+  const [, prefix = "", address] = text.match(/^(|.*?&)url=(.*)$/s) ?? [];
+  if (address !== undefined) {
+    const url = decode(address);
+    return url ? { origin: { kind: "url", url }, view: prefix.slice(0, -1) } : undefined;
   }
   const parts = text.split("&");
   const name = new URLSearchParams(text).get("sample");
@@ -22,17 +23,17 @@ export function parseHash(hash: string): Link | undefined {
   return name ? { origin: { kind: "sample", name }, view: others.join("&") } : undefined;
 }
 
-/** The same the other way round. */
+/** Formats a link as the hash of an address. */
 export function formatHash({ origin, view }: Link): string {
   if (origin.kind === "sample") {
     return `#sample=${encodeURIComponent(origin.name)}${view && `&${view}`}`;
   }
-  // Readable, unless it could be misread.
+  // Left readable unless that would be ambiguous.
   const url = /[%\s#]/.test(origin.url) ? encodeURIComponent(origin.url) : origin.url;
   return `#${view && `${view}&`}url=${url}`;
 }
 
-/** The file name at the end of an address. */
+/** Returns the file name at the end of a URL, or the host if there is none. */
 export function fileNameOfUrl(url: string): string {
   try {
     const { pathname, hostname } = new URL(url);

@@ -40,26 +40,26 @@ describe("plantsOf", () => {
       [4, "right", 7, 10],
     ]);
   });
-  it("prefers contact to toe", () => {
+  it("uses contact rather than toe", () => {
     const contact = { left: track("1111111111"), right: track("0000000000") };
     const both = { ...detection, parts: { toe, contact } };
     expect(plants.plantsOf(both)).toHaveLength(1);
   });
-  it("takes whatever part there is", () => {
+  it("uses any part that is labelled", () => {
     const only = (parts: Detection["parts"]) => plants.plantsOf({ ...detection, parts });
     expect(only({ contact: toe })).toHaveLength(4);
     expect(only({ heel: toe })).toHaveLength(4);
     expect(only({})).toEqual([]);
   });
-  it("says how certain each plant is", () => {
+  it("averages the confidence of each plant", () => {
     const left = track("1100111000", 0.9);
     left.confidence.fill(0.6, 4, 7);
-    const found = plants.plantsOf({ ...detection, parts: { toe: { ...toe, left } } });
-    expect(found.map(({ confidence }) => Number(confidence.toFixed(3)))).toEqual([0.9, 1, 0.6, 1]);
+    const rated = plants.plantsOf({ ...detection, parts: { toe: { ...toe, left } } });
+    expect(rated.map(({ confidence }) => Number(confidence.toFixed(3)))).toEqual([0.9, 1, 0.6, 1]);
   });
 });
 
-it("finds the interval that holds a frame", () => {
+it("finds the interval that contains a frame", () => {
   const { intervals } = toe.left;
   expect(intervalAt(intervals, 0)).toBe(0);
   expect(intervalAt(intervals, 2)).toBe(-1);
@@ -67,30 +67,32 @@ it("finds the interval that holds a frame", () => {
   expect(intervalAt(intervals, 9)).toBe(-1);
 });
 
-it("finds the plant under a frame, of one side or of any", () => {
+it("finds the plant that contains a frame, of one side or of either", () => {
   const list = plants.plantsOf(detection);
   expect(plants.plantAt(list, 5)?.number).toBe(3);
   expect(plants.plantAt(list, 5, "right")).toBeUndefined();
 });
 
-it("finds the same plants as whoever looks at all of them", () => {
+it("agrees with a linear search", () => {
   const both = { left: track("0110111100010"), right: track("1111011000100") };
   const list = plants.plantsOf({ ...detection, parts: { toe: both } });
   for (let frame = -1; frame < 14; frame++) {
     for (const side of ["left", "right", undefined] as const) {
-      const under = list.filter((p) => p.start <= frame && frame < p.end);
-      const last = under.findLast((p) => !side || p.side === side);
+      const containing = list.filter((p) => p.start <= frame && frame < p.end);
+      const last = containing.findLast((p) => !side || p.side === side);
       expect(plants.plantAt(list, frame, side)).toBe(last);
     }
     for (const side of ["left", "right"] as const) {
       const view = { start: frame, end: frame + 4.5 };
-      const seen = list.filter((p) => p.side === side && p.start < view.end && p.end > view.start);
-      expect(plants.plantsWithin(list, side, view)).toEqual(seen);
+      const visible = list.filter(
+        (p) => p.side === side && p.start < view.end && p.end > view.start,
+      );
+      expect(plants.plantsWithin(list, side, view)).toEqual(visible);
     }
   }
 });
 
-it("steps from edge to edge", () => {
+it("finds the next edge in both directions", () => {
   const edges = plants.plantEdges(plants.plantsOf(detection), 10);
   expect(edges).toEqual([0, 2, 4, 7, 9]);
   expect(plants.nextEdge(edges, 2, 1)).toBe(4);
@@ -98,17 +100,20 @@ it("steps from edge to edge", () => {
   expect(plants.nextEdge(edges, 9, 1)).toBeUndefined();
 });
 
-it("gives the planted share", () => expect(plants.plantedFraction(toe.left)).toBe(0.5));
+it("returns the fraction of planted frames", () =>
+  expect(plants.plantedFraction(toe.left)).toBe(0.5));
 
-it("swells from air to ground", () => {
+it("blends labels around a change", () => {
   const { planted } = track("0000011111");
   expect(plants.contactWeight(planted, 2, 2)).toBe(0);
   expect(plants.contactWeight(planted, 5, 2)).toBe(0.5);
   expect(plants.contactWeight(planted, 7, 2)).toBe(1);
 });
 
-it("lists doubtful stretches only where planted", () => {
-  const t = track("0111100");
-  t.confidence.set([0.5, 0.6, 0.9, 0.6, 0.6, 0.5, 0.5]);
-  expect([...plants.uncertainRanges(t.intervals, t.confidence)]).toEqual([1, 2, 3, 5]);
+it("lists uncertain ranges of planted frames only", () => {
+  const uncertain = track("0111100");
+  uncertain.confidence.set([0.5, 0.6, 0.9, 0.6, 0.6, 0.5, 0.5]);
+  expect([...plants.uncertainRanges(uncertain.intervals, uncertain.confidence)]).toEqual([
+    1, 2, 3, 5,
+  ]);
 });

@@ -2,35 +2,37 @@ import { firstIndexWhere } from "../util/binary-search";
 import { pushRanges } from "./intervals";
 import type { Detection, Part, Side, Track } from "./types";
 
-/** One stay of one foot on the ground, frames half-open. */
+/** A plant of the principal part of one foot; frames half-open. */
 export interface Plant {
-  /** Counts from 1 in order of time, both feet together. */
+  /** Number from 1 in order of time, over both feet. */
   number: number;
   side: Side;
   start: number;
   end: number;
-  /** Mean probability that its frames are labelled rightly, 0.5 … 1. */
+  /** Mean probability that the labels of its frames are correct, 0.5 to 1. */
   confidence: number;
-  /** A person wants it so. */
+  /** True if an edit determines it. */
   edited: boolean;
 }
 
-/** A frame less certain than this is doubtful. */
-const certainFrame = 0.75;
+/** Frames of lower confidence are marked as uncertain. */
+const minFrameConfidence = 0.75;
 
-/** A plant whose frames are less certain than this on the mean deserves a second look. */
-export const certainPlant = 0.95;
+/** Plants of lower mean confidence are marked as uncertain. */
+export const minPlantConfidence = 0.95;
 
-/** The part that says best where a foot is planted, of those that are labelled. */
+/** Returns the labelled part that is used for the foot as a whole: contact, else toe, else heel. */
 export function principalPart(parts: Partial<Record<Part, unknown>>): Part | undefined {
   return (["contact", "toe", "heel"] as const).find((part) => parts[part]);
 }
 
+/** Returns what belongs to the principal part. */
 export function principalTracks<T>(parts: Partial<Record<Part, T>>): T | undefined {
   const part = principalPart(parts);
   return part && parts[part];
 }
 
+/** Returns the plants of the principal part of both feet, in order of time. */
 export function plantsOf(detection: Detection): Plant[] {
   const tracks = principalTracks(detection.parts);
   const plants: Plant[] = [];
@@ -62,40 +64,42 @@ function mean(values: Float32Array, start: number, end: number): number {
   return end > start ? sum / (end - start) : 0;
 }
 
-/** The plant that holds a frame; of both feet's the later one. */
+/** Returns the plant that contains a frame; that which started later if both feet are planted. */
 export function plantAt(plants: readonly Plant[], frame: number, side?: Side): Plant | undefined {
-  // One foot's plants never overlap: only the last that has begun can hold the frame.
-  let left = side !== "right";
-  let right = side !== "left";
-  let i = firstIndexWhere(plants.length, (place) => (plants[place] as Plant).start > frame);
-  while (i-- > 0 && (left || right)) {
+  // Plants of one foot do not overlap: only the last one that has started can contain the frame.
+  const pending = { left: side !== "right", right: side !== "left" };
+  let i = firstIndexAfter(plants, frame);
+  while (i-- > 0 && (pending.left || pending.right)) {
     const plant = plants[i] as Plant;
-    if (!(plant.side === "left" ? left : right)) continue;
+    if (!pending[plant.side]) continue;
     if (frame < plant.end) return plant;
-    if (plant.side === "left") left = false;
-    else right = false;
+    pending[plant.side] = false;
   }
   return undefined;
 }
 
-/** The plants that a stretch of frames holds some of, of one foot. */
+/** Returns the index of the first plant that starts after a frame. */
+function firstIndexAfter(plants: readonly Plant[], frame: number): number {
+  return firstIndexWhere(plants.length, (i) => (plants[i] as Plant).start > frame);
+}
+
+/** Returns the plants of one foot that overlap a range of frames. */
 export function plantsWithin(
   plants: readonly Plant[],
   side: Side,
   { start, end }: { start: number; end: number },
 ): Plant[] {
   const first = plantAt(plants, start, side);
-  const found = first ? [first] : [];
-  let i = firstIndexWhere(plants.length, (place) => (plants[place] as Plant).start > start);
-  for (; i < plants.length; i++) {
+  const overlapping = first ? [first] : [];
+  for (let i = firstIndexAfter(plants, start); i < plants.length; i++) {
     const plant = plants[i] as Plant;
     if (plant.start >= end) break;
-    if (plant.side === side) found.push(plant);
+    if (plant.side === side) overlapping.push(plant);
   }
-  return found;
+  return overlapping;
 }
 
-/** Every frame where a plant begins or ends, ascending, each once. */
+/** Returns the distinct frames at which plants start or end, ascending. */
 export function plantEdges(plants: readonly Plant[], frames: number): number[] {
   const edges = new Set<number>();
   for (const { start, end } of plants) {
@@ -105,26 +109,29 @@ export function plantEdges(plants: readonly Plant[], frames: number): number[] {
   return [...edges].sort((a, b) => a - b);
 }
 
-/** The edge next to a frame in the given direction, or undefined at the end. */
+/** Returns the nearest edge before or after a frame; undefined if there is none. */
 export function nextEdge(edges: readonly number[], frame: number, direction: 1 | -1) {
   if (direction > 0) return edges.find((edge) => edge > frame);
   return edges.findLast((edge) => edge < frame);
 }
 
-/** Share of frames planted, 0 … 1. */
+/** Returns the fraction of frames that are planted, 0 to 1. */
 export function plantedFraction(track: Track): number {
   const { planted, intervals } = track;
-  let sum = 0;
+  let count = 0;
   for (let i = 0; i + 1 < intervals.length; i += 2) {
-    sum += (intervals[i + 1] as number) - (intervals[i] as number);
+    count += (intervals[i + 1] as number) - (intervals[i] as number);
   }
-  return planted.length ? sum / planted.length : 0;
+  return planted.length ? count / planted.length : 0;
 }
 
-/** How planted a moment is, 0 … 1: the labels averaged over ± `reach` frames, so that light swells and fades. */
-export function contactWeight(planted: Uint8Array, frame: number, reach: number): number {
-  const from = Math.max(0, frame - reach);
-  const to = Math.min(planted.length, frame + reach);
+/**
+ * Returns the mean of the labels over ± `radius` frames around a moment, 0 to 1, so that highlights
+ * fade in and out.
+ */
+export function contactWeight(planted: Uint8Array, frame: number, radius: number): number {
+  const from = Math.max(0, frame - radius);
+  const to = Math.min(planted.length, frame + radius);
   if (to <= from) return planted[Math.floor(frame)] ?? 0;
   let sum = 0;
   for (let i = Math.floor(from); i < to; i++) {
@@ -134,12 +141,12 @@ export function contactWeight(planted: Uint8Array, frame: number, reach: number)
   return sum / (to - from);
 }
 
-/** Stretches of planted frames that are not certain: start, end, start, end … */
+/** Returns the ranges of planted frames with low confidence: start, end, start, end, …. */
 export function uncertainRanges(intervals: Uint32Array, confidence: Float32Array): Uint32Array {
-  const found: number[] = [];
-  for (let plant = 0; plant < intervals.length; plant += 2) {
-    const [start, end] = [intervals[plant] as number, intervals[plant + 1] as number];
-    pushRanges(found, start, end, (i) => (confidence[i] as number) < certainFrame);
+  const ranges: number[] = [];
+  for (let i = 0; i < intervals.length; i += 2) {
+    const [start, end] = [intervals[i] as number, intervals[i + 1] as number];
+    pushRanges(ranges, start, end, (frame) => (confidence[frame] as number) < minFrameConfidence);
   }
-  return Uint32Array.from(found);
+  return Uint32Array.from(ranges);
 }

@@ -1,13 +1,19 @@
 /**
- * A page in one file: the player, and in blocks of text that no browser runs what it plays.
- * `fill` puts something into the blocks, `text` and `unpacked` read it in the page.
+ * The single-file page: the player, and blocks of inert text that contain what it plays. The app
+ * fills the blocks; the player reads them.
  */
 
-/** In the order of the page: its own program comes after all of them. */
+import type { OnProgress } from "./types";
+
+/** Ids of the blocks, in the order of the page; the script of the player follows them. */
 export const blockIds = ["title", "enclosed", "clip", "core"] as const;
 export type BlockId = (typeof blockIds)[number];
 
-/** The page with other contents of some blocks: texts free of `<`, or what was `packed`. */
+/**
+ * Returns the parts of a page in which some blocks are replaced.
+ *
+ * @param contents Texts without `<`, or results of `encodeBlock`.
+ */
 export function fillBlocks(page: string, contents: Partial<Record<BlockId, string | Blob>>) {
   const parts: (string | Blob)[] = [];
   let from = 0;
@@ -15,56 +21,56 @@ export function fillBlocks(page: string, contents: Partial<Record<BlockId, strin
     const content = contents[block];
     if (content === undefined) continue;
     if (typeof content === "string" && content.includes("<"))
-      throw new Error(`The ${block} would end too early.`);
-    const mark = block === "title" ? "<title>" : ` id="${block}">`;
-    const start = page.indexOf(mark, from) + mark.length;
+      throw new Error(`The block "${block}" must not contain "<".`);
+    const opening = block === "title" ? "<title>" : ` id="${block}">`;
+    const start = page.indexOf(opening, from) + opening.length;
     const end = page.indexOf("</", start);
-    if (start < mark.length || end < 0) throw new Error(`The page has no room for the ${block}.`);
+    if (start < opening.length || end < 0) throw new Error(`The page has no block "${block}".`);
     parts.push(page.slice(from, start), content);
     from = end;
   }
   return [...parts, page.slice(from)];
 }
 
-/** A record as text of a block: nothing in it can end the block. */
-export const jsonText = (record: object) => JSON.stringify(record).replaceAll("<", "\\u003c");
+/** Returns an object as JSON for a block, without `<`. */
+export const jsonText = (object: object) => JSON.stringify(object).replaceAll("<", "\\u003c");
 
-/** Words as text of the title. */
-export const titleText = (words: string) =>
-  words.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
+/** Escapes a text for the title. */
+export const titleText = (text: string) =>
+  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 
-/** What a block of this page holds; nothing where there is no such block. */
+/** Returns the text of a block of this page; empty if there is no such block. */
 export const blockText = (block: BlockId) => document.getElementById(block)?.textContent ?? "";
 
-/** Bytes that become text at a time: whole groups of three, and few enough for the page to go on. */
+/** Bytes that are encoded at a time: a multiple of three, small enough not to block the page. */
 const chunkBytes = 3 * 2 ** 17;
 
-/** Bytes as text of a block, as short as can be had; `onProgress` gets the share done, 0 … 1. */
+/** Compresses data and encodes it as text for a block. `onProgress` receives 0 to 1. */
 export async function encodeBlock(
   data: Blob,
-  { signal, onProgress }: { signal?: AbortSignal; onProgress?: (share: number) => void } = {},
+  { signal, onProgress }: { signal?: AbortSignal; onProgress?: OnProgress } = {},
 ): Promise<Blob> {
   let done = 0;
   const counted = new TransformStream<Uint8Array, Uint8Array<ArrayBuffer>>({
-    transform(piece, controller) {
+    transform(chunk, controller) {
       signal?.throwIfAborted();
-      done += piece.length;
+      done += chunk.length;
       onProgress?.(done / data.size);
-      controller.enqueue(piece as Uint8Array<ArrayBuffer>);
+      controller.enqueue(chunk as Uint8Array<ArrayBuffer>);
     },
   });
-  const zipped = data.stream().pipeThrough(counted).pipeThrough(new CompressionStream("gzip"));
-  const small = await new Response(zipped).blob().catch((error) => {
-    // Some browsers have reasons of their own for a stream that was stopped.
+  const compressed = data.stream().pipeThrough(counted).pipeThrough(new CompressionStream("gzip"));
+  const gzip = await new Response(compressed).blob().catch((error) => {
+    // Some browsers report another error for an aborted stream.
     signal?.throwIfAborted();
     throw error;
   });
-  const pieces: Blob[] = [];
-  for (let at = 0; at < small.size; at += chunkBytes) {
+  const chunks: Blob[] = [];
+  for (let start = 0; start < gzip.size; start += chunkBytes) {
     signal?.throwIfAborted();
-    pieces.push(new Blob([await base64(small.slice(at, at + chunkBytes))]));
+    chunks.push(new Blob([await base64(gzip.slice(start, start + chunkBytes))]));
   }
-  return new Blob(pieces);
+  return new Blob(chunks);
 }
 
 function base64(data: Blob): Promise<string> {
@@ -76,7 +82,7 @@ function base64(data: Blob): Promise<string> {
   });
 }
 
-/** The bytes that a block of this page holds. */
+/** Decodes a block of this page that `encodeBlock` has made. */
 export async function decodeBlock(block: BlockId): Promise<Blob> {
   const chars = atob(blockText(block));
   const bytes = new Uint8Array(chars.length);

@@ -8,18 +8,18 @@ import {
   toSentence,
 } from "./report";
 
-it("says where", () => {
+it("formats positions", () => {
   expect(locationText({ line: 3, column: 7 })).toBe("line 3, column 7");
   expect(locationText({ line: 3 })).toBe("line 3");
   expect(locationText({})).toBe("");
 });
 
-it("makes a sentence of a message", () => {
+it("turns messages into sentences", () => {
   expect(toSentence("the clip has no motion")).toBe("The clip has no motion.");
   expect(toSentence("Offline.")).toBe("Offline.");
 });
 
-it("knows which failures leniency helps", () => {
+it("recognizes failures that lenient reading avoids", () => {
   expect(canReadLeniently({ message: "no number", hint: "Or read the file leniently." })).toBe(
     true,
   );
@@ -30,7 +30,7 @@ describe("excerptWithCaret", () => {
   it("puts the caret under the column", () => {
     expect(excerptWithCaret("0 0 abc 0", 5)).toEqual({ line: "0 0 abc 0", caret: "    ^" });
   });
-  it("cuts a window out of a long line", () => {
+  it("shortens a long line around the column", () => {
     const long = `${"1.5 ".repeat(100)}bad ${"2.5 ".repeat(100)}`;
     const { line, caret } = excerptWithCaret(long, 401);
     expect(line.length).toBeLessThanOrEqual(66);
@@ -38,7 +38,7 @@ describe("excerptWithCaret", () => {
   });
 });
 
-it("writes a whole report", () => {
+it("formats a failure with position, excerpt and hint", () => {
   const text = failureReport("walk.bvh", {
     message: "expected a number",
     line: 9,
@@ -51,7 +51,7 @@ it("writes a whole report", () => {
   );
 });
 
-it("lists notices", () => {
+it("formats notices", () => {
   expect(noticesReport("a.bvh", [{ code: "tabs", text: "Tabs.", line: 2 }])).toBe(
     "1 notice on a.bvh\ntabs · line 2 · Tabs.",
   );

@@ -1,40 +1,40 @@
 import type { Failure, Notice } from "./types";
 
-/** Where in a file, in words; empty when nobody knows. */
-export function locationText(at: { line?: number; column?: number }): string {
-  if (at.line === undefined) return "";
-  return at.column === undefined ? `line ${at.line}` : `line ${at.line}, column ${at.column}`;
+/** Formats a position in a file: `line 3, column 7`. Empty if it is unknown. */
+export function locationText({ line, column }: { line?: number; column?: number }): string {
+  if (line === undefined) return "";
+  return column === undefined ? `line ${line}` : `line ${line}, column ${column}`;
 }
 
-/** A message of the core as a sentence of the page. */
+/** Capitalizes a message and ends it with a full stop. */
 export function toSentence(message: string): string {
-  const begun = message.charAt(0).toUpperCase() + message.slice(1);
-  return /[.!?]$/.test(begun) ? begun : `${begun}.`;
+  const capitalized = message.charAt(0).toUpperCase() + message.slice(1);
+  return /[.!?]$/.test(capitalized) ? capitalized : `${capitalized}.`;
 }
 
-/** Whether a file may open after all if values that are no numbers are passed over. */
+/** True if the file may open when values that are not numbers are replaced. */
 export const canReadLeniently = (failure: Failure) => /\bleniently\b/.test(failure.hint ?? "");
 
-/** A window on the offending line with a caret under the column (both count from 1). */
+/** Returns the part of a line around a column (from 1), and a line with a caret under it. */
 export function excerptWithCaret(excerpt: string, column?: number, width = 64) {
-  // A tab would move the caret: one cell each.
+  // A tab would misplace the caret.
   const line = excerpt.replace(/\t/g, " ").trimEnd();
   if (column === undefined) return { line: line.slice(0, width), caret: "" };
-  const at = Math.max(0, column - 1);
-  const from = line.length <= width ? 0 : Math.max(0, Math.min(at - 24, line.length - width));
-  const head = from > 0 ? "…" : "";
-  const tail = from + width < line.length ? "…" : "";
+  const index = Math.max(0, column - 1);
+  const from = line.length <= width ? 0 : Math.max(0, Math.min(index - 24, line.length - width));
+  const prefix = from > 0 ? "…" : "";
+  const suffix = from + width < line.length ? "…" : "";
   return {
-    line: head + line.slice(from, from + width) + tail,
-    caret: `${" ".repeat(head.length + Math.max(0, at - from))}^`,
+    line: prefix + line.slice(from, from + width) + suffix,
+    caret: `${" ".repeat(prefix.length + Math.max(0, index - from))}^`,
   };
 }
 
-/** A failure as text for a bug report or a mail. */
+/** Formats a failure as text for a bug report. */
 export function failureReport(name: string, failure: Failure): string {
   const lines = [`Plantigrade could not read ${name}`, failure.message];
-  const where = locationText(failure);
-  if (where) lines.push(`At ${where}`);
+  const location = locationText(failure);
+  if (location) lines.push(`At ${location}`);
   if (failure.excerpt) {
     const { line, caret } = excerptWithCaret(failure.excerpt, failure.column);
     lines.push("", `  ${line}`);
@@ -45,9 +45,12 @@ export function failureReport(name: string, failure: Failure): string {
   return lines.join("\n");
 }
 
+/** Formats notices as text, one per line. */
 export function noticesReport(name: string, notices: readonly Notice[]): string {
   return [
     `${notices.length} ${notices.length === 1 ? "notice" : "notices"} on ${name}`,
-    ...notices.map((n) => [n.code, locationText(n), n.text].filter(Boolean).join(" · ")),
+    ...notices.map((notice) =>
+      [notice.code, locationText(notice), notice.text].filter(Boolean).join(" · "),
+    ),
   ].join("\n");
 }

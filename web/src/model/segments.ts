@@ -1,47 +1,46 @@
 import { firstIndexWhere } from "../util/binary-search";
+import type { FrameRange } from "./edits";
 import type { Segment } from "./types";
 
-/** One action of the clip as it is shown. */
+/** A segment as displayed. */
 export interface NamedSegment extends Segment {
-  /** Counts from 1. */
+  /** Number from 1. */
   number: number;
-  /** What a person calls it; empty where nobody has named it. */
+  /** Name given by the user; empty if there is none. */
   name: string;
 }
 
-/** A name that a person gave to some frames, half-open. */
+/** A name that the user gave to a range of frames, half-open. */
 export interface SegmentName {
   start: number;
   end: number;
   name: string;
 }
 
-interface Span {
-  start: number;
-  end: number;
-}
-
 /**
- * How much of the longer of two spans both have in common. Above a half they are the same
- * action, and of each other's segments no other one can be.
+ * Returns the overlap of two ranges as a fraction of the longer one. Above one half they are taken
+ * for the same action; at most one segment of a segmentation can be that.
  */
-function overlap(a: Span, b: Span): number {
+function overlap(a: FrameRange, b: FrameRange): number {
   const common = Math.min(a.end, b.end) - Math.max(a.start, b.start);
   return common / Math.max(a.end - a.start, b.end - b.start);
 }
 
-/** The item that spans the same action, if there is one. */
-export function matchingSegment<T extends Span>(items: readonly T[], span: Span): T | undefined {
-  let found: T | undefined;
-  let most = 0.5;
+/** Returns the item that covers the same action as a range, if any. */
+export function matchingSegment<T extends FrameRange>(
+  items: readonly T[],
+  range: FrameRange,
+): T | undefined {
+  let match: T | undefined;
+  let maxOverlap = 0.5;
   for (const item of items) {
-    const like = overlap(item, span);
-    if (like > most) [found, most] = [item, like];
+    const fraction = overlap(item, range);
+    if (fraction > maxOverlap) [match, maxOverlap] = [item, fraction];
   }
-  return found;
+  return match;
 }
 
-/** The segments in order with the names that people gave to those actions. */
+/** Numbers the segments and gives them the names of their actions. */
 export function nameSegments(
   segments: readonly Segment[],
   names: readonly SegmentName[],
@@ -53,50 +52,50 @@ export function nameSegments(
   }));
 }
 
-/** The names with that of one action changed; without a name it has none. */
+/** Replaces the name of one action; an empty name removes it. */
 export function renameSegment(
   names: readonly SegmentName[],
-  { start, end }: Span,
+  { start, end }: FrameRange,
   name: string,
 ): SegmentName[] {
   const others = names.filter((other) => overlap(other, { start, end }) <= 0.5);
   return name.trim() ? [...others, { start, end, name }] : others;
 }
 
-/** What an action is called on its bar and in files: a person's name, or the method's. */
+/** Returns the name of a segment, or the label of the method if it has none. */
 export const segmentTitle = ({ name, label }: NamedSegment) => name.trim() || label;
 
-/** What kind of action it is, in a word; nothing where the method does not tell. */
+/** Returns the kind of a segment; empty for a plain action. */
 export const segmentKind = ({ kind }: Segment) => (kind === "action" ? "" : kind);
 
-/** The action that holds a frame. */
+/** Returns the segment that contains a frame, or the first or the last one. */
 export function segmentAt(
-  actions: readonly NamedSegment[],
+  segments: readonly NamedSegment[],
   frame: number,
 ): NamedSegment | undefined {
-  return actions[segmentIndexAt(actions, frame)];
+  return segments[segmentIndexAt(segments, frame)];
 }
 
-/** Place of the segment that holds a frame, or of the first or the last one. */
-export function segmentIndexAt(segments: readonly Span[], frame: number): number {
-  const place = firstIndexWhere(segments.length, (i) => (segments[i] as Span).end > frame);
-  return Math.max(0, Math.min(place, segments.length - 1));
+/** Returns the index of the segment that contains a frame, or of the first or the last one. */
+export function segmentIndexAt(segments: readonly FrameRange[], frame: number): number {
+  const index = firstIndexWhere(segments.length, (i) => (segments[i] as FrameRange).end > frame);
+  return Math.max(0, Math.min(index, segments.length - 1));
 }
 
-/** The first frame of each action but the first. */
-export const cutsOf = (actions: readonly NamedSegment[]) =>
-  actions.slice(1).map(({ start }) => start);
+/** Returns the first frame of every segment except the first. */
+export const cutsOf = (segments: readonly NamedSegment[]) =>
+  segments.slice(1).map(({ start }) => start);
 
-/** A file name for each action, in order: `walk-03-turn.bvh`. */
-export function segmentFileNames(actions: readonly NamedSegment[], clip: string): string[] {
-  const digits = Math.max(2, String(actions.length).length);
-  return actions.map((action) => {
-    // A person's words may hold what file systems do not.
-    const words = action.name
+/** Returns a file name for each segment, in order: `walk-03-turn.bvh`. */
+export function segmentFileNames(segments: readonly NamedSegment[], clip: string): string[] {
+  const digits = Math.max(2, String(segments.length).length);
+  return segments.map((segment) => {
+    // Names may contain characters that file systems do not allow.
+    const suffix = segment.name
       .trim()
       .replace(/[^\p{L}\p{N}]+/gu, "-")
       .replace(/^-|-$/g, "");
-    const parts = [clip, String(action.number).padStart(digits, "0"), words];
+    const parts = [clip, String(segment.number).padStart(digits, "0"), suffix];
     return `${parts.filter(Boolean).join("-")}.bvh`;
   });
 }

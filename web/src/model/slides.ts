@@ -1,4 +1,4 @@
-/** Mean and worst of the slides of plants, in metres; nothing without plants. */
+/** Returns mean and maximum of the slides of plants, in metres; undefined without plants. */
 export function summarizeSlides(
   slides: readonly number[],
 ): { mean: number; worst: number } | undefined {
@@ -7,7 +7,7 @@ export function summarizeSlides(
   return { mean: sum / slides.length, worst: Math.max(...slides) };
 }
 
-/** A slide in centimetres, with as many digits as mean something. */
+/** Formats a length in centimetres: `1.2 cm`, `25 cm`. */
 export function formatCentimetres(metres: number): string {
   const cm = 100 * metres;
   return `${cm.toFixed(cm < 10 ? 1 : 0)} cm`;

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { filterRows, sortRows, type TableRow, tableCsv } from "./table";
 
-const survey = (frames: number) => ({
+const summary = (frames: number) => ({
   frames,
   rate: 120,
   notices: 0,
@@ -13,36 +13,36 @@ const survey = (frames: number) => ({
 });
 
 const rows: TableRow[] = [
-  { number: 1, source: { name: "walk 10.bvh" }, status: "done", summary: survey(20) },
+  { number: 1, source: { name: "walk 10.bvh" }, status: "done", summary: summary(20) },
   {
     number: 2,
     source: { name: "walk 9.bvh" },
     status: "failed",
     failure: { message: 'no "feet"' },
   },
-  { number: 3, source: { name: "jump, high.bvh" }, status: "done", summary: survey(100) },
+  { number: 3, source: { name: "jump, high.bvh" }, status: "done", summary: summary(100) },
 ];
 
-const numbers = (of: readonly TableRow[]) => of.map(({ number }) => number);
+const numbers = (list: readonly TableRow[]) => list.map(({ number }) => number);
 
-test("rows are sorted by numbers, names by the numbers in them; what is missing comes last", () => {
+test("sorts by value, names in natural order, and missing values last", () => {
   expect(numbers(sortRows(rows, "frames", 1))).toEqual([1, 3, 2]);
   expect(numbers(sortRows(rows, "frames", -1))).toEqual([3, 1, 2]);
   expect(numbers(sortRows(rows, "file", 1))).toEqual([3, 2, 1]);
   expect(numbers(sortRows(rows, "", 1))).toEqual([1, 2, 3]);
 });
 
-test("rows are found by all the words", () => {
+test("filters by all words", () => {
   expect(numbers(filterRows(rows, "WALK 9"))).toEqual([2]);
   expect(numbers(filterRows(rows, "feet failed"))).toEqual([2]);
   expect(numbers(filterRows(rows, " "))).toEqual([1, 2, 3]);
 });
 
-test("the table is a file that reads back", () => {
-  const [head, first, second, third] = tableCsv(rows).split("\n");
-  expect(head).toMatch(/^file,frames,rate_hz,duration_s,.*,took_ms,error$/);
+test("exports CSV with quoted fields", () => {
+  const [header, first, second, third] = tableCsv(rows).split("\n");
+  expect(header).toMatch(/^file,frames,rate_hz,duration_s,.*,took_ms,error$/);
   expect(first).toMatch(/^walk 10\.bvh,20,120,0\.1667,0,3,0\.5,0\.6667,/);
   expect(second).toMatch(/^walk 9\.bvh,,,.*,"no ""feet"""$/);
   expect(third).toMatch(/^"jump, high\.bvh",100,/);
-  expect(new Set([head, first].map((line) => line?.split(",").length)).size).toBe(1);
+  expect(new Set([header, first].map((line) => line?.split(",").length)).size).toBe(1);
 });

@@ -1,4 +1,4 @@
-/** The table of many clips: its columns, their order, and the table as a file. */
+/** The batch table: its columns, sorting, filtering, and CSV export. */
 
 import { formatCount, formatDuration, formatRate } from "../util/format";
 import type { ClipSummary } from "./batch";
@@ -16,40 +16,39 @@ export interface TableRow {
 export interface Column {
   key: string;
   title: string;
-  /** What the numbers mean, where the title does not say. */
-  about?: string;
-  /** What rows are sorted by, and what the file says. */
+  /** Description, shown as a tooltip. */
+  description?: string;
+  /** Value for sorting and for the CSV file. */
   value: (row: TableRow) => string | number | undefined;
-  /** What the page says. */
+  /** Displayed text. */
   text: (row: TableRow) => string;
-  /** Left out where there is little room. */
+  /** True if the column is hidden on narrow screens. */
   minor?: boolean;
 }
 
-const percent = (share: number | undefined) =>
-  share === undefined ? "–" : `${Math.round(100 * share)} %`;
+const percent = (fraction: number) => `${Math.round(100 * fraction)} %`;
 
 const round = (value: number | undefined, digits = 4) =>
   value === undefined ? undefined : Number(value.toFixed(digits));
 
-/** A column of a number that the survey found. */
+/** Creates a column for a number of the summary. */
 function summaryColumn(
   key: string,
   title: string,
-  of: (survey: ClipSummary) => number | undefined,
-  text: (value: number) => string = formatCount,
-  more: Partial<Column> = {},
+  select: (summary: ClipSummary) => number | undefined,
+  format: (value: number) => string = formatCount,
+  options: Pick<Column, "description" | "minor"> = {},
 ): Column {
-  const value = ({ summary }: TableRow) => (summary ? round(of(summary)) : undefined);
+  const value = ({ summary }: TableRow) => (summary ? round(select(summary)) : undefined);
   return {
     key,
     title,
     value,
     text: (row) => {
       const number = value(row);
-      return number === undefined ? (row.summary ? "–" : "") : text(number);
+      return number === undefined ? (row.summary ? "–" : "") : format(number);
     },
-    ...more,
+    ...options,
   };
 }
 
@@ -62,16 +61,16 @@ export const columns: readonly Column[] = [
   },
   summaryColumn("frames", "Frames", ({ frames }) => frames),
   summaryColumn("rate_hz", "Rate", ({ rate }) => rate, formatRate, { minor: true }),
-  summaryColumn("duration_s", "Length", ({ frames, rate }) => frames / rate, formatDuration, {
+  summaryColumn("duration_s", "Duration", ({ frames, rate }) => frames / rate, formatDuration, {
     minor: true,
   }),
   summaryColumn("notices", "Notices", ({ notices }) => notices, formatCount, { minor: true }),
   summaryColumn("plants", "Plants", ({ plants }) => plants),
   summaryColumn("left_planted", "Left", ({ planted }) => planted?.left, percent, {
-    about: "Share of the frames in which the left foot is planted",
+    description: "Percentage of frames in which the left foot is planted",
   }),
   summaryColumn("right_planted", "Right", ({ planted }) => planted?.right, percent, {
-    about: "Share of the frames in which the right foot is planted",
+    description: "Percentage of frames in which the right foot is planted",
   }),
   summaryColumn(
     "cadence_steps_per_min",
@@ -79,15 +78,15 @@ export const columns: readonly Column[] = [
     ({ cadence }) => cadence,
     (steps) => steps.toFixed(0),
     {
-      about: "Steps per minute",
+      description: "Steps per minute",
     },
   ),
-  summaryColumn("mean_slide_m", "Skate", ({ skate }) => skate?.mean, formatCentimetres, {
-    about: "How far planted feet slide on the mean",
+  summaryColumn("mean_slide_m", "Mean slide", ({ skate }) => skate?.mean, formatCentimetres, {
+    description: "Mean distance that a planted foot slides",
     minor: true,
   }),
-  summaryColumn("worst_slide_m", "Worst", ({ skate }) => skate?.worst, formatCentimetres, {
-    about: "How far a planted foot slides at most",
+  summaryColumn("worst_slide_m", "Max slide", ({ skate }) => skate?.worst, formatCentimetres, {
+    description: "Largest distance that a planted foot slides",
     minor: true,
   }),
   summaryColumn("segments", "Segments", ({ segments }) => segments, formatCount, { minor: true }),
@@ -95,15 +94,15 @@ export const columns: readonly Column[] = [
     "took_ms",
     "Time",
     ({ elapsedMs }) => elapsedMs,
-    (took) => `${(took / 1000).toFixed(2)} s`,
+    (ms) => `${(ms / 1000).toFixed(2)} s`,
     {
-      about: "Time that it took",
+      description: "Processing time",
       minor: true,
     },
   ),
 ];
 
-/** Rows in the order of a column; those that have nothing there come last, either way. */
+/** Sorts rows by a column. Rows without a value come last in both directions. */
 export function sortRows<Row extends TableRow>(
   rows: readonly Row[],
   key: string,
@@ -125,25 +124,27 @@ function compare(a: string | number, b: string | number): number {
   return String(a).localeCompare(String(b), "en", { numeric: true });
 }
 
-/** Rows whose name or failure holds all the words. */
-export function filterRows<Row extends TableRow>(rows: readonly Row[], words: string): Row[] {
-  const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
+/** Returns the rows whose name, status or failure contains all words of a query. */
+export function filterRows<Row extends TableRow>(rows: readonly Row[], query: string): Row[] {
+  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   return rows.filter(({ source, failure, status }) => {
     const text = `${source.name} ${status} ${failure?.message ?? ""}`.toLowerCase();
-    return wanted.every((word) => text.includes(word));
+    return words.every((word) => text.includes(word));
   });
 }
 
-/** The table with all its columns, and what went wrong. */
+/** Returns the table as CSV, with all columns and an `error` column. */
 export function tableCsv(rows: readonly TableRow[]): string {
-  const head = [...columns.map(({ key }) => key), "error"].join(",");
+  const header = [...columns.map(({ key }) => key), "error"].join(",");
   const lines = rows.map((row) => {
     const cells = columns.map(({ value }) => value(row) ?? "");
     const error = row.failure?.message ?? row.summary?.missing.join("; ") ?? "";
-    return [...cells, error].map(field).join(",");
+    return [...cells, error].map(csvField).join(",");
   });
-  return [head, ...lines, ""].join("\n");
+  return [header, ...lines, ""].join("\n");
 }
 
-const field = (value: string | number) =>
-  /[",\n\r]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value);
+function csvField(value: string | number): string {
+  const text = String(value);
+  return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}

@@ -1,38 +1,40 @@
 import type { Clip } from "./types";
 
-/** A place over the ground, metres. */
+/** A position on the ground plane, in metres. */
 export interface GroundPoint {
   x: number;
   z: number;
 }
 
 /**
- * Where the character is over the ground in a frame, averaged over ± 0.4 s: a camera on it
- * glides, and is at the same place whichever way time came. Told in `spot`.
+ * Returns the ground position of a joint, averaged over ± 0.4 s, so that a camera that follows it
+ * moves smoothly. Depends on the frame only, not on the direction of playback.
+ *
+ * @param target Object to which the result is written.
  */
 export function smoothedPosition(
   clip: Pick<Clip, "positions" | "joints" | "frames" | "rate">,
   joint: number,
   frame: number,
-  spot: GroundPoint = { x: 0, z: 0 },
+  target: GroundPoint = { x: 0, z: 0 },
 ): GroundPoint {
   const stride = clip.joints.length * 3;
   const last = Math.max(clip.frames, 1) - 1;
-  // Symmetric at the ends too, so that the first frame is its own mean.
+  // The window shrinks symmetrically at the ends of the clip, which avoids a lag there.
   const half = Math.min(Math.round(0.4 * clip.rate), frame, last - frame);
-  spot.x = 0;
-  spot.z = 0;
-  for (let near = frame - half; near <= frame + half; near++) {
-    const place = near * stride + joint * 3;
-    spot.x += clip.positions[place] ?? 0;
-    spot.z += clip.positions[place + 2] ?? 0;
+  target.x = 0;
+  target.z = 0;
+  for (let i = frame - half; i <= frame + half; i++) {
+    const index = i * stride + joint * 3;
+    target.x += clip.positions[index] ?? 0;
+    target.z += clip.positions[index + 2] ?? 0;
   }
-  spot.x /= 2 * half + 1;
-  spot.z /= 2 * half + 1;
-  return spot;
+  target.x /= 2 * half + 1;
+  target.z /= 2 * half + 1;
+  return target;
 }
 
-/** The ground that all of its way takes, from ten frames of a second. */
+/** Returns the bounds of the path of a joint on the ground, from ten frames per second. */
 export function groundBounds(
   clip: Pick<Clip, "positions" | "joints" | "frames" | "rate">,
   joint: number,
@@ -41,8 +43,8 @@ export function groundBounds(
   const high = { x: Number.NEGATIVE_INFINITY, z: Number.NEGATIVE_INFINITY };
   const step = Math.max(1, Math.floor(clip.rate / 10));
   for (let frame = 0; frame < Math.max(clip.frames, 1); frame += step) {
-    const place = (frame * clip.joints.length + joint) * 3;
-    const [x = 0, z = 0] = [clip.positions[place], clip.positions[place + 2]];
+    const index = (frame * clip.joints.length + joint) * 3;
+    const [x = 0, z = 0] = [clip.positions[index], clip.positions[index + 2]];
     low.x = Math.min(low.x, x);
     low.z = Math.min(low.z, z);
     high.x = Math.max(high.x, x);
@@ -51,7 +53,7 @@ export function groundBounds(
   return { low, high };
 }
 
-/** Lowest and highest point of one frame, metres. */
+/** Returns the height of the lowest and the highest joint in a frame, in metres. */
 export function verticalExtent(clip: Pick<Clip, "positions" | "joints">, frame: number) {
   const stride = clip.joints.length * 3;
   let low = Number.POSITIVE_INFINITY;
@@ -64,40 +66,40 @@ export function verticalExtent(clip: Pick<Clip, "positions" | "joints">, frame: 
   return { low, high };
 }
 
-/** Greatest height over `floor` that any joint reaches, from at most 240 frames, metres. */
+/** Returns the largest height of any joint above the floor, in metres, from about 240 frames. */
 export function maxHeight(
   clip: Pick<Clip, "positions" | "joints" | "frames">,
   floor: number,
 ): number {
-  const stride = Math.max(1, Math.floor(clip.frames / 240));
+  const step = Math.max(1, Math.floor(clip.frames / 240));
   let high = Number.NEGATIVE_INFINITY;
-  for (let frame = 0; frame < Math.max(clip.frames, 1); frame += stride) {
+  for (let frame = 0; frame < Math.max(clip.frames, 1); frame += step) {
     high = Math.max(high, verticalExtent(clip, frame).high);
   }
   return high - floor;
 }
 
-/** Unit direction the character faces on the floor, from the line between its hips; +z where that is unknown. */
+/** Returns the unit vector on the ground in which the hips face; +z if it is unknown. */
 export function facingDirection(clip: Pick<Clip, "positions" | "joints" | "roles">, frame: number) {
   const left = clip.roles.left_thigh;
   const right = clip.roles.right_thigh;
   if (left === undefined || right === undefined) return { x: 0, z: 1 };
   const base = frame * clip.joints.length * 3;
-  const at = (joint: number, axis: number) => clip.positions[base + joint * 3 + axis] ?? 0;
-  const lx = at(left, 0) - at(right, 0);
-  const lz = at(left, 2) - at(right, 2);
-  const norm = Math.hypot(lx, lz);
-  // Left × up = forward, in a right-handed world with y up.
-  return norm > 1e-6 ? { x: -lz / norm, z: lx / norm } : { x: 0, z: 1 };
+  const coordinate = (joint: number, axis: number) => clip.positions[base + joint * 3 + axis] ?? 0;
+  const dx = coordinate(left, 0) - coordinate(right, 0);
+  const dz = coordinate(left, 2) - coordinate(right, 2);
+  const norm = Math.hypot(dx, dz);
+  // Left × up = forward, in right-handed coordinates with Y up.
+  return norm > 1e-6 ? { x: -dz / norm, z: dx / norm } : { x: 0, z: 1 };
 }
 
-/** Height of the character in metres, from its first pose; a crawling one counts by its legs. */
+/** Returns the size of the character in metres: its height in the first frame, or 1.2 leg lengths. */
 export function characterSize(clip: Pick<Clip, "positions" | "joints" | "leg">): number {
   const { low, high } = verticalExtent(clip, 0);
   return Math.max(high - low, 1.2 * (clip.leg ?? 0), 1e-3);
 }
 
-/** The floor's grid in metres: 1 for people, a power of ten for the very small and the very large. */
+/** Returns the grid spacing for a character, in metres: 1 for people, otherwise a power of ten. */
 export function gridStep(size: number): number {
   return 10 ** Math.round(Math.log10(size / 1.75));
 }

@@ -1,28 +1,28 @@
-/** How a clip is on show, as links and shared pages say it: `t=1.25&method=paper&r=0.002`. */
+/** The view state in links and shared pages, as text: `t=1.25&method=paper&r=0.002`. */
 
 export type CameraView = "perspective" | "front" | "side" | "top";
 
 export type Point = readonly [x: number, y: number, z: number];
 
-/** Where the camera is and what it looks at, in metres. */
+/** Position and target of the camera, in metres. */
 export interface CameraPose {
   eye: Point;
   at: Point;
 }
 
-/** What is absent is as usual. */
+/** View and settings; absent fields have their default values. */
 export interface ViewState extends Partial<CameraPose> {
-  /** The moment in seconds. */
+  /** Time, in seconds. */
   t?: number;
   view?: "front" | "side" | "top";
-  /** Whether the camera travels along. */
+  /** Absent if the camera follows the character. */
   follow?: "off";
   method?: string;
   r?: number;
   w?: number;
   height?: number;
   speed?: number;
-  /** The method of segmentation. */
+  /** Segmentation method. */
   segment?: string;
   dims?: number;
   residual?: "ratio";
@@ -32,36 +32,36 @@ export interface ViewState extends Partial<CameraPose> {
   up?: "x" | "-x" | "y" | "-y" | "z" | "-z";
   /** Metres per unit of the file. */
   unit?: number;
-  /** Joints in place of those found, by their role; −1 is none. */
+  /** Joint index by role, overriding detected roles; −1 is none. */
   joints?: Record<string, number>;
-  /** Values that are no number were held from the frame before. */
+  /** Set if values that are not numbers are replaced by those of the previous frame. */
   lenient?: "yes";
 }
 
 type Key = keyof ViewState;
 
-/** What a text says, if it says anything. */
-type Reader<T> = (text: string) => T | undefined;
+/** Parses a value; undefined if it is invalid. */
+type Parser<T> = (text: string) => T | undefined;
 
-/** The names that methods have at present. */
+/** Valid names of methods. */
 export interface MethodNames {
   detect: readonly string[];
   segment: readonly string[];
 }
 
-const readers = ({ detect, segment }: MethodNames): { [K in Key]-?: Reader<ViewState[K]> } => ({
+const parsersFor = ({ detect, segment }: MethodNames): { [K in Key]-?: Parser<ViewState[K]> } => ({
   t: number(0, 1e6),
   method: oneOf(...detect),
   r: number(1e-9, 1),
-  w: whole(0, 100),
+  w: integer(0, 100),
   height: number(0, 10),
   speed: number(0, 100),
   segment: oneOf(...segment),
-  dims: whole(1, 1000),
+  dims: integer(1, 1000),
   residual: oneOf("ratio"),
   template: (text) =>
     oneOf("mean", "tpose")(text) ??
-    ((`${whole(0, 1e9)(text) ?? ""}` || undefined) as ViewState["template"]),
+    ((`${integer(0, 1e9)(text) ?? ""}` || undefined) as ViewState["template"]),
   published: oneOf("yes"),
   rate: number(1, 1000),
   up: oneOf("x", "-x", "y", "-y", "z", "-z"),
@@ -74,20 +74,20 @@ const readers = ({ detect, segment }: MethodNames): { [K in Key]-?: Reader<ViewS
   at: point,
 });
 
-/** Reads it; what is not understood comes back beside it, to be told. */
+/** Parses a view state. `rejected` lists the parts that are unknown or invalid. */
 export function parseViewState(
   text: string,
   methods: MethodNames,
 ): { view: ViewState; rejected: string[] } {
-  const known = new Map<string, Reader<unknown>>(Object.entries(readers(methods)));
+  const parsers = new Map<string, Parser<unknown>>(Object.entries(parsersFor(methods)));
   const view: Record<string, unknown> = {};
   const rejected: string[] = [];
   for (const [key, value] of new URLSearchParams(text)) {
-    const read = known.get(key)?.(value);
-    if (read === undefined) rejected.push(`${key}=${value}`);
-    else view[key] = read;
+    const parsed = parsers.get(key)?.(value);
+    if (parsed === undefined) rejected.push(`${key}=${value}`);
+    else view[key] = parsed;
   }
-  // A camera that looks from nowhere or at nothing is none.
+  // A camera pose requires both points.
   if (!view.eye !== !view.at) {
     rejected.push(view.eye ? "eye without at" : "at without eye");
     delete view.eye;
@@ -96,12 +96,12 @@ export function parseViewState(
   return { view, rejected };
 }
 
-/** Writes it so that it can be read by a person too. */
+/** Formats a view state readably. */
 export function formatViewState(view: ViewState): string {
-  const keys = Object.keys(readers({ detect: [], segment: [] })) as Key[];
+  const keys = Object.keys(parsersFor({ detect: [], segment: [] })) as Key[];
   return keys
     .filter((key) => view[key] !== undefined)
-    .map((key) => `${key}=${plain(textOf(view[key]))}`)
+    .map((key) => `${key}=${escapeValue(textOf(view[key]))}`)
     .join("&");
 }
 
@@ -113,26 +113,27 @@ function textOf(value: ViewState[Key]): string {
     .join(",");
 }
 
-/** Escaped, but for what needs none behind a `#`. */
-const plain = (text: string) => encodeURIComponent(text).replace(/%2C/g, ",").replace(/%3A/g, ":");
+/** Percent-encodes a value, except for characters that are safe after `#`. */
+const escapeValue = (text: string) =>
+  encodeURIComponent(text).replace(/%2C/g, ",").replace(/%3A/g, ":");
 
-/** A moment with no more digits than it takes to tell its frame from others. */
+/** Returns the time of a frame in seconds, with as few decimals as identify the frame. */
 export function shortestTime(frame: number, rate: number): number {
   return Number((frame / rate).toFixed(Math.max(0, Math.floor(Math.log10(rate)) + 1)));
 }
 
-function number(least: number, most: number): Reader<number> {
+function number(min: number, max: number): Parser<number> {
   return (text) => {
     const value = /^-?[\d.]+(e-?\d+)?$/i.test(text) ? Number(text) : Number.NaN;
-    return value >= least && value <= most ? value : undefined;
+    return value >= min && value <= max ? value : undefined;
   };
 }
 
-function whole(least: number, most: number): Reader<number> {
-  return (text) => (/^-?\d+$/.test(text) ? number(least, most)(text) : undefined);
+function integer(min: number, max: number): Parser<number> {
+  return (text) => (/^-?\d+$/.test(text) ? number(min, max)(text) : undefined);
 }
 
-function oneOf<T extends string>(...words: readonly T[]): Reader<T> {
+function oneOf<T extends string>(...words: readonly T[]): Parser<T> {
   return (text) => words.find((word) => word === text);
 }
 

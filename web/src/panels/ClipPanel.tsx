@@ -1,7 +1,7 @@
 import { setOverrides } from "../actions/detect";
 import type { Clip, Overrides, Up } from "../model/types";
-import { clip, openClip, overrides, source } from "../store/session";
-import { Facts } from "../ui/Facts";
+import { openClip, overrides, source } from "../store/session";
+import { PropertyList } from "../ui/PropertyList";
 import { formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
 import { FootSkateSection } from "./FootSkateSection";
 import { GaitSection } from "./GaitSection";
@@ -9,58 +9,59 @@ import { GaitSection } from "./GaitSection";
 const ups: readonly Up[] = ["y", "z", "x", "-y", "-z", "-x"];
 const footRole = /^(hips|(left|right)_(thigh|shank|ankle|toe|tip))$/;
 
+/** Properties of the clip, foot skate, gait, and import settings. */
 export function ClipPanel() {
-  const held = openClip.value;
-  if (!held) return null;
+  const clip = openClip.value;
+  if (!clip) return null;
   return (
     <>
       <div class="field">
         <h2>Clip</h2>
-        <Facts facts={factsOf(held)} />
+        <PropertyList properties={factsOf(clip)} />
       </div>
       <FootSkateSection />
       <GaitSection />
       <div class="field">
-        <h2>Read it as</h2>
-        <Reading clip={held} />
+        <h2>Import settings</h2>
+        <ImportSettings clip={clip} />
       </div>
       <div class="field">
-        <h2>Joints of the feet</h2>
-        <Roles clip={held} />
+        <h2>Foot joints</h2>
+        <FootJoints clip={clip} />
       </div>
     </>
   );
 }
 
-function factsOf(held: Clip) {
+function factsOf(clip: Clip) {
   return [
-    ["File", held.name],
+    ["File", clip.name],
     ["Size", formatBytes(source.value?.data.size ?? 0)],
-    ["Frames", formatCount(held.frames)],
-    ["Duration", formatDuration(held.frames / held.rate)],
-    ["Rate", formatRate(held.rate)],
-    ["Joints", formatCount(held.joints.filter((joint) => joint.kind !== "end-site").length)],
-    ["Up axis", axis(held.up)],
-    ["Unit", held.unit ?? `${Number(held.metresPerUnit.toPrecision(3))} m`],
-    ["Leg", held.leg !== undefined && `${(100 * held.leg).toFixed(0)} cm`],
+    ["Frames", formatCount(clip.frames)],
+    ["Duration", formatDuration(clip.frames / clip.rate)],
+    ["Rate", formatRate(clip.rate)],
+    ["Joints", formatCount(clip.joints.filter((joint) => joint.kind !== "end-site").length)],
+    ["Up axis", axisText(clip.up)],
+    ["Unit", clip.unit ?? `${Number(clip.metresPerUnit.toPrecision(3))} m`],
+    ["Leg length", clip.leg !== undefined && `${(100 * clip.leg).toFixed(0)} cm`],
   ] as const;
 }
 
-/** `z`, or `−z` with a real minus. */
-const axis = (up: Up) => up.replace("-", "−").toUpperCase();
+/** Returns the display text of an axis: `Z`, `−Z`. */
+const axisText = (up: Up) => up.replace("-", "−").toUpperCase();
 
-/** The same overrides with one thing changed, or back as found. */
-function change<K extends keyof Overrides>(key: K, value: Overrides[K] | undefined) {
+/** Changes one override; undefined removes it. */
+function changeOverride<K extends keyof Overrides>(key: K, value: Overrides[K] | undefined) {
   const next = { ...overrides.value };
   if (value === undefined) delete next[key];
   else next[key] = value;
   setOverrides(next);
 }
 
-function Reading({ clip: held }: { clip: Clip }) {
+function ImportSettings({ clip }: { clip: Clip }) {
   const { rate, up } = overrides.value;
   return (
-    <div class="rows">
+    <div class="form-rows">
       <label>
         <span>Rate</span>
         <input
@@ -70,11 +71,11 @@ function Reading({ clip: held }: { clip: Clip }) {
           max="1000"
           step="any"
           inputMode="decimal"
-          placeholder={`${Number(held.rate.toFixed(2))} as found`}
+          placeholder={`${Number(clip.rate.toFixed(2))} (detected)`}
           value={rate === undefined ? "" : String(rate)}
           onChange={(event) => {
-            const asked = event.currentTarget.valueAsNumber;
-            change("rate", asked >= 1 && asked <= 1000 ? asked : undefined);
+            const value = event.currentTarget.valueAsNumber;
+            changeOverride("rate", value >= 1 && value <= 1000 ? value : undefined);
           }}
         />
       </label>
@@ -84,13 +85,13 @@ function Reading({ clip: held }: { clip: Clip }) {
           class="select"
           value={up ?? ""}
           onChange={(event) =>
-            change("up", (event.currentTarget.value || undefined) as Up | undefined)
+            changeOverride("up", (event.currentTarget.value || undefined) as Up | undefined)
           }
         >
-          <option value="">{up ? "As found" : `${axis(held.up)} as found`}</option>
+          <option value="">{up ? "Detected" : `${axisText(clip.up)} (detected)`}</option>
           {ups.map((name) => (
             <option key={name} value={name}>
-              {axis(name)}
+              {axisText(name)}
             </option>
           ))}
         </select>
@@ -99,40 +100,40 @@ function Reading({ clip: held }: { clip: Clip }) {
   );
 }
 
-function Roles({ clip: held }: { clip: Clip }) {
-  const chosen = overrides.value.roles ?? {};
-  const choose = (role: string, value: string) => {
-    const roles = { ...chosen };
+function FootJoints({ clip }: { clip: Clip }) {
+  const overridden = overrides.value.roles ?? {};
+  const setRole = (role: string, value: string) => {
+    const roles = { ...overridden };
     if (value === "") delete roles[role];
     else roles[role] = Number(value);
-    change("roles", Object.keys(roles).length ? roles : undefined);
+    changeOverride("roles", Object.keys(roles).length ? roles : undefined);
   };
   return (
-    <div class="rows">
-      {held.roleNames
+    <div class="form-rows">
+      {clip.roleNames
         .filter((role) => footRole.test(role))
         .map((role) => {
-          const override = chosen[role];
-          const found = held.roles[role];
+          const override = overridden[role];
+          const detected = clip.roles[role];
           return (
             <label key={role}>
-              <span>{words(role)}</span>
+              <span>{roleTitle(role)}</span>
               <select
                 class="select"
                 value={override === undefined ? "" : String(override)}
-                onChange={(event) => choose(role, event.currentTarget.value)}
+                onChange={(event) => setRole(role, event.currentTarget.value)}
               >
                 <option value="">
                   {override !== undefined
-                    ? "As found"
-                    : found === undefined
-                      ? "None found"
-                      : jointName(found)}
+                    ? "Detected"
+                    : detected === undefined
+                      ? "None detected"
+                      : jointName(clip, detected)}
                 </option>
                 <option value="-1">None</option>
-                {held.joints.map((_, i) => (
+                {clip.joints.map((_, i) => (
                   <option key={i} value={String(i)}>
-                    {jointName(i)}
+                    {jointName(clip, i)}
                   </option>
                 ))}
               </select>
@@ -143,14 +144,14 @@ function Roles({ clip: held }: { clip: Clip }) {
   );
 }
 
-function words(role: string) {
+/** Returns the display text of a role: `Left ankle`. */
+function roleTitle(role: string) {
   const text = role.replace("_", " ");
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** End sites have no name of their own. */
-function jointName(index: number): string {
-  const joints = clip.value?.joints ?? [];
+/** Returns the name of a joint; end sites, which have none, are named after their parent. */
+function jointName({ joints }: Clip, index: number): string {
   const joint = joints[index];
   if (!joint) return "None";
   if (joint.name) return joint.name;

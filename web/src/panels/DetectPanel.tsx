@@ -7,45 +7,46 @@ import { detectMethods, detectOptions } from "../store/settings";
 import { SensitivitySlider, WindowSlider } from "../ui/DetectionSliders";
 import { Slider } from "../ui/Slider";
 
-/** Methods that compare with a height or a speed that can be set. */
-const byHeight = ["height", "dual"];
-const bySpeed = ["speed", "dual", "min-speed"];
-const thresholds = { height: 0.05, speed: 0.5 };
+/** Methods with an adjustable threshold on height or on speed. */
+const heightMethods = ["height", "dual"];
+const speedMethods = ["speed", "dual", "min-speed"];
+const defaults = { height: 0.05, speed: 0.5 };
 
+/** Detection method, its parameters, and the result. */
 export function DetectPanel() {
-  const { method, height = thresholds.height, speed = thresholds.speed } = detectOptions.value;
-  const chosen = detectMethods.value.find(({ name }) => name === method);
+  const { method, height = defaults.height, speed = defaults.speed } = detectOptions.value;
+  const info = detectMethods.value.find(({ name }) => name === method);
   return (
     <>
       <Method name={method} />
-      {chosen?.family !== "mixture" && chosen?.family !== "threshold" && (
+      {info?.family !== "mixture" && info?.family !== "threshold" && (
         <>
           <SensitivitySlider />
           <WindowSlider />
         </>
       )}
-      {byHeight.includes(method) && (
+      {heightMethods.includes(method) && (
         <Slider
           id="height"
           name="Height"
           value={height}
-          usual={thresholds.height}
-          text={(at) => `${(100 * at).toFixed(1)} cm`}
+          defaultValue={defaults.height}
+          format={(metres) => `${(100 * metres).toFixed(1)} cm`}
           range={{ min: 0.005, max: 0.3, step: 0.005 }}
-          ends={["Low", "High"]}
-          set={(to) => setDetectOptions({ height: to })}
+          endLabels={["Low", "High"]}
+          onChange={(value) => setDetectOptions({ height: value })}
         />
       )}
-      {bySpeed.includes(method) && (
+      {speedMethods.includes(method) && (
         <Slider
           id="speed"
           name="Speed"
           value={speed}
-          usual={thresholds.speed}
-          text={(at) => `${at.toFixed(2)} m/s`}
+          defaultValue={defaults.speed}
+          format={(value) => `${value.toFixed(2)} m/s`}
           range={{ min: 0.05, max: 3, step: 0.05 }}
-          ends={["Slow", "Fast"]}
-          set={(to) => setDetectOptions({ speed: to })}
+          endLabels={["Slow", "Fast"]}
+          onChange={(value) => setDetectOptions({ speed: value })}
         />
       )}
       <Result />
@@ -70,9 +71,9 @@ function Method({ name }: { name: string }) {
         aria-describedby="method-line"
         onChange={(event) => setDetectOptions({ method: event.currentTarget.value })}
       >
-        {groups.map(([title, listed]) => (
+        {groups.map(([title, methods]) => (
           <optgroup key={title} label={title}>
-            {listed.map((method) => (
+            {methods.map((method) => (
               <option key={method.name} value={method.name} selected={method.name === name}>
                 {method.title}
               </option>
@@ -88,26 +89,26 @@ function Method({ name }: { name: string }) {
 }
 
 function Result() {
-  const found = detection.value && principalTracks(detection.value.parts);
+  const tracks = detection.value && principalTracks(detection.value.parts);
   return (
     <div class="field">
       <h2>Result</h2>
-      {found ? (
-        <dl class="result" aria-busy={detecting.value}>
-          <Foot side="left" share={plantedFraction(found.left)} />
-          <Foot side="right" share={plantedFraction(found.right)} />
+      {tracks ? (
+        <dl class="detect-result" aria-busy={detecting.value}>
+          <Foot side="left" fraction={plantedFraction(tracks.left)} />
+          <Foot side="right" fraction={plantedFraction(tracks.right)} />
         </dl>
       ) : (
         <p class="note">
-          {detectFailure.value ? toSentence(detectFailure.value.message) : "Looking for plants…"}
+          {detectFailure.value ? toSentence(detectFailure.value.message) : "Detecting plants…"}
         </p>
       )}
     </div>
   );
 }
 
-function Foot({ side, share }: { side: Side; share: number }) {
-  const number = plants.value.filter((plant) => plant.side === side).length;
+function Foot({ side, fraction }: { side: Side; fraction: number }) {
+  const count = plants.value.filter((plant) => plant.side === side).length;
   return (
     <div class={side}>
       <dt>
@@ -115,9 +116,9 @@ function Foot({ side, share }: { side: Side; share: number }) {
         {side === "left" ? "Left" : "Right"}
       </dt>
       <dd>
-        {Math.round(100 * share)} % planted
-        <span class="quiet">
-          {number} {number === 1 ? "plant" : "plants"}
+        {Math.round(100 * fraction)} % planted
+        <span class="muted">
+          {count} {count === 1 ? "plant" : "plants"}
         </span>
       </dd>
     </div>

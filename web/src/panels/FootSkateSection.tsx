@@ -1,5 +1,5 @@
 import { cleanClip, saveCleaned, setCleanedView } from "../actions/footskate";
-import { pause, seek } from "../actions/playback";
+import { jumpTo } from "../actions/playback";
 import { formatCentimetres, summarizeSlides } from "../model/slides";
 import type { CleanedClip } from "../model/types";
 import type { CleanedView } from "../store/clip-session";
@@ -11,44 +11,41 @@ const views: readonly (readonly [CleanedView, string])[] = [
   ["both", "Both"],
 ];
 
-/** How far planted feet slide, and the way to hold them still. */
+/** Slides of planted feet, and the removal of foot skate. */
 export function FootSkateSection() {
-  const found = summarizeSlides(slides.value.map(({ maxDistance }) => maxDistance));
-  const made = cleaned.value;
-  if (!found) return null;
-  const after = made && summarizeSlides(made.plants.map((plant) => plant.after));
+  const before = summarizeSlides(slides.value.map(({ maxDistance }) => maxDistance));
+  const result = cleaned.value;
+  if (!before) return null;
+  const after = result && summarizeSlides(result.plants.map((plant) => plant.after));
   const worst = slides.value.reduce((a, b) => (b.maxDistance > a.maxDistance ? b : a));
   return (
     <div class="field">
       <h2 id="skate">Foot skate</h2>
-      <table class="numbers" aria-labelledby="skate">
+      <table class="data-table" aria-labelledby="skate">
         <thead>
           <tr>
             <th
               scope="col"
-              title="How far what stands is from its mean place, level with the ground"
+              title="Largest horizontal distance of the planted part from its mean position"
             >
               Slide of {slides.value.length} plants
             </th>
             <th scope="col">Mean</th>
-            <th scope="col">Worst</th>
+            <th scope="col">Max</th>
           </tr>
         </thead>
         <tbody>
           <tr>
-            <th scope="row">{made ? "Before" : "Now"}</th>
-            <td>{formatCentimetres(found.mean)}</td>
+            <th scope="row">Original</th>
+            <td>{formatCentimetres(before.mean)}</td>
             <td>
               <button
                 type="button"
                 class="link"
-                title={`Go to it: ${worst.side} foot`}
-                onClick={() => {
-                  pause();
-                  seek(worst.start);
-                }}
+                title={`Go to this plant (${worst.side} foot)`}
+                onClick={() => jumpTo(worst.start)}
               >
-                {formatCentimetres(found.worst)}
+                {formatCentimetres(before.worst)}
               </button>
             </td>
           </tr>
@@ -61,49 +58,50 @@ export function FootSkateSection() {
           )}
         </tbody>
       </table>
-      {made ? (
-        <Made made={made} />
+      {result ? (
+        <CleanResult cleaned={result} />
       ) : (
         <button type="button" class="button" disabled={cleaning.value} onClick={cleanClip}>
-          Hold planted feet still
+          Remove foot skate
         </button>
       )}
     </div>
   );
 }
 
-function Made({ made }: { made: CleanedClip }) {
-  const left = made.plants.filter(({ skipReason }) => skipReason !== undefined);
+/** Choice of the displayed version, saving, and plants that could not be constrained. */
+function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip }) {
+  const skipped = plants.filter(({ skipReason }) => skipReason !== undefined);
   const rate = clip.value?.rate ?? 1;
   return (
     <>
-      <fieldset class="segmented parts">
-        <legend class="hidden">What the view shows</legend>
+      <fieldset class="segmented full-width">
+        <legend class="visually-hidden">Displayed version</legend>
         {views.map(([view, name]) => (
           <button
             key={view}
             type="button"
             aria-pressed={cleanedView.value === view}
-            onClick={() => {
-              setCleanedView(view);
-            }}
+            onClick={() => setCleanedView(view)}
           >
             {name}
           </button>
         ))}
       </fieldset>
       <button type="button" class="button" onClick={saveCleaned}>
-        Save the cleaned clip <span class="quiet">BVH</span>
+        Save cleaned clip <span class="muted">BVH</span>
       </button>
-      {(left.length > 0 || made.notices.length > 0) && (
-        <ul class="notes">
-          {left.slice(0, 5).map(({ side, start, skipReason }) => (
+      {(skipped.length > 0 || notices.length > 0) && (
+        <ul class="note-list">
+          {skipped.slice(0, 5).map(({ side, start, skipReason }) => (
             <li key={`${side} ${start}`} class="note">
-              The {side} foot at {(start / rate).toFixed(2)} s is not held: {skipReason}.
+              The {side} foot at {(start / rate).toFixed(2)} s is not constrained: {skipReason}.
             </li>
           ))}
-          {left.length > 5 && <li class="note">And {left.length - 5} more are not held.</li>}
-          {made.notices
+          {skipped.length > 5 && (
+            <li class="note">{skipped.length - 5} more plants are not constrained.</li>
+          )}
+          {notices
             .filter(({ code }) => code !== "unconstrained")
             .map(({ text }) => (
               <li key={text} class="note">

@@ -1,5 +1,5 @@
 import { gait } from "../store/session";
-import { Facts } from "../ui/Facts";
+import { PropertyList } from "../ui/PropertyList";
 
 const titles: Record<string, string> = {
   stance_s: "Stance",
@@ -9,32 +9,36 @@ const titles: Record<string, string> = {
   step_width_m: "Step width",
 };
 
-type Measured = { mean: number; sd?: number; count: number } | undefined;
+/** Statistics of a measure over the clip. */
+type Statistics = { mean: number; sd?: number; count: number } | undefined;
 
-/** How the person walks, in the terms of gait analysis. */
+/** Gait measures of the clip. */
 export function GaitSection() {
-  const held = gait.value;
-  if (!held?.strides) return null;
-  const { cadence, speed, sides, doubleSupportShare, flightShare, symmetry } = held;
-  const indices = [
+  const measures = gait.value;
+  if (!measures?.strides) return null;
+  const { strides, cadence, speed, sides, symmetry } = measures;
+  const { doubleSupportShare: doubleSupport, flightShare: flight } = measures;
+  const symmetryIndices = [
     ["Stance", symmetry.stance],
     ["Step length", symmetry.stepLength],
   ] as const;
   const facts = [
     ["Cadence", cadence && `${cadence.toFixed(0)} steps/min`],
     ["Speed", speed && `${speed.toFixed(2)} m/s`],
-    ["Both feet down", share(doubleSupportShare)],
-    ["No foot down", flightShare && flightShare.mean > 0.005 && share(flightShare)],
-    ...indices.map(([name, index]) => [`${name}, right to left`, lead(index)] as const),
+    ["Double support", strideFraction(doubleSupport)],
+    ["Flight", flight && flight.mean > 0.005 && strideFraction(flight)],
+    ...symmetryIndices.map(
+      ([name, index]) => [`${name}, right vs. left`, symmetryText(index)] as const,
+    ),
   ] as const;
   return (
     <div class="field">
       <h2 id="gait">Gait</h2>
-      <table class="numbers" aria-labelledby="gait">
+      <table class="data-table" aria-labelledby="gait">
         <thead>
           <tr>
             <th scope="col">
-              {held.strides} {held.strides === 1 ? "stride" : "strides"}
+              {strides} {strides === 1 ? "stride" : "strides"}
             </th>
             <th scope="col">Left</th>
             <th scope="col">Right</th>
@@ -46,37 +50,37 @@ export function GaitSection() {
             .map(({ name, left, right }) => (
               <tr key={name}>
                 <th scope="row">{titles[name]}</th>
-                <td title={spread(left)}>{number(name, left)}</td>
-                <td title={spread(right)}>{number(name, right)}</td>
+                <td title={deviationText(left)}>{meanText(name, left)}</td>
+                <td title={deviationText(right)}>{meanText(name, right)}</td>
               </tr>
             ))}
         </tbody>
       </table>
-      <Facts facts={facts} />
+      <PropertyList properties={facts} />
     </div>
   );
 }
 
-function number(name: string, measured: Measured): string {
-  if (!measured) return "–";
+function meanText(name: string, statistics: Statistics): string {
+  if (!statistics) return "–";
   return name.endsWith("_m")
-    ? `${(100 * measured.mean).toFixed(0)} cm`
-    : `${measured.mean.toFixed(2)} s`;
+    ? `${(100 * statistics.mean).toFixed(0)} cm`
+    : `${statistics.mean.toFixed(2)} s`;
 }
 
-function spread(measured: Measured): string | undefined {
-  if (!measured) return undefined;
-  const { sd, count } = measured;
-  return sd === undefined ? "Of one" : `± ${sd.toFixed(3)} (standard deviation of ${count})`;
+function deviationText(statistics: Statistics): string | undefined {
+  if (!statistics) return undefined;
+  const { sd, count } = statistics;
+  return sd === undefined ? "Single value" : `± ${sd.toFixed(3)} (standard deviation of ${count})`;
 }
 
-const share = (measured: Measured) =>
-  measured && `${(100 * measured.mean).toFixed(0)} % of a stride`;
+const strideFraction = (statistics: Statistics) =>
+  statistics && `${(100 * statistics.mean).toFixed(0)} % of a stride`;
 
-/** A symmetry index in words: it says which side has more. */
-function lead(index: number | undefined): string | undefined {
+/** Formats a symmetry index: `equal`, or `3 % longer` for a longer right side. */
+function symmetryText(index: number | undefined): string | undefined {
   if (index === undefined) return undefined;
-  const whole = Math.round(index);
-  if (whole === 0) return "alike";
-  return `${Math.abs(whole)} % ${whole > 0 ? "more" : "less"}`;
+  const percent = Math.round(index);
+  if (percent === 0) return "equal";
+  return `${Math.abs(percent)} % ${percent > 0 ? "longer" : "shorter"}`;
 }

@@ -3,7 +3,7 @@ import { compareWithTruth } from "../actions/compare";
 import { select, selection } from "../actions/edit";
 import { exportLabels } from "../actions/export";
 import { seekPlant } from "../actions/playback";
-import { certainPlant, type Plant, principalPart } from "../model/plants";
+import { minPlantConfidence, type Plant, principalPart } from "../model/plants";
 import { frame } from "../store/playback";
 import { detection, openClip, plants, reference, source } from "../store/session";
 import { plantFormats } from "../store/settings";
@@ -12,26 +12,27 @@ import { ListHead } from "../ui/ListHead";
 import { VirtualList } from "../ui/VirtualList";
 import { PlantEditor } from "./PlantEditor";
 
+/** Editing, listing, saving and comparing labels. */
 export function LabelsPanel() {
-  if (!detection.value) return <p class="note">No labels, so nothing to list or to save.</p>;
+  if (!detection.value) return <p class="note">This clip has no labels.</p>;
   return (
-    <div class="labels">
+    <>
       <PlantEditor />
-      <Listed />
+      <PlantList />
       <div class="field">
         <h2>Compare</h2>
         {source.value?.truthUrl && !reference.value && (
           <button type="button" class="button" onClick={compareWithTruth}>
-            Compare with the truth
+            Compare with ground truth
           </button>
         )}
-        <p class="note">Drop labels as JSON or CSV to see them beside these.</p>
+        <p class="note">Drop a label file (JSON, CSV or NPZ) to compare it with these labels.</p>
       </div>
-    </div>
+    </>
   );
 }
 
-function Listed() {
+function PlantList() {
   const rate = openClip.value?.rate ?? 1;
   return (
     <div class="field">
@@ -40,16 +41,16 @@ function Listed() {
           <FormatButton key={format.name} format={format} onClick={() => exportLabels(format)} />
         ))}
       </ListHead>
-      <p class="columns plant-columns" aria-hidden="true">
+      <p class="list-columns plant-columns" aria-hidden="true">
         <span>Start</span>
         <span>End</span>
         <span>Length</span>
-        <span>Sure</span>
+        <span>Conf.</span>
       </p>
       {plants.value.length ? (
         <VirtualList
           items={plants.value}
-          row={(plant) => <Row key={plant.number} plant={plant} rate={rate} />}
+          renderRow={(plant) => <Row key={plant.number} plant={plant} rate={rate} />}
         />
       ) : (
         <p class="note">No foot is planted in this clip.</p>
@@ -59,11 +60,11 @@ function Listed() {
 }
 
 function Row({ plant, rate }: { plant: Plant; rate: number }) {
-  const now = useComputed(() => frame.value >= plant.start && frame.value < plant.end);
+  const isCurrent = useComputed(() => frame.value >= plant.start && frame.value < plant.end);
   const seconds = (frames: number) => (frames / rate).toFixed(2);
-  const doubtful = !plant.edited && plant.confidence < certainPlant;
+  const isUncertain = !plant.edited && plant.confidence < minPlantConfidence;
   const isSelected = selection.value?.number === plant.number;
-  const choose = () => {
+  const selectPlant = () => {
     const part = principalPart(detection.value?.parts ?? {});
     const { side, start, end } = plant;
     if (part) select({ side, part, start, end });
@@ -73,10 +74,10 @@ function Row({ plant, rate }: { plant: Plant; rate: number }) {
     <button
       type="button"
       class={`plant ${plant.side}`}
-      aria-current={now.value ? "true" : undefined}
+      aria-current={isCurrent.value ? "true" : undefined}
       aria-pressed={isSelected}
-      title={doubtful ? "Uncertain: worth a look" : undefined}
-      onClick={choose}
+      title={isUncertain ? "Low confidence: check this plant" : undefined}
+      onClick={selectPlant}
     >
       <span class="number">{plant.number}</span>
       <span class="side">
@@ -86,9 +87,9 @@ function Row({ plant, rate }: { plant: Plant; rate: number }) {
       <span>{seconds(plant.start)}</span>
       <span>{seconds(plant.end)}</span>
       <span>{seconds(plant.end - plant.start)}</span>
-      <span class="sure" data-doubtful={doubtful}>
+      <span class="confidence" data-uncertain={isUncertain}>
         {plant.edited ? "edited" : `${Math.floor(100 * plant.confidence)} %`}
-        {doubtful && <span class="hidden">, uncertain</span>}
+        {isUncertain && <span class="visually-hidden">, uncertain</span>}
       </span>
     </button>
   );

@@ -12,21 +12,21 @@ import type { Part, Side } from "../model/types";
 import { detection, edits, persistError } from "../store/session";
 import { Icon } from "../ui/icons";
 
-/** All that can be done to labels by hand, without a drag. */
+/** Buttons and fields for all edits, as an alternative to dragging. */
 export function PlantEditor() {
   return (
-    <div class="field edit">
+    <div class="field plant-editor">
       <div class="field-head">
         <h2>Edit</h2>
         <HistoryButton id="undo" />
         <HistoryButton id="redo" />
       </div>
       {selection.value ? (
-        <Selected />
+        <SelectedPlant />
       ) : (
-        <p class="note">Choose a bar of the timeline, or a plant below, to change it.</p>
+        <p class="note">Select a bar on the timeline or a plant in the list to edit it.</p>
       )}
-      <Add />
+      <AddPlant />
       {persistError.value && (
         <p class="note" role="status">
           {persistError.value}
@@ -41,7 +41,7 @@ function HistoryButton({ id }: { id: "undo" | "redo" }) {
   return (
     <button
       type="button"
-      class="button plain icon-only"
+      class="button flat icon-only"
       aria-label={command.label}
       title={tooltip(id)}
       disabled={!isEnabled(command)}
@@ -52,23 +52,28 @@ function HistoryButton({ id }: { id: "undo" | "redo" }) {
   );
 }
 
-function Selected() {
-  const held = selection.value;
-  if (!held) return null;
-  const { plantRef, number, isEdited } = held;
+function SelectedPlant() {
+  const selected = selection.value;
+  if (!selected) return null;
+  const { plantRef, number, isEdited } = selected;
   return (
     <>
-      <p class={`edit-title ${plantRef.side}`}>
+      <p class={`plant-title ${plantRef.side}`}>
         <span class="dot" aria-hidden="true" />
         {plantRef.side === "left" ? "Left" : "Right"} {plantRef.part}
         {number !== undefined && `, plant ${number}`}
-        {isEdited && <span class="quiet"> · edited</span>}
+        {isEdited && <span class="muted"> · edited</span>}
       </p>
-      <div class="rows edges">
-        <Edge name="Start" value={plantRef.start} to={(start) => ({ start })} command="set-start" />
-        <Edge name="End" value={plantRef.end} to={(end) => ({ end })} command="set-end" />
+      <div class="form-rows plant-edges">
+        <EdgeField
+          name="Start"
+          value={plantRef.start}
+          toRange={(start) => ({ start })}
+          command="set-start"
+        />
+        <EdgeField name="End" value={plantRef.end} toRange={(end) => ({ end })} command="set-end" />
       </div>
-      <div class="edit-actions">
+      <div class="plant-actions">
         {(["split", "merge", "delete"] as const).map((id) => (
           <button
             key={id}
@@ -81,27 +86,27 @@ function Selected() {
           </button>
         ))}
         <button type="button" class="button" disabled={!isEdited} onClick={revertSelected}>
-          As detected
+          Revert
         </button>
       </div>
     </>
   );
 }
 
-/** One edge in frames: the end is the first frame after. */
-function Edge({
+/** An edge in frames; the end is the first frame after the plant. */
+function EdgeField({
   name,
   value,
-  to,
+  toRange,
   command,
 }: {
   name: string;
   value: number;
-  to: (frame: number) => Partial<FrameRange>;
+  toRange: (frame: number) => Partial<FrameRange>;
   command: CommandId;
 }) {
   return (
-    <div class="edge">
+    <div class="plant-edge">
       <label>
         <span>{name} frame</span>
         <input
@@ -112,35 +117,36 @@ function Edge({
           value={value}
           onChange={(event) => {
             const field = event.currentTarget;
-            const asked = field.valueAsNumber;
-            // What cannot be is not left standing there.
-            if (!Number.isInteger(asked) || !resizeSelected(to(asked))) field.value = String(value);
+            const frame = field.valueAsNumber;
+            // Invalid input is replaced by the current value.
+            const isValid = Number.isInteger(frame) && resizeSelected(toRange(frame));
+            if (!isValid) field.value = String(value);
           }}
         />
       </label>
       <button
         type="button"
         class="button"
-        aria-label={`${name} here`}
+        aria-label={commandOf(command).label}
         title={tooltip(command)}
         onClick={commandOf(command).run}
       >
-        Here
+        Set
       </button>
     </div>
   );
 }
 
-function Add() {
+function AddPlant() {
   const side = useSignal<Side>("left");
   const part = useSignal<Part>("contact");
   const parts = (["contact", "heel", "toe"] as const).filter(
-    (known) => detection.value?.parts[known],
+    (name) => detection.value?.parts[name],
   );
   const chosen = parts.includes(part.value) ? part.value : parts[0];
   if (!chosen) return null;
   return (
-    <div class="add">
+    <div class="add-plant">
       <select
         class="select"
         aria-label="Foot"
@@ -172,11 +178,11 @@ function Add() {
         title={tooltip("add")}
         onClick={() => addAtPlayhead(side.value, chosen)}
       >
-        Add here
+        Add plant
       </button>
       {edits.value.length > 0 && (
         <button type="button" class="link" onClick={revertAll}>
-          All as detected
+          Revert all
         </button>
       )}
     </div>

@@ -2,55 +2,55 @@ import { useComputed } from "@preact/signals";
 import { commandOf, tooltip } from "../actions/commands";
 import { removeReference } from "../actions/compare";
 import { adoptReference } from "../actions/edit";
-import { pause, seek } from "../actions/playback";
+import { jumpTo } from "../actions/playback";
 import type { Disagreement, Score } from "../model/types";
 import { frame } from "../store/playback";
 import { openClip, reference, score, scorePart, scores } from "../store/session";
-import { Facts } from "../ui/Facts";
+import { PropertyList } from "../ui/PropertyList";
 import { VirtualList } from "../ui/VirtualList";
 
-/** How our labels agree with someone else's. */
+/** Agreement of the labels with a reference. */
 export function ScorePanel() {
-  const theirs = reference.value;
-  if (!theirs) return null;
-  const shown = score.value;
+  const annotation = reference.value;
+  if (!annotation) return null;
+  const current = score.value;
   return (
-    <div class="score">
+    <>
       <div class="field">
         <h2>Compared with</h2>
-        <p class="compared">
-          <span>{theirs.name}</span>
+        <p class="reference-name">
+          <span>{annotation.name}</span>
           <button type="button" class="button" onClick={removeReference}>
             Remove
           </button>
         </p>
         <button type="button" class="button" onClick={adoptReference}>
-          Make these labels mine
+          Adopt reference labels
         </button>
       </div>
-      {shown ? (
+      {current ? (
         <>
-          {scores.value.length > 1 && <Parts shown={shown} />}
-          <Accuracy of={shown} />
-          <Events of={shown} />
-          <Disagreements of={shown} />
+          {scores.value.length > 1 && <PartChoice current={current} />}
+          <Accuracy score={current} />
+          <Events score={current} />
+          <Disagreements score={current} />
         </>
       ) : (
-        <p class="note">No part is labelled on both sides, so there is nothing to compare.</p>
+        <p class="note">The labels and the reference have no part in common.</p>
       )}
-    </div>
+    </>
   );
 }
 
-function Parts({ shown }: { shown: Score }) {
+function PartChoice({ current }: { current: Score }) {
   return (
-    <fieldset class="segmented parts">
-      <legend class="hidden">Part</legend>
+    <fieldset class="segmented full-width">
+      <legend class="visually-hidden">Part</legend>
       {scores.value.map(({ part }) => (
         <button
           key={part}
           type="button"
-          aria-pressed={part === shown.part}
+          aria-pressed={part === current.part}
           onClick={() => {
             scorePart.value = part;
           }}
@@ -62,24 +62,31 @@ function Parts({ shown }: { shown: Score }) {
   );
 }
 
-const percent = (share: number) => (Number.isFinite(share) ? (100 * share).toFixed(1) : "–");
+const percent = (fraction: number) =>
+  Number.isFinite(fraction) ? (100 * fraction).toFixed(1) : "–";
 
-function Accuracy({ of: { rows } }: { of: Score }) {
+function Accuracy({ score: { rows } }: { score: Score }) {
   return (
     <div class="field">
-      <h2 id="accuracy">Frames that agree, %</h2>
-      <table class="numbers" aria-labelledby="accuracy">
+      <h2 id="accuracy">Agreement, % of frames</h2>
+      <table class="data-table" aria-labelledby="accuracy">
         <thead>
           <tr>
-            <th scope="col" title="Labels this close to a boundary count as right">
+            <th
+              scope="col"
+              title="Disagreements this close to a boundary of the reference are accepted"
+            >
               Within
             </th>
-            <th scope="col" title="Both feet; labels near a boundary are right">
+            <th scope="col" title="Both feet; disagreements near a boundary are accepted">
               Both
             </th>
             <th scope="col">Left</th>
             <th scope="col">Right</th>
-            <th scope="col" title="Boundaries move at most that far, then every frame counts">
+            <th
+              scope="col"
+              title="Boundaries may move by at most this much; then every frame counts"
+            >
               Strict
             </th>
           </tr>
@@ -102,37 +109,37 @@ function Accuracy({ of: { rows } }: { of: Score }) {
   );
 }
 
-function Events({ of: { events } }: { of: Score }) {
+function Events({ score: { events } }: { score: Score }) {
   const facts = [
     ["Precision", `${percent(events.precision)} %`],
     ["Recall", `${percent(events.recall)} %`],
     ["F1", `${percent(events.f1)} %`],
-    ["Beginnings", late(events.onset)],
-    ["Ends", late(events.offset)],
+    ["Foot strikes", delayText(events.onset)],
+    ["Foot offs", delayText(events.offset)],
   ] as const;
   return (
     <div class="field">
       <h2>Plants</h2>
-      <Facts facts={facts} />
+      <PropertyList properties={facts} />
     </div>
   );
 }
 
-/** A median error in words: `12 ms late`. */
-function late(seconds: number): string {
+/** Formats a median error: `12 ms late`. */
+function delayText(seconds: number): string {
   const ms = Math.round(1000 * Math.abs(seconds));
   if (!Number.isFinite(seconds)) return "–";
   return ms === 0 ? "on time" : `${ms} ms ${seconds > 0 ? "late" : "early"}`;
 }
 
-function Disagreements({ of: { disagreements } }: { of: Score }) {
+function Disagreements({ score: { disagreements } }: { score: Score }) {
   const rate = openClip.value?.rate ?? 1;
   return (
-    <div class="differences">
-      <div class="plants-head">
+    <>
+      <div class="list-head">
         <h2>Differences</h2>
-        <p class="steps">
-          <span class="quiet">{disagreements.length || "none"}</span>
+        <p class="step-buttons">
+          <span class="muted">{disagreements.length || "None"}</span>
           {disagreements.length > 0 && (
             <>
               <button
@@ -159,32 +166,36 @@ function Disagreements({ of: { disagreements } }: { of: Score }) {
       </div>
       <VirtualList
         items={disagreements}
-        row={(item) => <Difference key={`${item.side} ${item.start}`} of={item} rate={rate} />}
+        renderRow={(item) => (
+          <DisagreementRow key={`${item.side} ${item.start}`} disagreement={item} rate={rate} />
+        )}
       />
-    </div>
+    </>
   );
 }
 
-function Difference({ of: run, rate }: { of: Disagreement; rate: number }) {
-  const now = useComputed(() => frame.value >= run.start && frame.value < run.end);
-  const go = () => {
-    pause();
-    seek(run.start);
-  };
-  const frames = run.end - run.start;
+function DisagreementRow({
+  disagreement: { side, kind, start, end },
+  rate,
+}: {
+  disagreement: Disagreement;
+  rate: number;
+}) {
+  const isCurrent = useComputed(() => frame.value >= start && frame.value < end);
+  const frames = end - start;
   return (
     <button
       type="button"
-      class={`plant difference ${run.side}`}
-      aria-current={now.value ? "true" : undefined}
-      onClick={go}
+      class={`plant disagreement ${side}`}
+      aria-current={isCurrent.value ? "true" : undefined}
+      onClick={() => jumpTo(start)}
     >
       <span class="side">
         <span class="dot" aria-hidden="true" />
-        {run.side === "left" ? "Left" : "Right"}
+        {side === "left" ? "Left" : "Right"}
       </span>
-      <span class="kind">{run.kind === "missed" ? "Missed" : "Too much"}</span>
-      <span>{(run.start / rate).toFixed(2)}</span>
+      <span class="kind">{kind === "missed" ? "Missed" : "Extra"}</span>
+      <span>{(start / rate).toFixed(2)}</span>
       <span>
         {frames} {frames === 1 ? "frame" : "frames"}
       </span>

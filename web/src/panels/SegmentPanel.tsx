@@ -6,6 +6,7 @@ import { loopSegment } from "../actions/playback";
 import { setSegmentName, setSegmentOptions } from "../actions/segment";
 import { toSentence } from "../model/report";
 import { type NamedSegment, segmentKind } from "../model/segments";
+import type { SegmentOptions } from "../model/types";
 import { frame, loopedSegment } from "../store/playback";
 import {
   cutScores,
@@ -23,16 +24,16 @@ import { ListHead } from "../ui/ListHead";
 import { VirtualList } from "../ui/VirtualList";
 import { formatCount } from "../util/format";
 
-/** The actions that a clip is made of: how they are found, what they are called, and saved as. */
+/** Segmentation method, its options, comparison, and the list of segments. */
 export function SegmentPanel() {
-  if (!openClip.value?.frames) return <p class="note">No motion, so nothing to cut.</p>;
+  if (!openClip.value?.frames) return <p class="note">This clip has no motion to segment.</p>;
   return (
-    <div class="segmenting">
+    <div class="segment-panel">
       <Method />
       <Options />
       <Notices />
       <Comparison />
-      <Listed />
+      <SegmentList />
     </div>
   );
 }
@@ -66,15 +67,15 @@ function Method() {
   );
 }
 
-/** The options that matter to the method. */
+/** The options that the method uses. */
 function Options() {
   const method = chosenMethod();
-  const asked = segmentOptions.value;
-  const { dims, residual = "absolute", template = "mean", published = false } = asked;
+  const options = segmentOptions.value;
+  const { dims, residual = "absolute", template = "mean", published = false } = options;
   if (!method || (method.dims === undefined && !method.options.length)) return null;
-  const byFrame = template !== "mean" && template !== "tpose";
+  const isFrameTemplate = template !== "mean" && template !== "tpose";
   return (
-    <div class="field rows">
+    <div class="field form-rows">
       {method.dims !== undefined && (
         <label>
           <span>Dimensions d</span>
@@ -82,12 +83,12 @@ function Options() {
             class="select"
             value={String(dims ?? method.dims)}
             onChange={(event) =>
-              setSegmentOptions({ ...asked, dims: Number(event.currentTarget.value) })
+              setSegmentOptions({ ...options, dims: Number(event.currentTarget.value) })
             }
           >
             {[1, 2, 3, 4, 5, 6, 8, 10].map((d) => (
               <option key={d} value={d} selected={d === (dims ?? method.dims)}>
-                {d === method.dims ? `${d}, as usual` : d}
+                {d === method.dims ? `${d} (default)` : d}
               </option>
             ))}
           </select>
@@ -101,13 +102,13 @@ function Options() {
             value={residual}
             onChange={(event) =>
               setSegmentOptions({
-                ...asked,
+                ...options,
                 residual: event.currentTarget.value === "ratio" ? "ratio" : "absolute",
               })
             }
           >
             <option value="absolute">Absolute</option>
-            <option value="ratio">Ratio: nearly constant</option>
+            <option value="ratio">Ratio (nearly constant)</option>
           </select>
         </label>
       )}
@@ -119,28 +120,31 @@ function Options() {
             value={template}
             onChange={(event) => {
               const { value } = event.currentTarget;
-              const pose = value === "this" ? `${frame.value}` : value;
-              setSegmentOptions({ ...asked, template: pose as typeof template });
+              const template = value === "this" ? `${frame.value}` : value;
+              setSegmentOptions({
+                ...options,
+                template: template as NonNullable<SegmentOptions["template"]>,
+              });
             }}
           >
             <option value="mean">Mean pose</option>
             <option value="tpose">T-pose</option>
-            {byFrame && (
+            {isFrameTemplate && (
               <option value={template} selected>
                 Frame {formatCount(Number(template))}
               </option>
             )}
-            <option value="this">This frame</option>
+            <option value="this">Current frame</option>
           </select>
         </label>
       )}
       {method.options.includes("published") && (
-        <label class="check">
+        <label class="checkbox-row">
           <input
             type="checkbox"
             checked={published}
             onChange={(event) =>
-              setSegmentOptions({ ...asked, published: event.currentTarget.checked })
+              setSegmentOptions({ ...options, published: event.currentTarget.checked })
             }
           />
           As published
@@ -164,7 +168,7 @@ function Notices() {
   }
   if (!notices.length) return null;
   return (
-    <ul class="field notes">
+    <ul class="field note-list">
       {notices.map((notice) => (
         <li key={notice.text} class="note">
           {notice.text}
@@ -174,35 +178,35 @@ function Notices() {
   );
 }
 
-const percent = (share: number) => (100 * share).toFixed(0);
+const percent = (fraction: number) => (100 * fraction).toFixed(0);
 
-/** How our cuts agree with someone else's. */
+/** Agreement of the cuts with a reference. */
 function Comparison() {
-  const theirs = referenceSegments.value;
-  if (!theirs) return null;
+  const annotation = referenceSegments.value;
+  if (!annotation) return null;
   return (
     <div class="field">
-      <h2 id="cut-scores">Cuts compared, %</h2>
-      <p class="compared">
-        <span>{theirs.name}</span>
+      <h2 id="cut-scores">Agreement of cuts, %</h2>
+      <p class="reference-name">
+        <span>{annotation.name}</span>
         <button type="button" class="button" onClick={removeReferenceSegments}>
           Remove
         </button>
       </p>
       {cutScores.value.length > 0 && (
-        <table class="numbers" aria-labelledby="cut-scores">
+        <table class="data-table" aria-labelledby="cut-scores">
           <thead>
             <tr>
-              <th scope="col" title="Cuts at most this far apart are the same">
+              <th scope="col" title="Cuts at most this far apart are matched">
                 Within
               </th>
-              <th scope="col" title="Share of our cuts that are theirs too">
+              <th scope="col" title="Percentage of detected cuts that match the reference">
                 Precision
               </th>
-              <th scope="col" title="Share of their cuts that are ours too">
+              <th scope="col" title="Percentage of reference cuts that were detected">
                 Recall
               </th>
-              <th scope="col" title="Harmonic mean of both">
+              <th scope="col" title="Harmonic mean of precision and recall">
                 F1
               </th>
             </tr>
@@ -225,66 +229,70 @@ function Comparison() {
   );
 }
 
-function Listed() {
+function SegmentList() {
   const rate = openClip.value?.rate ?? 1;
   if (!namedSegments.value.length) return null;
   return (
     <div class="field">
       <ListHead title="Segments" count={namedSegments.value.length}>
-        <Save />
+        <SaveButtons />
       </ListHead>
-      <p class="columns segment-columns" aria-hidden="true">
+      <p class="list-columns segment-columns" aria-hidden="true">
         <span>Start</span>
         <span>Length</span>
         <span>Name</span>
       </p>
       <VirtualList
         items={namedSegments.value}
-        shown={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
-        row={(action) => <Row key={action.start} action={action} rate={rate} />}
+        visibleIndex={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
+        renderRow={(segment) => <Row key={segment.start} segment={segment} rate={rate} />}
       />
       {!referenceSegments.value && (
-        <p class="note">Drop segments as JSON or CSV to see them below these.</p>
+        <p class="note">Drop a segment file (JSON or CSV) to compare it with these segments.</p>
       )}
     </div>
   );
 }
 
-function Save() {
+function SaveButtons() {
   return (
     <>
       {segmentFormats.value.map((format) => (
         <FormatButton key={format.name} format={format} onClick={() => exportSegments(format)} />
       ))}
       <button type="button" class="button" onClick={exportClips}>
-        Clips <span class="quiet">BVH, zip</span>
+        Clips <span class="muted">BVH, zip</span>
       </button>
     </>
   );
 }
 
-function Row({ action, rate }: { action: NamedSegment; rate: number }) {
-  const { number, start, end, kind, label, name } = action;
+function Row({ segment, rate }: { segment: NamedSegment; rate: number }) {
+  const { number, start, end, kind, label, name } = segment;
   const field = useRef<HTMLInputElement>(null);
-  const before = useRef(name);
-  const now = useComputed(() => frame.value >= start && frame.value < end);
-  const isAsked = renamedSegment.value?.start === start;
+  const previousName = useRef(name);
+  const isCurrent = useComputed(() => frame.value >= start && frame.value < end);
+  const isRenamed = renamedSegment.value?.start === start;
   useEffect(() => {
-    if (!isAsked) return;
+    if (!isRenamed) return;
     renamedSegment.value = null;
     field.current?.focus();
     field.current?.select();
-  }, [isAsked]);
+  }, [isRenamed]);
   const seconds = (frames: number) => (frames / rate).toFixed(2);
-  const words = [`segment ${number}`, segmentKind(action)].filter(Boolean).join(", ");
+  const title = [`segment ${number}`, segmentKind(segment)].filter(Boolean).join(", ");
   return (
-    <div class="segment" data-now={now.value} data-chosen={loopedSegment.value?.start === start}>
+    <div
+      class="segment"
+      data-current={isCurrent.value}
+      data-looped={loopedSegment.value?.start === start}
+    >
       <button
         type="button"
-        aria-label={`Loop ${words}, from ${seconds(start)} s, ${seconds(end - start)} s long`}
+        aria-label={`Loop ${title}, from ${seconds(start)} s, ${seconds(end - start)} s long`}
         aria-pressed={loopedSegment.value?.start === start}
-        title={segmentKind(action) || undefined}
-        onClick={() => loopSegment(action)}
+        title={segmentKind(segment) || undefined}
+        onClick={() => loopSegment(segment)}
       >
         <span class="number">
           {number}
@@ -302,12 +310,12 @@ function Row({ action, rate }: { action: NamedSegment; rate: number }) {
         value={name}
         maxLength={200}
         autocomplete="off"
-        onInput={(event) => setSegmentName(action, event.currentTarget.value)}
+        onInput={(event) => setSegmentName(segment, event.currentTarget.value)}
         onFocus={() => {
-          before.current = name;
+          previousName.current = name;
         }}
         onKeyDown={(event) => {
-          if (event.key === "Escape") setSegmentName(action, before.current);
+          if (event.key === "Escape") setSegmentName(segment, previousName.current);
           if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
         }}
       />

@@ -34,7 +34,7 @@ export function reportFailure(action: string, name: string, error: unknown) {
 const isTrap = (error: unknown) => error instanceof Error && error.name === "RuntimeError";
 
 const trapHint = {
-  hint: "The worker was restarted and your edits are kept. Please report the problem, with the file if you may share it.",
+  hint: "The worker was restarted; your edits were not lost. Please report the problem, with the file if possible.",
 };
 
 /** Reports that a file could not be opened, and ends the opening. */

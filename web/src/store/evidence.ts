@@ -19,7 +19,9 @@ export const pointedFrame = sessionField((open) => open.pointedFrame);
 /** The part that the user chose. */
 export const chosenPart = signal<Part | null>(null);
 
-export const evidenceOpen = computed(() => activeTab.value === "why" && openClip.value !== null);
+export const evidenceOpen = computed(
+  () => activeTab.value === "evidence" && openClip.value !== null,
+);
 
 /** The explained part: the chosen one if it is labelled, otherwise the principal part. */
 export const evidencePart = computed(() => {

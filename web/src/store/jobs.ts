@@ -14,7 +14,7 @@ export interface Opening {
 /** A job of a worker that reports progress and can be stopped. */
 export interface Job {
   id: number;
-  /** Description, to be followed by a name: "Finding plants in". */
+  /** Description, to be followed by a name: "Detecting plants in". */
   title: string;
   /** Name of what the job processes; undefined for jobs of the open clip, which end with it. */
   name?: string;

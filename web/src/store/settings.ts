@@ -1,4 +1,4 @@
-/** Settings of detection and segmentation; they are kept when another clip is opened. */
+/** Settings of detection and segmentation; they do not change when another clip is opened. */
 
 import { signal } from "@preact/signals";
 import type {

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import type { CameraPose, CameraView } from "../model/view-state";
 
-export type Tab = "detect" | "why" | "segment" | "labels" | "score" | "clip";
+export type Tab = "detect" | "evidence" | "segment" | "labels" | "score" | "clip";
 
 /** The parts of the 3D stage that other parts of the page use. */
 export interface StageHandle {

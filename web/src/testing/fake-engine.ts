@@ -1,12 +1,13 @@
-/** Stands in for `engine` in tests: workers made of a walking figure, without wasm. */
+/** Replacement of `engine` for tests: answers from a generated walk, without workers and wasm. */
 
 import { Cancelled, type ClipEngine } from "../engine/clip-engine";
 import type { Annotation, Clip, Detection, SegmentAnnotation, Tracks } from "../model/types";
-import { walker, walkerTrack } from "./walker";
+import { createWalkingClip, createWalkingTrack } from "./walking-clip";
 
 export { Cancelled } from "../engine/clip-engine";
 
-const neverEnds = (signal?: AbortSignal) =>
+/** Returns a promise that is never fulfilled, and rejected when the signal aborts. */
+const waitForAbort = (signal?: AbortSignal) =>
   new Promise<never>((_, reject) => {
     signal?.addEventListener("abort", () => reject(new Cancelled()));
   });
@@ -20,7 +21,7 @@ export function createFakeEngine(): ClipEngine {
   let clip: Clip | undefined;
   let annotation: Annotation | undefined;
   let segmentAnnotation: SegmentAnnotation | undefined;
-  let cancelled = new AbortController();
+  let abortController = new AbortController();
   return {
     start() {},
     async open(_file, name, { onProgress } = {}) {
@@ -38,11 +39,11 @@ export function createFakeEngine(): ClipEngine {
       }
       if (name.includes("slow")) {
         onProgress?.(0.1);
-        await neverEnds(cancelled.signal);
+        await waitForAbort(abortController.signal);
       }
       annotation = undefined;
       segmentAnnotation = undefined;
-      clip = walker(name, name.includes("rest") ? 0 : 12);
+      clip = createWalkingClip(name, name.includes("rest") ? 0 : 12);
       if (name.includes("crab")) clip.roles = { hips: 0 };
       return { ok: true, clip };
     },
@@ -56,29 +57,31 @@ export function createFakeEngine(): ClipEngine {
     },
     async detect(options, { signal } = {}) {
       const { method, r } = options;
-      if (method === "njw") await neverEnds(signal);
+      if (method === "njw") await waitForAbort(signal);
       if (!clip || clip.frames === 0 || clip.roles.left_ankle === undefined) {
         return {
           ok: false,
           failure: {
-            message: clip?.frames
-              ? "no feet were found in this skeleton"
-              : "the clip has no frames",
+            message: clip?.frames ? "no feet detected in this skeleton" : "the clip has no frames",
             hint: clip?.frames
               ? "Name the ankles and toes under Clip."
               : "Only its rest pose is shown.",
           },
         };
       }
-      const grow = Math.log(r / 0.001) * 1.5;
+      const growth = Math.log(r / 0.001) * 1.5;
       const source = clip;
-      const part = (from: number, to: number, joints: readonly [number, number]): Tracks => ({
-        left: walkerTrack(source, 0, from, to, grow, joints[0]),
-        right: walkerTrack(source, 0.5, from, to, grow, joints[1]),
+      const createTracks = (
+        from: number,
+        to: number,
+        joints: readonly [number, number],
+      ): Tracks => ({
+        left: createWalkingTrack(source, 0, from, to, growth, joints[0]),
+        right: createWalkingTrack(source, 0.5, from, to, growth, joints[1]),
       });
-      const toe = part(0.08, 0.6, [17, 22]);
-      const heel = part(0.02, 0.44, [16, 21]);
-      const contact = part(0.02, 0.6, [17, 22]);
+      const toe = createTracks(0.08, 0.6, [17, 22]);
+      const heel = createTracks(0.02, 0.44, [16, 21]);
+      const contact = createTracks(0.02, 0.6, [17, 22]);
       const detection: Detection = {
         options,
         parts: method === "paper" ? { toe } : { contact, toe, heel },
@@ -87,7 +90,7 @@ export function createFakeEngine(): ClipEngine {
       };
       return { ok: true, detection };
     },
-    // Edits do not change the labels.
+    // Edits leave the labels unchanged.
     edit: async () => ({}),
     evidence: async () => undefined,
     referenceEdits: async () => [],
@@ -104,7 +107,7 @@ export function createFakeEngine(): ClipEngine {
       const { frames = 0, rate = 1 } = clip ?? {};
       if (options.method === "mvu") {
         onProgress?.(0.5);
-        return neverEnds(signal);
+        return waitForAbort(signal);
       }
       const step = options.method.length * rate;
       const starts = Array.from({ length: Math.ceil(frames / step) }, (_, i) => i * step);
@@ -132,6 +135,8 @@ export function createFakeEngine(): ClipEngine {
         },
       });
     },
+    plantFormats: async () => [],
+    segmentFormats: async () => [],
     async segmentMethods() {
       const method = { description: "A method for tests.", options: [] };
       return [
@@ -166,15 +171,15 @@ export function createFakeEngine(): ClipEngine {
     saveCleaned: async () => new Blob(["HIERARCHY"]),
     async score() {
       if (!annotation) return [];
-      const run = { side: "left", part: "toe", kind: "missed" } as const;
+      const disagreement = { side: "left", part: "toe", kind: "missed" } as const;
       return [
         {
           part: "toe",
           rows: [{ fuzzy: 0, lenient: 0.9, strict: 0.8, left: 0.9, right: 0.9 }],
           events: { precision: 1, recall: 0.5, f1: 2 / 3, onset: 0.02, offset: -0.01 },
           disagreements: [
-            { ...run, start: 10, end: 14 },
-            { ...run, start: 90, end: 92 },
+            { ...disagreement, start: 10, end: 14 },
+            { ...disagreement, start: 90, end: 92 },
           ],
         },
       ];
@@ -182,12 +187,13 @@ export function createFakeEngine(): ClipEngine {
     async scoreSegments() {
       return segmentAnnotation ? [{ within: 0.5, precision: 1, recall: 0.5, f1: 2 / 3 }] : [];
     },
-    saveSegments: async (format, names) => JSON.stringify({ format, names }),
+    saveSegments: async (format, names) =>
+      new TextEncoder().encode(JSON.stringify({ format, names })),
     cut: async (parts) => new Blob(parts.map(({ name }) => name)),
     save: async (format) => new TextEncoder().encode(`{"format": "${format}"}`),
     cancel() {
-      cancelled.abort();
-      cancelled = new AbortController();
+      abortController.abort();
+      abortController = new AbortController();
     },
   };
 }
@@ -213,7 +219,7 @@ export const batchWorkers = {
     }),
 };
 
-/** Has no archives. */
+/** Rejects every archive. */
 export const zipWorkers = {
   run: async () => ({ ok: false, failure: { message: "no archive" } }),
 };

@@ -8,21 +8,21 @@ import { clip, detection, plants } from "../store/session";
 import { margin } from "./scene";
 import { type MarkerArea, useMarker } from "./use-marker";
 
-/** The line over everything, and what is to be heard of its moment. */
-export function Playhead(room: MarkerArea) {
-  const { layout, width } = room;
-  const mark = useMarker(room, () => playhead.value);
+/** The playhead: a line with a handle, and the state of the frame for screen readers. */
+export function Playhead(area: MarkerArea) {
+  const { layout, width } = area;
+  const element = useMarker(area, () => playhead.value);
   const text = useComputed(() => {
-    const at = frame.value;
+    const current = frame.value;
     const rate = clip.value?.rate ?? 1;
     const foot = (side: "left" | "right") =>
-      plantAt(plants.value, at, side) ? `${side} planted` : `${side} in the air`;
+      plantAt(plants.value, current, side) ? `${side} planted` : `${side} in the air`;
     const feet = detection.value ? `, ${foot("left")}, ${foot("right")}` : "";
-    const action = segmentAtPlayhead();
-    const segment = action
-      ? `, ${[`segment ${action.number}`, segmentTitle(action)].join(" ").trim()}`
+    const segment = segmentAtPlayhead();
+    const segmentText = segment
+      ? `, ${[`segment ${segment.number}`, segmentTitle(segment)].join(" ").trim()}`
       : "";
-    return `${(at / rate).toFixed(3)} s, frame ${at}${feet}${segment}`;
+    return `${(current / rate).toFixed(3)} s, frame ${current}${feet}${segmentText}`;
   });
   const drag = (event: PointerEvent) => {
     const handle = event.currentTarget as HTMLElement;
@@ -31,15 +31,19 @@ export function Playhead(room: MarkerArea) {
       pause();
     }
     if (!handle.hasPointerCapture(event.pointerId)) return;
-    const area = handle.closest(".tracks")?.getBoundingClientRect();
-    if (!area) return;
-    const { labels } = layout.peek();
+    const bounds = handle.closest(".tracks")?.getBoundingClientRect();
+    if (!bounds) return;
+    const { labelWidth } = layout.peek();
     const view = timeView.peek();
-    const at = toFrame(view, event.clientX - area.left - labels, width.peek() - labels - margin);
-    seek(Math.min(Math.max(at, view.start), view.end));
+    const current = toFrame(
+      view,
+      event.clientX - bounds.left - labelWidth,
+      width.peek() - labelWidth - margin,
+    );
+    seek(Math.min(Math.max(current, view.start), view.end));
   };
   return (
-    <div class="playhead" ref={mark}>
+    <div class="playhead" ref={element}>
       <div
         class="playhead-handle"
         role="slider"

@@ -1,8 +1,6 @@
 import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { principalTracks } from "../model/plants";
-import { toSentence } from "../model/report";
-import type { Failure } from "../model/types";
 import { companions } from "../store/companions";
 import { opening } from "../store/jobs";
 import { loopedRange, loopedSegment, timeView } from "../store/playback";
@@ -20,72 +18,77 @@ import {
   selected,
 } from "../store/session";
 import { theme } from "../store/theme";
-import { activeTab, sheetOpen } from "../store/view";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
-import { listenToCanvas } from "./gestures";
+import { attachGestures } from "./gestures";
+import { LanesMessage } from "./LanesMessage";
 import { layoutTimeline } from "./layout";
 import { PlantTable } from "./PlantTable";
 import { Playhead } from "./Playhead";
-import { PointedLine } from "./PointedLine";
-import { paint } from "./paint";
+import { PointedFrameLine } from "./PointedFrameLine";
+import { paintTimeline } from "./paint";
 import { SegmentTable } from "./SegmentTable";
 import { Transport } from "./Transport";
 
 export function Timeline() {
-  const room = useRef<HTMLDivElement>(null);
+  const container = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
-  const box = useSignal({ width: 0, height: 0 });
-  const width = useComputed(() => box.value.width);
+  const size = useSignal({ width: 0, height: 0 });
+  const width = useComputed(() => size.value.width);
   const layout = useComputed(() => {
-    const shown = {
+    const input = {
       detection: detection.value,
       reference: reference.value,
       segmentation: segmentation.value,
       referenceSegments: referenceSegments.value,
       companions: openClip.value ? companions.value : [],
     };
-    return layoutTimeline(shown, box.value.width, box.value.height);
+    return layoutTimeline(input, size.value.width, size.value.height);
   });
 
-  const shape = useComputed(() => selected.value && { ...selected.value, ...dragPreview.value });
+  const selectedBar = useComputed(
+    () => selected.value && { ...selected.value, ...dragPreview.value },
+  );
 
   useEffect(() => {
-    const host = room.current;
-    if (!host) return;
+    const element = container.current;
+    if (!element) return;
     const observer = new ResizeObserver(() => {
-      box.value = { width: host.clientWidth, height: host.clientHeight };
+      size.value = { width: element.clientWidth, height: element.clientHeight };
     });
-    observer.observe(host);
+    observer.observe(element);
     return () => observer.disconnect();
-  }, [box]);
+  }, [size]);
 
   useEffect(() => {
-    const surface = canvas.current;
-    const pen = surface?.getContext("2d", { alpha: false });
-    if (!surface || !pen) return;
-    let ink: CanvasTheme | undefined;
-    let due = 0;
+    const element = canvas.current;
+    const ctx = element?.getContext("2d", { alpha: false });
+    if (!element || !ctx) return;
+    let canvasTheme: CanvasTheme | undefined;
+    /** Pending animation frame, 0 if none. */
+    let request = 0;
     const draw = () => {
-      due = 0;
-      const held = clip.peek();
-      const wide = width.peek();
-      const { height: high } = layout.peek();
-      if (!wide || !held) return;
-      const ratio = Math.min(devicePixelRatio, 2);
-      const dots = [Math.round(wide * ratio), Math.round(high * ratio)] as const;
-      if (surface.width !== dots[0] || surface.height !== dots[1]) {
-        [surface.width, surface.height] = dots;
-        surface.style.height = `${high}px`;
+      request = 0;
+      const shownClip = clip.peek();
+      const cssWidth = width.peek();
+      const { height: cssHeight } = layout.peek();
+      if (!cssWidth || !shownClip) return;
+      const pixelRatio = Math.min(devicePixelRatio, 2);
+      const pixelWidth = Math.round(cssWidth * pixelRatio);
+      const pixelHeight = Math.round(cssHeight * pixelRatio);
+      if (element.width !== pixelWidth || element.height !== pixelHeight) {
+        element.width = pixelWidth;
+        element.height = pixelHeight;
+        element.style.height = `${cssHeight}px`;
       }
-      ink ??= readCanvasTheme(surface, pen, ratio);
-      pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-      paint(pen, {
+      canvasTheme ??= readCanvasTheme(element, ctx, pixelRatio);
+      ctx.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
+      paintTimeline(ctx, {
         layout: layout.peek(),
-        ink,
+        theme: canvasTheme,
         view: timeView.peek(),
-        frames: held.frames,
-        rate: held.rate,
-        width: wide,
+        frames: shownClip.frames,
+        rate: shownClip.rate,
+        width: cssWidth,
         plants: plants.peek(),
         tracks: principalTracks(detection.peek()?.parts ?? {}),
         segmentation: segmentation.peek(),
@@ -93,17 +96,17 @@ export function Timeline() {
         loopedSegment: loopedSegment.peek(),
         referenceSegments: referenceSegments.peek(),
         loop: loopedRange.peek(),
-        selected: shape.peek(),
+        selected: selectedBar.peek(),
       });
     };
-    const ask = () => {
-      if (!due) due = requestAnimationFrame(draw);
+    const requestDraw = () => {
+      if (!request) request = requestAnimationFrame(draw);
     };
-    const stops = [
+    const disposers = [
       effect(() => {
         void theme.value;
-        ink = undefined;
-        ask();
+        canvasTheme = undefined;
+        requestDraw();
       }),
       effect(() => {
         void [
@@ -114,84 +117,48 @@ export function Timeline() {
           namedSegments.value,
           loopedRange.value,
         ];
-        void shape.value;
-        ask();
+        void selectedBar.value;
+        requestDraw();
       }),
-      listenToCanvas(surface, () => layout.peek()),
+      attachGestures(element, () => layout.peek()),
     ];
-    // What was measured before the typeface came would be cut.
+    // Texts measured with the fallback font would be truncated wrongly.
     void document.fonts?.ready.then(() => {
-      ink = undefined;
-      ask();
+      canvasTheme = undefined;
+      requestDraw();
     });
     return () => {
-      cancelAnimationFrame(due);
-      for (const stop of stops) stop();
+      cancelAnimationFrame(request);
+      for (const stop of disposers) stop();
     };
-  }, [layout, width, shape]);
+  }, [layout, width, selectedBar]);
 
-  const held = openClip.value;
-  const still = !held || held.frames === 0;
+  const hasFrames = (openClip.value?.frames ?? 0) > 0;
   return (
     <section class="timeline" aria-label="Timeline" data-compared={reference.value !== null}>
       <Transport />
-      <div class="tracks" ref={room}>
-        <canvas ref={canvas} class={still ? "gone" : undefined} />
-        {!still && <PointedLine layout={layout} width={width} />}
-        {!still && <Playhead layout={layout} width={width} />}
-        {still ? (
-          <Why
-            failure={{
-              message: "This file holds a skeleton and no motion.",
-              hint: "Its rest pose is on show; there is nothing to play or to label.",
-            }}
+      <div class="tracks" ref={container}>
+        <canvas ref={canvas} class={hasFrames ? undefined : "no-frames"} />
+        {hasFrames && <PointedFrameLine layout={layout} width={width} />}
+        {hasFrames && <Playhead layout={layout} width={width} />}
+        {!hasFrames && (
+          <LanesMessage
+            message="This file contains a skeleton but no motion."
+            hint="The rest pose is shown. There is nothing to play or to label."
           />
-        ) : (
-          detectFailure.value &&
-          !opening.value && (
-            <Why
-              failure={detectFailure.value}
-              toJoints
-              below={box.value.height - (layout.value.lanes[0]?.y ?? layout.value.minimap.y)}
-            />
-          )
+        )}
+        {hasFrames && detectFailure.value && !opening.value && (
+          <LanesMessage
+            {...detectFailure.value}
+            offersJoints
+            bottom={size.value.height - (layout.value.lanes[0]?.y ?? layout.value.minimap.y)}
+          />
         )}
       </div>
-      <div class="hidden">
+      <div class="visually-hidden">
         <PlantTable />
         <SegmentTable />
       </div>
     </section>
-  );
-}
-
-/** Why there are no lanes, in words, with the way out. */
-function Why({
-  failure,
-  toJoints,
-  below = 0,
-}: {
-  failure: Failure;
-  toJoints?: boolean;
-  /** Height of what stands below it, in pixels. */
-  below?: number;
-}) {
-  return (
-    <div class="why" ref={(element) => element?.style.setProperty("--below", `${below}px`)}>
-      <p>{toSentence(failure.message)}</p>
-      {failure.hint && <p class="quiet">{failure.hint}</p>}
-      {toJoints && (
-        <button
-          type="button"
-          class="button"
-          onClick={() => {
-            activeTab.value = "clip";
-            sheetOpen.value = true;
-          }}
-        >
-          Choose the joints
-        </button>
-      )}
-    </div>
   );
 }

@@ -6,57 +6,57 @@ import { openClip, plants } from "../store/session";
 import { Icon } from "../ui/icons";
 import { formatClock, formatCount } from "../util/format";
 
+/** Playback controls, with the time and the frame of the playhead. */
 export function Transport() {
-  const held = openClip.value;
-  const rate = held?.rate ?? 1;
-  const time = useComputed(() => formatClock(frame.value / (openClip.value?.rate ?? 1)));
-  const number = useComputed(() => formatCount(frame.value));
-  const still = (held?.frames ?? 0) < 2;
+  const { frames = 0, rate = 1 } = openClip.value ?? {};
+  const timeText = useComputed(() => formatClock(frame.value / (openClip.value?.rate ?? 1)));
+  const frameText = useComputed(() => formatCount(frame.value));
+  const isStill = frames < 2;
   return (
     <div class="transport">
       <button
         type="button"
         class="play"
-        disabled={still}
+        disabled={isStill}
         aria-label={playing.value ? "Pause" : "Play"}
         title={tooltip("play", playing.value ? "Pause" : "Play")}
         onClick={commandOf("play").run}
       >
         <Icon name={playing.value ? "pause" : "play"} />
       </button>
-      <p class="clock" title={`${formatClock((held?.frames ?? 0) / rate)} in all`}>
-        {time}
+      <p class="clock" title={`Duration ${formatClock(frames / rate)}`}>
+        {timeText}
       </p>
       <p class="frame-count">
-        <span class="quiet">frame</span> {number}{" "}
-        <span class="quiet">/ {formatCount(held?.frames ?? 0)}</span>
+        <span class="muted">frame</span> {frameText}{" "}
+        <span class="muted">/ {formatCount(frames)}</span>
       </p>
-      <span class="spring" />
+      <span class="spacer" />
       <button
         type="button"
-        class="button plain loop"
+        class="button flat loop"
         aria-pressed={loop.value !== "off"}
         title={tooltip("loop")}
         onClick={commandOf("loop").run}
-        disabled={still}
+        disabled={isStill}
       >
         <Icon name="loop" />
-        <LoopName />
+        <LoopLabel />
       </button>
-      <label class="speed">
-        <span class="hidden">Speed</span>
+      <label>
+        <span class="visually-hidden">Speed</span>
         <select
           class="select small"
           title={`Speed (${keyOf("slower")} and ${keyOf("faster")})`}
           value={String(speed.value)}
-          disabled={still}
+          disabled={isStill}
           onChange={(event) => {
             speed.value = Number(event.currentTarget.value);
           }}
         >
-          {speeds.map((s) => (
-            <option key={s} value={String(s)}>
-              {s}×
+          {speeds.map((factor) => (
+            <option key={factor} value={String(factor)}>
+              {factor}×
             </option>
           ))}
         </select>
@@ -66,7 +66,7 @@ export function Transport() {
         class="button fit"
         title={tooltip("fit")}
         onClick={commandOf("fit").run}
-        disabled={still}
+        disabled={isStill}
       >
         Fit
       </button>
@@ -74,7 +74,8 @@ export function Transport() {
   );
 }
 
-function LoopName() {
+/** The looped range, as the label of the loop button. */
+function LoopLabel() {
   if (loop.value === "off") return <span>Loop off</span>;
   if (loop.value === "clip") return <span>Loop clip</span>;
   if (loop.value === "segment") return <span>Loop segment {loopedSegment.value?.number}</span>;

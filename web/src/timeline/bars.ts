@@ -6,30 +6,33 @@ import type { Bars } from "./layout";
 import { font, type Scene } from "./scene";
 import { forEachVisible } from "./visible-intervals";
 
-/** Pixels that the shortest number takes with what is left free around it. */
-const leastRoom = 20;
+/** Width that the shortest number needs with its margins, in pixels. */
+const minNumberWidth = 20;
 
-const edits = new WeakMap<Track, Uint32Array>();
+/** Cache of `editedIntervalsOf`. */
+const editedIntervals = new WeakMap<Track, Uint32Array>();
 
-export function bracket(
-  pen: CanvasRenderingContext2D,
+/** Draws a contact interval: a horizontal line with a stop at each end. */
+export function paintBracket(
+  ctx: CanvasRenderingContext2D,
   color: string,
   from: number,
   to: number,
   y: number,
-  tall: number,
+  height: number,
 ) {
-  pen.fillStyle = color;
+  ctx.fillStyle = color;
   const left = Math.round(from);
   const right = Math.max(left + 2, Math.round(to));
-  pen.fillRect(left, y - tall / 2, 2, tall);
-  pen.fillRect(right - 2, y - tall / 2, 2, tall);
-  pen.fillRect(left, y - 1, right - left, 2);
+  ctx.fillRect(left, y - height / 2, 2, height);
+  ctx.fillRect(right - 2, y - height / 2, 2, height);
+  ctx.fillRect(left, y - 1, right - left, 2);
 }
 
-export function bar(
-  pen: CanvasRenderingContext2D,
-  ink: CanvasTheme,
+/** Draws a heel interval (hatched) or a toe interval (filled). */
+export function paintBar(
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
   lane: Bars,
   from: number,
   to: number,
@@ -38,138 +41,161 @@ export function bar(
 ) {
   const width = Math.max(1.5, to - from - 1);
   if (width <= 3) {
-    // Too narrow for anything but its outline.
-    pen.fillStyle = ink[lane.side];
-    pen.fillRect(from, y, width, height);
+    // Too narrow for a texture.
+    ctx.fillStyle = theme[lane.side];
+    ctx.fillRect(from, y, width, height);
     return;
   }
-  pen.beginPath();
-  pen.roundRect(from, y, width, height, Math.min(3, width / 2));
+  ctx.beginPath();
+  ctx.roundRect(from, y, width, height, Math.min(3, width / 2));
   if (lane.kind === "toe") {
-    pen.fillStyle = ink[lane.side];
-    pen.fill();
+    ctx.fillStyle = theme[lane.side];
+    ctx.fill();
     return;
   }
-  pen.fillStyle = ink.hatch[lane.side];
-  pen.fill();
-  pen.beginPath();
-  pen.roundRect(
+  ctx.fillStyle = theme.hatch[lane.side];
+  ctx.fill();
+  ctx.beginPath();
+  ctx.roundRect(
     from + 0.75,
     y + 0.75,
     Math.max(0.5, width - 1.5),
     height - 1.5,
     Math.min(2.5, width / 2),
   );
-  pen.lineWidth = 1.5;
-  pen.strokeStyle = ink[lane.side];
-  pen.stroke();
+  ctx.lineWidth = 1.5;
+  ctx.strokeStyle = theme[lane.side];
+  ctx.stroke();
 }
 
-export function paintBars(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
-  const { view, ink } = scene;
+/** Draws the intervals of one part of one foot, with their confidence, edits and numbers. */
+export function paintBars(
+  ctx: CanvasRenderingContext2D,
+  scene: Scene,
+  lane: Bars,
+  laneWidth: number,
+) {
+  const { view, theme } = scene;
   if (lane.kind !== "contact") {
-    pen.fillStyle = ink.lane;
-    pen.fillRect(0, lane.y, inner, lane.height);
+    ctx.fillStyle = theme.lane;
+    ctx.fillRect(0, lane.y, laneWidth, lane.height);
   }
-  forEachVisible(lane.track.intervals, view, inner, (from, to, isCrowd) => {
+  forEachVisible(lane.track.intervals, view, laneWidth, (from, to, isMerged) => {
     const inset = lane.kind === "contact" ? 2 : 0;
-    if (isCrowd)
-      paintMerged(pen, ink[lane.side], from, to, lane.y + inset, lane.height - 2 * inset);
+    if (isMerged)
+      paintMerged(ctx, theme[lane.side], from, to, lane.y + inset, lane.height - 2 * inset);
     else if (inset)
-      bracket(pen, ink[lane.side], from, to - 1, lane.y + lane.height / 2, lane.height - 4);
-    else bar(pen, ink, lane, from, to, lane.y, lane.height);
+      paintBracket(ctx, theme[lane.side], from, to - 1, lane.y + lane.height / 2, lane.height - 4);
+    else paintBar(ctx, theme, lane, from, to, lane.y, lane.height);
   });
-  markEdited(pen, scene, lane, inner);
-  if (lane.kind === "contact") numberPlants(pen, scene, lane, inner);
+  paintEditedMarks(ctx, scene, lane, laneWidth);
+  if (lane.kind === "contact") paintPlantNumbers(ctx, scene, lane, laneWidth);
   else {
-    pen.fillStyle = ink.erode;
-    forEachVisible(lane.track.uncertain, view, inner, (from, to, isCrowd) => {
-      // From afar there is some doubt in every pixel.
-      if (!isCrowd) pen.fillRect(from, lane.y + 2, Math.max(1, to - from), lane.height - 4);
+    ctx.fillStyle = theme.uncertain;
+    forEachVisible(lane.track.uncertain, view, laneWidth, (from, to, isMerged) => {
+      // Merged ranges would cover whole bars.
+      if (!isMerged) ctx.fillRect(from, lane.y + 2, Math.max(1, to - from), lane.height - 4);
     });
     if (lane.kind === "toe" && !scene.layout.lanes.some((other) => other.kind === "contact")) {
-      numberPlants(pen, scene, lane, inner);
+      paintPlantNumbers(ctx, scene, lane, laneWidth);
     }
   }
-  outlineSelected(pen, scene, lane, inner);
+  paintSelection(ctx, scene, lane, laneWidth);
 }
 
-/** Bars as a person wants them have a line along their foot. */
-function markEdited(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
-  pen.fillStyle = scene.ink.text;
-  forEachVisible(editedOf(lane.track), scene.view, inner, (from, to, isCrowd) => {
-    // From afar one could not tell which.
-    if (!isCrowd) pen.fillRect(from, lane.y + lane.height - 1.5, Math.max(2, to - from - 1), 2);
+/** Draws a line under edited bars. */
+function paintEditedMarks(
+  ctx: CanvasRenderingContext2D,
+  scene: Scene,
+  lane: Bars,
+  laneWidth: number,
+) {
+  ctx.fillStyle = scene.theme.text;
+  forEachVisible(editedIntervalsOf(lane.track), scene.view, laneWidth, (from, to, isMerged) => {
+    // A merged range does not show which of its bars are edited.
+    if (!isMerged) ctx.fillRect(from, lane.y + lane.height - 1.5, Math.max(2, to - from - 1), 2);
   });
 }
 
-/** The bar that is edited: a frame around it, with a handle at each end. */
-function outlineSelected(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
-  const { view, ink, selected } = scene;
+/** Draws a frame with a handle at each end around the selected bar. */
+function paintSelection(
+  ctx: CanvasRenderingContext2D,
+  scene: Scene,
+  lane: Bars,
+  laneWidth: number,
+) {
+  const { view, theme, selected } = scene;
   if (selected?.side !== lane.side || selected.part !== lane.kind) return;
-  const from = toX(view, selected.start, inner);
-  const to = Math.max(from + 3, toX(view, selected.end, inner) - 1);
+  const from = toX(view, selected.start, laneWidth);
+  const to = Math.max(from + 3, toX(view, selected.end, laneWidth) - 1);
   const [top, height] = [lane.y - 1.5, lane.height + 3];
-  pen.strokeStyle = ink.text;
-  pen.lineWidth = 1.5;
-  pen.beginPath();
-  pen.roundRect(from - 1.5, top, to - from + 3, height, 4);
-  pen.stroke();
-  pen.fillStyle = ink.text;
-  pen.beginPath();
-  for (const x of [from - 4, to]) pen.roundRect(x, top, 4, height, 2);
-  pen.fill();
+  ctx.strokeStyle = theme.text;
+  ctx.lineWidth = 1.5;
+  ctx.beginPath();
+  ctx.roundRect(from - 1.5, top, to - from + 3, height, 4);
+  ctx.stroke();
+  ctx.fillStyle = theme.text;
+  ctx.beginPath();
+  for (const x of [from - 4, to]) ctx.roundRect(x, top, 4, height, 2);
+  ctx.fill();
 }
 
-/** Plants from too far to be told apart: paler than one that is as long. */
+/** Draws several merged intervals, translucent to differ from one interval of the same length. */
 export function paintMerged(
-  pen: CanvasRenderingContext2D,
+  ctx: CanvasRenderingContext2D,
   color: string,
   from: number,
   to: number,
   y: number,
   height: number,
 ) {
-  pen.globalAlpha = 0.4;
-  pen.fillStyle = color;
-  pen.fillRect(from, y, to - from, height);
-  pen.globalAlpha = 1;
+  ctx.globalAlpha = 0.4;
+  ctx.fillStyle = color;
+  ctx.fillRect(from, y, to - from, height);
+  ctx.globalAlpha = 1;
 }
 
-function numberPlants(pen: CanvasRenderingContext2D, scene: Scene, lane: Bars, inner: number) {
-  const { view, ink } = scene;
-  const seen = plantsWithin(scene.plants, lane.side, view);
-  // Without looking at each: no number needs less than that.
-  if (0.6 * seen.length * leastRoom > inner) return;
-  pen.font = font(10, 600);
-  pen.textAlign = "center";
-  const middle = lane.y + lane.height / 2;
-  const fits = (plant: Plant) =>
-    toX(view, plant.end, inner) - toX(view, plant.start, inner) >=
-    pen.measureText(String(plant.number)).width + 20;
-  // A number here and there would look like a gap in the count: most of them, or none.
-  if (seen.filter(fits).length < 0.6 * seen.length) return;
-  for (const plant of seen) {
-    if (!fits(plant)) continue;
-    const from = Math.max(0, toX(view, plant.start, inner));
-    const to = Math.min(inner, toX(view, plant.end, inner));
-    const width = pen.measureText(String(plant.number)).width + 8;
+/** Draws the plant numbers on their bars. */
+function paintPlantNumbers(
+  ctx: CanvasRenderingContext2D,
+  scene: Scene,
+  lane: Bars,
+  laneWidth: number,
+) {
+  const { view, theme } = scene;
+  const visible = plantsWithin(scene.plants, lane.side, view);
+  // Early exit: no number needs less.
+  if (0.6 * visible.length * minNumberWidth > laneWidth) return;
+  ctx.font = font(10, 600);
+  ctx.textAlign = "center";
+  const centerY = lane.y + lane.height / 2;
+  const hasRoom = (plant: Plant) =>
+    toX(view, plant.end, laneWidth) - toX(view, plant.start, laneWidth) >=
+    ctx.measureText(String(plant.number)).width + 20;
+  // Few numbers would look like gaps in the count: most are drawn, or none.
+  if (visible.filter(hasRoom).length < 0.6 * visible.length) return;
+  for (const plant of visible) {
+    if (!hasRoom(plant)) continue;
+    const from = Math.max(0, toX(view, plant.start, laneWidth));
+    const to = Math.min(laneWidth, toX(view, plant.end, laneWidth));
+    const width = ctx.measureText(String(plant.number)).width + 8;
     if (to - from < width) continue;
     const x = (from + to) / 2;
     if (lane.kind === "contact") {
-      pen.fillStyle = ink.ground;
-      pen.fillRect(x - width / 2, lane.y, width, lane.height);
-      pen.fillStyle = ink[lane.side];
-    } else pen.fillStyle = ink.onSide;
-    pen.fillText(String(plant.number), x, middle + 0.5);
+      ctx.fillStyle = theme.background;
+      ctx.fillRect(x - width / 2, lane.y, width, lane.height);
+      ctx.fillStyle = theme[lane.side];
+    } else ctx.fillStyle = theme.textOnSide;
+    ctx.fillText(String(plant.number), x, centerY + 0.5);
   }
 }
 
-function editedOf(track: Track): Uint32Array {
-  let held = edits.get(track);
-  if (!held) {
-    held = track.intervals.filter((_, i) => track.edited[i >> 1] === 1);
-    edits.set(track, held);
+/** Returns the edited intervals of a track. */
+function editedIntervalsOf(track: Track): Uint32Array {
+  let edited = editedIntervals.get(track);
+  if (!edited) {
+    edited = track.intervals.filter((_, i) => track.edited[i >> 1] === 1);
+    editedIntervals.set(track, edited);
   }
-  return held;
+  return edited;
 }

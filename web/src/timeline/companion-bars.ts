@@ -7,38 +7,39 @@ import type { CompanionBars } from "./layout";
 import type { Scene } from "./scene";
 import { forEachVisible } from "./visible-intervals";
 
-const inTime = new WeakMap<Companion, { rate: number } & Record<Side, Uint32Array>>();
+/** Cache of `plantsInMainRate`. */
+const retimedPlants = new WeakMap<Companion, { rate: number } & Record<Side, Uint32Array>>();
 
-/** The plants of a clip beside ours in frames of ours. */
-function plantsOf(beside: Companion, rate: number) {
-  const held = inTime.get(beside);
-  if (held?.rate === rate) return held;
-  const tracks = principalTracks(beside.detection?.parts ?? {});
+/** Returns the plants of a comparison clip, converted to the frame rate of the open clip. */
+function plantsInMainRate(companion: Companion, rate: number) {
+  const cached = retimedPlants.get(companion);
+  if (cached?.rate === rate) return cached;
+  const tracks = principalTracks(companion.detection?.parts ?? {});
   const side = (name: Side) =>
-    retimeFrames(tracks?.[name].intervals ?? new Uint32Array(0), beside.clip.rate, rate);
-  const made = { rate, left: side("left"), right: side("right") };
-  inTime.set(beside, made);
-  return made;
+    retimeFrames(tracks?.[name].intervals ?? new Uint32Array(0), companion.clip.rate, rate);
+  const result = { rate, left: side("left"), right: side("right") };
+  retimedPlants.set(companion, result);
+  return result;
 }
 
-/** The plants of another clip at the same time: left over right. */
+/** Draws the plants of a comparison clip in two rows: left above right. */
 export function paintCompanion(
-  pen: CanvasRenderingContext2D,
-  { view, ink, rate }: Scene,
+  ctx: CanvasRenderingContext2D,
+  { view, theme, rate }: Scene,
   { companion, y, height }: CompanionBars,
-  inner: number,
+  laneWidth: number,
 ) {
-  const plants = plantsOf(companion, rate);
-  const row = (height - 2) / 2;
+  const plants = plantsInMainRate(companion, rate);
+  const rowHeight = (height - 2) / 2;
   for (const side of ["left", "right"] as const) {
-    const top = y + (side === "left" ? 0 : row + 2);
-    pen.fillStyle = ink.lane;
-    pen.fillRect(0, top, inner, row);
-    forEachVisible(plants[side], view, inner, (from, to, isCrowd) => {
-      if (isCrowd) paintMerged(pen, ink[side], from, to, top, row);
+    const top = y + (side === "left" ? 0 : rowHeight + 2);
+    ctx.fillStyle = theme.lane;
+    ctx.fillRect(0, top, laneWidth, rowHeight);
+    forEachVisible(plants[side], view, laneWidth, (from, to, isMerged) => {
+      if (isMerged) paintMerged(ctx, theme[side], from, to, top, rowHeight);
       else {
-        pen.fillStyle = ink[side];
-        pen.fillRect(from, top, Math.max(1.5, to - from - 1), row);
+        ctx.fillStyle = theme[side];
+        ctx.fillRect(from, top, Math.max(1.5, to - from - 1), rowHeight);
       }
     });
   }

@@ -4,102 +4,112 @@ import { minMaxColumns } from "../util/min-max-pyramid";
 import type { Curves } from "./layout";
 import type { Scene } from "./scene";
 
-/** Of a curve, in pixels. */
-const thickness = 1.5;
+/** Line width of the curves, in pixels. */
+const lineWidth = 1.5;
 
-let columns = new Float32Array(0);
+/** Minimum and maximum per pixel column; reused to avoid allocation. */
+let columnExtremes = new Float32Array(0);
 
-function laneTop({ left, right, kind }: Curves): number {
+/** Returns the value at the top of a lane of curves. */
+function axisMaximum({ left, right, kind }: Curves): number {
   return niceCeiling(Math.max(left.summaries[kind].top, right.summaries[kind].top));
 }
 
-/** What the curves of a lane show: `Toe height`. */
+/** Returns the label of a lane of curves, such as `Toe height`. */
 export function curveText({ part, kind }: Curves): string {
   return `${part.charAt(0).toUpperCase() + part.slice(1)} ${kind}`;
 }
 
-/** What the height of the lane stands for. */
+/** Returns the range of the vertical axis, such as `0–20 cm`. */
 export function scaleText(lane: Curves): string {
-  const top = laneTop(lane);
+  const top = axisMaximum(lane);
   if (lane.kind === "speed") return `0–${Number(top.toPrecision(3))} m/s`;
   return top < 1
     ? `0–${Number((100 * top).toPrecision(3))} cm`
     : `0–${Number(top.toPrecision(3))} m`;
 }
 
+/** Draws the height or speed curves of both feet. */
 export function paintCurves(
-  pen: CanvasRenderingContext2D,
+  ctx: CanvasRenderingContext2D,
   scene: Scene,
   lane: Curves,
-  inner: number,
+  laneWidth: number,
 ) {
-  const { ink, view } = scene;
-  pen.fillStyle = ink.lane;
-  pen.fillRect(0, lane.y, inner, lane.height);
-  const top = laneTop(lane);
-  const n = Math.max(1, Math.floor(inner));
-  if (columns.length < 2 * n) columns = new Float32Array(2 * n);
-  const low = lane.y + lane.height - 3;
+  const { theme, view } = scene;
+  ctx.fillStyle = theme.lane;
+  ctx.fillRect(0, lane.y, laneWidth, lane.height);
+  const top = axisMaximum(lane);
+  const columns = Math.max(1, Math.floor(laneWidth));
+  if (columnExtremes.length < 2 * columns) columnExtremes = new Float32Array(2 * columns);
+  const bottom = lane.y + lane.height - 3;
   const scale = (lane.height - 6) / top;
-  pen.save();
-  pen.beginPath();
-  pen.rect(0, lane.y, inner, lane.height);
-  pen.clip();
-  const isNear = view.end - view.start < n;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(0, lane.y, laneWidth, lane.height);
+  ctx.clip();
+  const showsFrames = view.end - view.start < columns;
   for (const side of ["right", "left"] as const) {
-    pen.beginPath();
-    if (isNear) {
-      traceFrames(pen, scene, lane[side][lane.kind], inner, low, scale);
-      pen.strokeStyle = ink[side];
-      pen.lineWidth = thickness;
-      pen.lineJoin = "round";
-      pen.stroke();
+    ctx.beginPath();
+    if (showsFrames) {
+      traceFrames(ctx, scene, lane[side][lane.kind], laneWidth, bottom, scale);
+      ctx.strokeStyle = theme[side];
+      ctx.lineWidth = lineWidth;
+      ctx.lineJoin = "round";
+      ctx.stroke();
     } else {
       const { [lane.kind]: values, summaries } = lane[side];
-      minMaxColumns(values, summaries[lane.kind].extremes, view.start, view.end, n, columns);
-      traceColumns(pen, n, low, scale, top);
-      pen.fillStyle = ink[side];
-      pen.fill();
+      minMaxColumns(
+        values,
+        summaries[lane.kind].extremes,
+        view.start,
+        view.end,
+        columns,
+        columnExtremes,
+      );
+      traceColumns(ctx, columns, bottom, scale, top);
+      ctx.fillStyle = theme[side];
+      ctx.fill();
     }
   }
-  pen.restore();
+  ctx.restore();
 }
 
-/** Close by, a curve goes from frame to frame. */
+/** Adds a line from frame to frame to the path. */
 function traceFrames(
-  pen: CanvasRenderingContext2D,
+  ctx: CanvasRenderingContext2D,
   { view }: Scene,
   values: Float32Array,
-  inner: number,
-  low: number,
+  laneWidth: number,
+  bottom: number,
   scale: number,
 ) {
   const last = Math.min(values.length - 1, Math.ceil(view.end));
-  for (let f = Math.max(0, Math.floor(view.start)); f <= last; f++) {
-    pen.lineTo(toX(view, f, inner), low - (values[f] as number) * scale);
+  for (let frame = Math.max(0, Math.floor(view.start)); frame <= last; frame++) {
+    ctx.lineTo(toX(view, frame, laneWidth), bottom - (values[frame] as number) * scale);
   }
 }
 
 /**
- * From afar, each column spans from its least to its greatest value: a band between two lines,
- * which is drawn in half the time of one that goes up and down in every column.
+ * Adds the band between the column maxima and the column minima to the path. Filling it takes half
+ * the time of stroking a line that goes up and down in every column.
  */
 function traceColumns(
-  pen: CanvasRenderingContext2D,
-  n: number,
-  low: number,
+  ctx: CanvasRenderingContext2D,
+  columns: number,
+  bottom: number,
   scale: number,
   top: number,
 ) {
-  const most = top * 1.02;
-  const upper = low - thickness / 2;
-  const lower = low + thickness / 2;
-  for (let x = 0; x < n; x++) {
-    const value = columns[2 * x + 1] as number;
-    pen.lineTo(x + 0.5, upper - (value < most ? value : most) * scale);
+  const limit = top * 1.02;
+  const upper = bottom - lineWidth / 2;
+  const lower = bottom + lineWidth / 2;
+  for (let x = 0; x < columns; x++) {
+    const value = columnExtremes[2 * x + 1] as number;
+    ctx.lineTo(x + 0.5, upper - (value < limit ? value : limit) * scale);
   }
-  for (let x = n - 1; x >= 0; x--) {
-    const value = columns[2 * x] as number;
-    pen.lineTo(x + 0.5, lower - (value < most ? value : most) * scale);
+  for (let x = columns - 1; x >= 0; x--) {
+    const value = columnExtremes[2 * x] as number;
+    ctx.lineTo(x + 0.5, lower - (value < limit ? value : limit) * scale);
   }
 }

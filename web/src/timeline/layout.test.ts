@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 import type { Annotation, Detection, Segmentation } from "../model/types";
-import { walker, walkerTrack } from "../testing/walker";
+import { createWalkingClip, createWalkingTrack } from "../testing/walking-clip";
 import { type LayoutInput, layoutTimeline } from "./layout";
 
-const clip = walker("walk.bvh", 2);
+const clip = createWalkingClip("walk.bvh", 2);
 const tracks = {
-  left: walkerTrack(clip, 0, 0.1, 0.6, 0, 17),
-  right: walkerTrack(clip, 0.5, 0.1, 0.6, 0, 22),
+  left: createWalkingTrack(clip, 0, 0.1, 0.6, 0, 17),
+  right: createWalkingTrack(clip, 0.5, 0.1, 0.6, 0, 22),
 };
 const robust: Detection = {
   options: { method: "robust", r: 0.001, w: 1 },
@@ -14,17 +14,17 @@ const robust: Detection = {
   floor: 0,
   notices: [],
 };
-const nothing: LayoutInput = {
+const emptyInput: LayoutInput = {
   detection: null,
   reference: null,
   segmentation: null,
   referenceSegments: null,
   companions: [],
 };
-const kinds = (detection: Detection | null, width: number, room: number) =>
-  layoutTimeline({ ...nothing, detection }, width, room).lanes.map((lane) => lane.kind);
+const kinds = (detection: Detection | null, width: number, height: number) =>
+  layoutTimeline({ ...emptyInput, detection }, width, height).lanes.map((lane) => lane.kind);
 
-it("shows per foot what the method knows, then the curves", () => {
+it("shows the labelled parts of each foot, then the curves", () => {
   const foot = ["contact", "heel", "toe"];
   expect(kinds(robust, 1440, 284)).toEqual([...foot, ...foot, "height", "speed"]);
   const paper = { ...robust, parts: { toe: tracks } };
@@ -32,7 +32,7 @@ it("shows per foot what the method knows, then the curves", () => {
   expect(kinds(null, 1440, 284)).toEqual([]);
 });
 
-it("copes with any subset of parts", () => {
+it("accepts any subset of parts", () => {
   expect(kinds({ ...robust, parts: { contact: tracks } }, 1440, 284)).toEqual([
     "contact",
     "contact",
@@ -42,45 +42,46 @@ it("copes with any subset of parts", () => {
   expect(kinds({ ...robust, parts: {} }, 1440, 284)).toEqual([]);
 });
 
-describe("someone else's labels", () => {
+describe("reference labels", () => {
   const labels = { left: new Int8Array(9), right: new Int8Array(9) };
-  const other: Annotation = {
+  const referenceLabels: Annotation = {
     name: "truth",
     parts: { contact: labels, toe: labels, heel: labels },
   };
   const foot = ["contact", "reference", "heel", "reference", "toe", "reference"];
-  const bars = (detection: Detection | null, width: number, room: number) =>
-    layoutTimeline({ ...nothing, detection, reference: other }, width, room)
+  const bars = (detection: Detection | null, width: number, height: number) =>
+    layoutTimeline({ ...emptyInput, detection, reference: referenceLabels }, width, height)
       .lanes.map(({ kind }) => kind)
       .filter((kind) => kind !== "height" && kind !== "speed");
 
-  it("stand below ours, part by part", () => {
+  it("appear below each detected part", () => {
     expect(bars(robust, 1440, 284)).toEqual([...foot, ...foot]);
   });
-  it("are reduced to one part where room is short", () => {
+  it("are reduced to one part if space is short", () => {
     const short = ["contact", "reference", "heel", "toe"];
     expect(bars(robust, 390, 272)).toEqual([...short, ...short]);
     expect(
-      layoutTimeline({ ...nothing, detection: robust, reference: other }, 390, 272).height,
+      layoutTimeline({ ...emptyInput, detection: robust, reference: referenceLabels }, 390, 272)
+        .height,
     ).toBeLessThanOrEqual(280);
   });
-  it("stay away where we found none: the reason stands there", () => {
+  it("are hidden if there is no detection", () => {
     expect(bars(null, 1440, 284)).toEqual([]);
   });
 });
 
-it("gives up curves before it overflows", () => {
+it("omits curves instead of overflowing", () => {
   expect(kinds(robust, 1440, 236)).not.toContain("speed");
   expect(kinds(robust, 390, 250)).not.toContain("height");
-  for (const room of [236, 284, 400]) {
+  for (const height of [236, 284, 400]) {
     expect(
-      layoutTimeline({ ...nothing, detection: robust }, 1440, room).height,
-    ).toBeLessThanOrEqual(room);
+      layoutTimeline({ ...emptyInput, detection: robust }, 1440, height).height,
+    ).toBeLessThanOrEqual(height);
   }
 });
 
-it("makes bars a finger can touch on a phone", () => {
-  for (const lane of layoutTimeline({ ...nothing, detection: robust }, 390, 388).lanes) {
+it("makes bars large enough to touch on a phone", () => {
+  for (const lane of layoutTimeline({ ...emptyInput, detection: robust }, 390, 388).lanes) {
     if (lane.kind === "toe" || lane.kind === "heel") expect(lane.height).toBeGreaterThanOrEqual(28);
   }
 });
@@ -104,36 +105,46 @@ describe("segments", () => {
     notices: [],
   };
   const referenceSegments = { name: "truth", segments: segmentation.segments };
-  const shown: LayoutInput = {
+  const input: LayoutInput = {
     detection: robust,
     reference: null,
     segmentation,
     referenceSegments,
     companions: [],
   };
-  const below = (what: LayoutInput, width: number, room: number) =>
-    layoutTimeline(what, width, room)
+  const lanesBelowFeet = (input: LayoutInput, width: number, height: number) =>
+    layoutTimeline(input, width, height)
       .lanes.slice(6)
       .map(({ kind }) => kind);
 
-  it("stand below the feet, with motifs, someone else's and the method's curve", () => {
+  it("appear below the feet, with motifs, the reference and the curve", () => {
     const all = ["height", "speed", "segments", "motifs", "reference-segments", "curve"];
-    expect(below(shown, 1440, 400)).toEqual(all);
-    const plain = { ...segmentation, motifs: new Uint32Array(0) };
-    const alone = { ...shown, segmentation: plain, referenceSegments: null, companions: [] };
-    expect(below(alone, 1440, 351)).toEqual(["height", "speed", "segments", "curve"]);
+    expect(lanesBelowFeet(input, 1440, 400)).toEqual(all);
+    const withoutMotifs = { ...segmentation, motifs: new Uint32Array(0) };
+    const onlySegments = {
+      ...input,
+      segmentation: withoutMotifs,
+      referenceSegments: null,
+      companions: [],
+    };
+    expect(lanesBelowFeet(onlySegments, 1440, 351)).toEqual([
+      "height",
+      "speed",
+      "segments",
+      "curve",
+    ]);
   });
 
-  it("give up curves before they overflow", () => {
-    const single = { ...shown, referenceSegments: null, companions: [] };
-    for (const [width, room] of [
+  it("omit curves instead of overflowing", () => {
+    const withoutReference = { ...input, referenceSegments: null, companions: [] };
+    for (const [width, availableHeight] of [
       [1440, 300],
       [1440, 270],
       [390, 388],
       [375, 280],
     ] as const) {
-      const { height, lanes, minimap } = layoutTimeline(single, width, room);
-      expect(height).toBeLessThanOrEqual(room);
+      const { height, lanes, minimap } = layoutTimeline(withoutReference, width, availableHeight);
+      expect(height).toBeLessThanOrEqual(availableHeight);
       for (const [i, lane] of lanes.entries()) {
         const next = lanes[i + 1]?.y ?? minimap.y;
         expect(lane.y + lane.height).toBeLessThanOrEqual(next);
@@ -141,8 +152,8 @@ describe("segments", () => {
     }
   });
 
-  it("leave the room of the feet to the reason why there are none", () => {
-    const { lanes, minimap, height } = layoutTimeline({ ...shown, detection: null }, 1440, 351);
+  it("leave space for a message if there is no detection", () => {
+    const { lanes, minimap, height } = layoutTimeline({ ...input, detection: null }, 1440, 351);
     expect(lanes.map(({ kind }) => kind)).toEqual([
       "segments",
       "motifs",
@@ -154,8 +165,8 @@ describe("segments", () => {
     expect(height).toBeLessThanOrEqual(351);
   });
 
-  it("are high enough for a finger on a phone", () => {
-    const lane = layoutTimeline(shown, 390, 388).lanes.find(({ kind }) => kind === "segments");
+  it("are high enough to touch on a phone", () => {
+    const lane = layoutTimeline(input, 390, 388).lanes.find(({ kind }) => kind === "segments");
     expect(lane?.height).toBeGreaterThanOrEqual(28);
   });
 });

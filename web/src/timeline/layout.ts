@@ -10,7 +10,7 @@ import type {
   Track,
 } from "../model/types";
 
-/** Bars of one part of one foot. */
+/** Contact intervals of one part of one foot. */
 export interface Bars {
   kind: Part;
   side: Side;
@@ -19,7 +19,7 @@ export interface Bars {
   height: number;
 }
 
-/** The same part of the same foot as someone else labels it. */
+/** Reference labels of one part of one foot. */
 export interface ReferenceBars {
   kind: "reference";
   side: Side;
@@ -30,7 +30,7 @@ export interface ReferenceBars {
   height: number;
 }
 
-/** The plants of another clip beside ours. */
+/** The plants of a comparison clip. */
 export interface CompanionBars {
   kind: "companion";
   companion: Companion;
@@ -38,7 +38,7 @@ export interface CompanionBars {
   height: number;
 }
 
-/** A curve of both feet. */
+/** Height or speed curves of both feet. */
 export interface Curves {
   kind: "height" | "speed";
   part: Part;
@@ -48,7 +48,7 @@ export interface Curves {
   height: number;
 }
 
-/** The segments, their motifs, someone else's segments, or what the method looks at. */
+/** The segments, their motifs, the reference segments, or the curve of the segmentation method. */
 export interface SegmentLane {
   kind: "segments" | "motifs" | "reference-segments" | "curve";
   y: number;
@@ -60,32 +60,32 @@ export type Lane = Bars | ReferenceBars | CompanionBars | Curves | SegmentLane;
 export const isBars = (lane: Lane): lane is Bars => "track" in lane;
 export const isCurves = (lane: Lane): lane is Curves => "part" in lane;
 
-/** What there is to lay out. */
+/** Data that determines which lanes are shown. */
 export interface LayoutInput {
   detection: Detection | null;
   reference: Annotation | null;
   segmentation: Segmentation | null;
   referenceSegments: SegmentAnnotation | null;
-  /** Other clips side by side. */
+  /** Comparison clips. */
   companions: readonly Companion[];
 }
 
 export interface Layout {
   lanes: readonly Lane[];
-  /** Where the lanes end and the minimap begins, CSS pixels. */
+  /** Position of the minimap below the lanes, in CSS pixels. */
   minimap: { y: number; height: number };
   ruler: { height: number };
-  /** Width of the label column. */
-  labels: number;
+  /** Width of the label column, in pixels. */
+  labelWidth: number;
   height: number;
 }
 
-/** A lane before it has its place. */
-type Placeless<T> = T extends unknown ? Omit<T, "y"> : never;
+/** A lane without its vertical position. */
+type WithoutY<T> = T extends unknown ? Omit<T, "y"> : never;
 
-/** Sizes of a wide page, of a phone, where tracks grow to be touched, and of a short phone. */
-const wide = {
-  labels: 118,
+/** Sizes on a wide page, on a phone, where lanes are large enough to touch, and on a short phone. */
+const wideSizes = {
+  labelWidth: 118,
   ruler: 30,
   contact: 12,
   bar: 16,
@@ -97,11 +97,11 @@ const wide = {
   gap: 3,
   group: 10,
   curve: 30,
-  map: 18,
+  minimap: 18,
 };
-const narrow: Sizes = {
-  ...wide,
-  labels: 100,
+const narrowSizes: Sizes = {
+  ...wideSizes,
+  labelWidth: 100,
   contact: 16,
   bar: 28,
   reference: 10,
@@ -110,113 +110,127 @@ const narrow: Sizes = {
   motifs: 14,
   referenceSegments: 16,
   curve: 34,
-  map: 28,
+  minimap: 28,
 };
-const short: Sizes = { ...narrow, contact: 12, bar: 24, segments: 24, group: 7, map: 24 };
+const shortSizes: Sizes = {
+  ...narrowSizes,
+  contact: 12,
+  bar: 24,
+  segments: 24,
+  group: 7,
+  minimap: 24,
+};
 
-type Sizes = typeof wide;
+type Sizes = typeof wideSizes;
 
-function sizesOf(width: number, room: number): Sizes {
-  if (width > 720) return wide;
-  return room < 300 ? short : narrow;
+function sizesOf(width: number, availableHeight: number): Sizes {
+  if (width > 720) return wideSizes;
+  return availableHeight < 300 ? shortSizes : narrowSizes;
 }
 
-/** The tallest a curve grows, as so much more than the least. */
-const grow = 44;
+/** Greatest height of a curve lane beyond its minimum, in pixels. */
+const maxCurveGrowth = 44;
 
-const order = ["contact", "heel", "toe"] as const;
+const partOrder = ["contact", "heel", "toe"] as const;
 
 /**
- * The lanes from top to bottom: per foot contact, heel and toe, whichever the method
- * knows, each with someone else's below it; clips beside; curves of the feet; the segments with their
- * motifs, someone else's and the method's curve. Curves share what room is left.
+ * Lays out the lanes from top to bottom: for each foot contact, heel and toe as far as they are
+ * labelled, each above its reference; comparison clips; curves of the feet; segments, motifs and
+ * reference segments; the curve of the segmentation method. Curves divide the remaining height
+ * evenly, and are left out if it is too small. Sizes are in CSS pixels.
  */
-export function layoutTimeline(shown: LayoutInput, width: number, room: number): Layout {
-  const { detection, reference } = shown;
-  const size = sizesOf(width, room);
-  const ours = detection?.parts ?? {};
-  const segments = segmentRows(shown, size);
+export function layoutTimeline(input: LayoutInput, width: number, availableHeight: number): Layout {
+  const { detection, reference } = input;
+  const size = sizesOf(width, availableHeight);
+  const parts = detection?.parts ?? {};
+  const segments = segmentLanes(input, size);
   const segmentsHeight = segments.reduce((sum, { height }) => sum + height + size.gap, 0);
-  const least = size.map + 10 + segmentsHeight + (segments.length ? size.gap : 0);
-  const compared = detection && reference ? comparedParts(ours, reference, size, room - least) : [];
+  const reservedHeight = size.minimap + 10 + segmentsHeight + (segments.length ? size.gap : 0);
+  const referenced =
+    detection && reference
+      ? visibleReferenceParts(parts, reference, size, availableHeight - reservedHeight)
+      : [];
   const lanes: Lane[] = [];
   let y = size.ruler + 6;
-  const add = (lane: Placeless<Exclude<Lane, Curves>>) => {
+  const add = (lane: WithoutY<Exclude<Lane, Curves>>) => {
     lanes.push({ ...lane, y });
     y += lane.height + size.gap;
   };
   for (const side of ["left", "right"] as const) {
-    const before = lanes.length;
-    for (const kind of order) {
-      const track = ours[kind]?.[side];
+    const laneCount = lanes.length;
+    for (const kind of partOrder) {
+      const track = parts[kind]?.[side];
       if (track) add({ kind, side, track, height: kind === "contact" ? size.contact : size.bar });
-      const labels = compared.includes(kind) && reference?.parts[kind]?.[side];
+      const labels = referenced.includes(kind) && reference?.parts[kind]?.[side];
       if (reference && labels) {
         add({ kind: "reference", side, name: reference.name, labels, height: size.reference });
       }
     }
-    if (lanes.length > before) y += size.group - size.gap;
+    if (lanes.length > laneCount) y += size.group - size.gap;
   }
-  for (const companion of shown.companions) {
+  for (const companion of input.companions) {
     add({ kind: "companion", companion, height: size.companion });
   }
-  if (shown.companions.length) y += size.group - size.gap;
-  const part = ours.toe ? "toe" : principalPart(ours);
-  const tracks = part && ours[part];
-  const left = room - y - least - 2;
-  const wanted = [
+  if (input.companions.length) y += size.group - size.gap;
+  const part = parts.toe ? "toe" : principalPart(parts);
+  const tracks = part && parts[part];
+  const remaining = availableHeight - y - reservedHeight - 2;
+  const wantedCurves = [
     tracks && "height",
-    shown.segmentation?.curve.values.length && "curve",
+    input.segmentation?.curve.values.length && "curve",
     tracks && "speed",
   ].filter(Boolean);
-  const fit = Math.min(Math.max(0, Math.floor(left / (size.curve + 8))), wanted.length);
-  const height = Math.min(left / Math.max(fit, 1) - 8, size.curve + grow);
-  const curves = wanted.slice(0, fit);
+  const curveCount = Math.min(
+    Math.max(0, Math.floor(remaining / (size.curve + 8))),
+    wantedCurves.length,
+  );
+  const height = Math.min(remaining / Math.max(curveCount, 1) - 8, size.curve + maxCurveGrowth);
+  const visibleCurves = wantedCurves.slice(0, curveCount);
   for (const kind of ["height", "speed"] as const) {
-    if (!tracks || !curves.includes(kind)) continue;
+    if (!tracks || !visibleCurves.includes(kind)) continue;
     lanes.push({ kind, part, left: tracks.left, right: tracks.right, y, height });
     y += height + 8;
   }
-  // Without feet the reason for it stands where they would be.
-  if (!lanes.length) y = room - least - (fit ? height + 8 : 0);
-  for (const row of segments) add(row);
-  if (curves.includes("curve")) {
+  // Without labels a message replaces the lanes of the feet.
+  if (!lanes.length) y = availableHeight - reservedHeight - (curveCount ? height + 8 : 0);
+  for (const lane of segments) add(lane);
+  if (visibleCurves.includes("curve")) {
     add({ kind: "curve", height });
     y += 8 - size.gap;
   } else if (segments.length) y += size.gap;
-  const mapY = Math.max(y, room - size.map - 10);
+  const minimapY = Math.max(y, availableHeight - size.minimap - 10);
   return {
     lanes,
-    minimap: { y: mapY, height: size.map },
+    minimap: { y: minimapY, height: size.minimap },
     ruler: { height: size.ruler },
-    labels: size.labels,
-    height: mapY + size.map + 10,
+    labelWidth: size.labelWidth,
+    height: minimapY + size.minimap + 10,
   };
 }
 
-/** What there is of segments but the curve. */
-function segmentRows({ segmentation, referenceSegments }: LayoutInput, size: Sizes) {
-  const rows: Omit<SegmentLane, "y">[] = [];
-  if (segmentation) rows.push({ kind: "segments", height: size.segments });
-  if (segmentation?.motifs.length) rows.push({ kind: "motifs", height: size.motifs });
-  if (referenceSegments) rows.push({ kind: "reference-segments", height: size.referenceSegments });
-  return rows;
+/** Returns the lanes of segments, without the curve. */
+function segmentLanes({ segmentation, referenceSegments }: LayoutInput, size: Sizes) {
+  const lanes: Omit<SegmentLane, "y">[] = [];
+  if (segmentation) lanes.push({ kind: "segments", height: size.segments });
+  if (segmentation?.motifs.length) lanes.push({ kind: "motifs", height: size.motifs });
+  if (referenceSegments) lanes.push({ kind: "reference-segments", height: size.referenceSegments });
+  return lanes;
 }
 
-/** The parts of someone else's labels that are shown: all, or the principal one where room is short. */
-function comparedParts(
-  ours: Detection["parts"],
+/** Returns the parts whose reference labels are shown: all, or the principal one if space is short. */
+function visibleReferenceParts(
+  parts: Detection["parts"],
   reference: Annotation,
   size: Sizes,
-  room: number,
+  availableHeight: number,
 ): readonly Part[] {
-  const theirs = order.filter((part) => reference.parts[part]);
-  const heights = order
-    .filter((part) => ours[part])
+  const labelled = partOrder.filter((part) => reference.parts[part]);
+  const heights = partOrder
+    .filter((part) => parts[part])
     .map((part) => (part === "contact" ? size.contact : size.bar) + size.gap);
-  const own = heights.reduce((sum, height) => sum + height, 0);
-  const all = own + theirs.length * (size.reference + size.gap) + size.group;
+  const partsHeight = heights.reduce((sum, height) => sum + height, 0);
+  const footHeight = partsHeight + labelled.length * (size.reference + size.gap) + size.group;
   const principal = principalPart(reference.parts);
-  const fits = size.ruler + 6 + 2 * all <= room;
-  return fits ? theirs : theirs.filter((part) => part === principal);
+  const fits = size.ruler + 6 + 2 * footHeight <= availableHeight;
+  return fits ? labelled : labelled.filter((part) => part === principal);
 }

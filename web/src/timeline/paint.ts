@@ -1,15 +1,20 @@
 import { toX } from "../model/time-view";
 import type { CanvasTheme } from "../ui/canvas-theme";
-import { bar, bracket, paintBars, paintMerged } from "./bars";
+import { paintBar, paintBars, paintBracket, paintMerged } from "./bars";
 import { paintCompanion } from "./companion-bars";
 import { curveText, paintCurves, scaleText } from "./curves";
 import { type Bars, isBars, isCurves, type Lane } from "./layout";
 import { paintReference, paintReferenceName } from "./reference-bars";
 import { paintRuler } from "./ruler";
 import { font, margin, type Scene } from "./scene";
-import { paintMotifs, paintReferenceSegments, paintSegments, segmentSwatch } from "./segment-bars";
+import {
+  paintMotifs,
+  paintReferenceSegments,
+  paintSegmentSwatch,
+  paintSegments,
+} from "./segment-bars";
 import { paintSegmentationCurve } from "./segmentation-curve";
-import { twoLines } from "./text";
+import { wrapText } from "./text";
 import { forEachVisible } from "./visible-intervals";
 
 const painters = {
@@ -19,109 +24,123 @@ const painters = {
   curve: paintSegmentationCurve,
 };
 
-/** Draws everything but the playhead, which is an element of its own. */
-export function paint(pen: CanvasRenderingContext2D, scene: Scene) {
-  const { layout, ink, width } = scene;
-  pen.fillStyle = ink.ground;
-  pen.fillRect(0, 0, width, layout.height);
-  const inner = width - layout.labels - margin;
-  pen.textBaseline = "middle";
-  for (const lane of layout.lanes) paintLabel(pen, scene, lane);
-  pen.save();
-  pen.translate(layout.labels, 0);
-  paintRuler(pen, scene, inner);
-  pen.beginPath();
-  pen.rect(0, 0, inner, layout.height);
-  pen.clip();
+/** Draws the timeline without the playhead, which is a separate element. */
+export function paintTimeline(ctx: CanvasRenderingContext2D, scene: Scene) {
+  const { layout, theme, width } = scene;
+  ctx.fillStyle = theme.background;
+  ctx.fillRect(0, 0, width, layout.height);
+  const laneWidth = width - layout.labelWidth - margin;
+  ctx.textBaseline = "middle";
+  for (const lane of layout.lanes) paintLabel(ctx, scene, lane);
+  ctx.save();
+  ctx.translate(layout.labelWidth, 0);
+  paintRuler(ctx, scene, laneWidth);
+  ctx.beginPath();
+  ctx.rect(0, 0, laneWidth, layout.height);
+  ctx.clip();
   for (const lane of layout.lanes) {
-    if (isBars(lane)) paintBars(pen, scene, lane, inner);
-    else if (isCurves(lane)) paintCurves(pen, scene, lane, inner);
-    else if (lane.kind === "reference") paintReference(pen, scene, lane, inner);
-    else if (lane.kind === "companion") paintCompanion(pen, scene, lane, inner);
-    else painters[lane.kind](pen, scene, lane, inner);
+    if (isBars(lane)) paintBars(ctx, scene, lane, laneWidth);
+    else if (isCurves(lane)) paintCurves(ctx, scene, lane, laneWidth);
+    else if (lane.kind === "reference") paintReference(ctx, scene, lane, laneWidth);
+    else if (lane.kind === "companion") paintCompanion(ctx, scene, lane, laneWidth);
+    else painters[lane.kind](ctx, scene, lane, laneWidth);
   }
-  paintMinimap(pen, scene, inner);
-  pen.restore();
+  paintMinimap(ctx, scene, laneWidth);
+  ctx.restore();
 }
 
-function paintLabel(pen: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
-  const { ink, layout } = scene;
-  const middle = lane.y + lane.height / 2 + 0.5;
-  const left = layout.labels > 100 ? 16 : 12;
-  const right = layout.labels - 6;
-  pen.textAlign = "left";
-  pen.font = font(12);
-  pen.fillStyle = ink.muted;
+/** Draws the label of a lane in the column on the left. */
+function paintLabel(ctx: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
+  const { theme, layout } = scene;
+  const centerY = lane.y + lane.height / 2 + 0.5;
+  const left = layout.labelWidth > 100 ? 16 : 12;
+  const right = layout.labelWidth - 6;
+  ctx.textAlign = "left";
+  ctx.font = font(12);
+  ctx.fillStyle = theme.muted;
   if (isBars(lane)) {
-    // The swatch repeats the texture of the bar: a legend that needs no room.
-    swatch(pen, ink, lane, left, middle - 5);
-    pen.fillStyle = lane.kind === "contact" ? ink.text : ink.muted;
-    pen.fillText(`${lane.side === "left" ? "L" : "R"} ${lane.kind}`, left + 20, middle);
+    // The swatch serves as the legend of the bar textures.
+    paintSwatch(ctx, theme, lane, left, centerY - 5);
+    ctx.fillStyle = lane.kind === "contact" ? theme.text : theme.muted;
+    ctx.fillText(`${lane.side === "left" ? "L" : "R"} ${lane.kind}`, left + 20, centerY);
   } else if (isCurves(lane)) {
-    pen.fillText(curveText(lane), left, middle - 8);
-    pen.font = font(11);
-    pen.fillText(scaleText(lane), left, middle + 8);
+    ctx.fillText(curveText(lane), left, centerY - 8);
+    ctx.font = font(11);
+    ctx.fillText(scaleText(lane), left, centerY + 8);
   } else if (lane.kind === "reference") {
-    paintReferenceName(pen, ink, lane.name, lane, left + 20, right);
+    paintReferenceName(ctx, theme, lane.name, lane, left + 20, right);
   } else if (lane.kind === "companion") {
-    paintReferenceName(pen, ink, lane.companion.source.name, lane, left, right);
+    paintReferenceName(ctx, theme, lane.companion.source.name, lane, left, right);
   } else if (lane.kind === "reference-segments") {
-    paintReferenceName(pen, ink, scene.referenceSegments?.name ?? "", lane, left + 20, right);
+    paintReferenceName(ctx, theme, scene.referenceSegments?.name ?? "", lane, left + 20, right);
   } else if (lane.kind === "curve") {
     const title = scene.segmentation?.curve.title ?? "";
-    const [first, second] = twoLines(pen, ink, title, right - left, 11);
-    pen.fillText(first, left, second ? middle - 7 : middle);
-    pen.fillText(second, left, middle + 7);
+    const [first, second] = wrapText(ctx, theme, title, right - left, 11);
+    ctx.fillText(first, left, second ? centerY - 7 : centerY);
+    ctx.fillText(second, left, centerY + 7);
   } else {
     if (lane.kind === "segments") {
-      segmentSwatch(pen, ink, left, middle - 5);
-      pen.fillStyle = ink.text;
+      paintSegmentSwatch(ctx, theme, left, centerY - 5);
+      ctx.fillStyle = theme.text;
     }
-    pen.font = font(lane.kind === "motifs" ? 11 : 12);
-    pen.fillText(lane.kind === "motifs" ? "Motifs" : "Segments", left + 20, middle);
+    ctx.font = font(lane.kind === "motifs" ? 11 : 12);
+    ctx.fillText(lane.kind === "motifs" ? "Motifs" : "Segments", left + 20, centerY);
   }
 }
 
-function swatch(pen: CanvasRenderingContext2D, ink: CanvasTheme, lane: Bars, x: number, y: number) {
-  if (lane.kind === "contact") bracket(pen, ink[lane.side], x, x + 12, y + 5, 8);
-  else bar(pen, ink, lane, x, x + 12, y, 10);
+/** Draws a small bar in the texture of a lane. */
+function paintSwatch(
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
+  lane: Bars,
+  x: number,
+  y: number,
+) {
+  if (lane.kind === "contact") paintBracket(ctx, theme[lane.side], x, x + 12, y + 5, 8);
+  else paintBar(ctx, theme, lane, x, x + 12, y, 10);
 }
 
-function paintMinimap(pen: CanvasRenderingContext2D, scene: Scene, inner: number) {
-  const { ink, layout, tracks, frames, view } = scene;
+/** Draws the whole clip with a frame around the visible range. */
+function paintMinimap(ctx: CanvasRenderingContext2D, scene: Scene, laneWidth: number) {
+  const { theme, layout, tracks, frames, view } = scene;
   const { y, height } = layout.minimap;
-  pen.fillStyle = ink.lane;
-  pen.beginPath();
-  pen.roundRect(0, y, inner, height, 3);
-  pen.fill();
+  ctx.fillStyle = theme.lane;
+  ctx.beginPath();
+  ctx.roundRect(0, y, laneWidth, height, 3);
+  ctx.fill();
   const whole = { start: 0, end: frames };
-  const row = (height - 8) / 2;
+  const rowHeight = (height - 8) / 2;
   for (const side of tracks ? (["left", "right"] as const) : []) {
-    forEachVisible(tracks?.[side].intervals as Uint32Array, whole, inner, (from, to, isCrowd) => {
-      const top = y + 3 + (side === "left" ? 0 : row + 2);
-      if (isCrowd) paintMerged(pen, ink[side], from, to, top, row);
-      else {
-        pen.fillStyle = ink[side];
-        pen.fillRect(from, top, Math.max(1, to - from - 0.5), row);
-      }
-    });
+    forEachVisible(
+      tracks?.[side].intervals as Uint32Array,
+      whole,
+      laneWidth,
+      (from, to, isMerged) => {
+        const top = y + 3 + (side === "left" ? 0 : rowHeight + 2);
+        if (isMerged) paintMerged(ctx, theme[side], from, to, top, rowHeight);
+        else {
+          ctx.fillStyle = theme[side];
+          ctx.fillRect(from, top, Math.max(1, to - from - 0.5), rowHeight);
+        }
+      },
+    );
   }
-  const from = toX(whole, view.start, inner);
-  const to = toX(whole, view.end, inner);
-  pen.globalAlpha = 0.62;
-  pen.fillStyle = ink.ground;
-  pen.fillRect(0, y, from, height);
-  pen.fillRect(to, y, inner - to, height);
-  pen.globalAlpha = 1;
-  pen.strokeStyle = ink.text;
-  pen.lineWidth = 1.5;
-  pen.beginPath();
-  pen.roundRect(from + 0.75, y + 0.75, Math.max(3, to - from - 1.5), height - 1.5, 3);
-  pen.stroke();
-  pen.fillStyle = ink.text;
+  const from = toX(whole, view.start, laneWidth);
+  const to = toX(whole, view.end, laneWidth);
+  ctx.globalAlpha = 0.62;
+  ctx.fillStyle = theme.background;
+  ctx.fillRect(0, y, from, height);
+  ctx.fillRect(to, y, laneWidth - to, height);
+  ctx.globalAlpha = 1;
+  ctx.strokeStyle = theme.text;
+  ctx.lineWidth = 1.5;
+  ctx.beginPath();
+  ctx.roundRect(from + 0.75, y + 0.75, Math.max(3, to - from - 1.5), height - 1.5, 3);
+  ctx.stroke();
+  ctx.fillStyle = theme.text;
   for (const x of [from, to - 4]) {
-    pen.beginPath();
-    pen.roundRect(x, y + height / 2 - 5, 4, 10, 2);
-    pen.fill();
+    ctx.beginPath();
+    ctx.roundRect(x, y + height / 2 - 5, 4, 10, 2);
+    ctx.fill();
   }
 }

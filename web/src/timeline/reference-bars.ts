@@ -2,61 +2,65 @@ import { rangesWhere } from "../model/intervals";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import type { ReferenceBars } from "./layout";
 import type { Scene } from "./scene";
-import { fitted } from "./text";
+import { truncateText } from "./text";
 import { forEachVisible } from "./visible-intervals";
 
-interface Found {
+interface LabelIntervals {
   planted: Uint32Array;
   unknown: Uint32Array;
 }
 
-const found = new WeakMap<Int8Array, Found>();
+/** Cache of `labelIntervals`. */
+const cache = new WeakMap<Int8Array, LabelIntervals>();
 
-function runsOf(labels: Int8Array): Found {
-  let held = found.get(labels);
-  if (!held) {
-    held = {
+/** Returns the intervals of planted frames and of frames without a label. */
+function labelIntervals(labels: Int8Array): LabelIntervals {
+  let result = cache.get(labels);
+  if (!result) {
+    result = {
       planted: rangesWhere(labels.length, (i) => labels[i] === 1),
       unknown: rangesWhere(labels.length, (i) => labels[i] === -1),
     };
-    found.set(labels, held);
+    cache.set(labels, result);
   }
-  return held;
+  return result;
 }
 
-/** Someone else's plants: outlines of ours, so that nobody takes one for the other. */
+/** Draws the plants of the reference as outlines, to tell them from detected plants. */
 export function paintReference(
-  pen: CanvasRenderingContext2D,
-  { view, ink }: Scene,
+  ctx: CanvasRenderingContext2D,
+  { view, theme }: Scene,
   lane: ReferenceBars,
-  inner: number,
+  laneWidth: number,
 ) {
-  const { planted, unknown } = runsOf(lane.labels);
-  const each = (intervals: Uint32Array, draw: (x: number, width: number) => void) =>
-    forEachVisible(intervals, view, inner, (from, to) => draw(from, Math.max(2, to - from - 1)));
-  pen.fillStyle = ink.unknown;
-  each(unknown, (x, width) => pen.fillRect(x, lane.y + 2, width, lane.height - 4));
-  pen.fillStyle = ink.tint[lane.side];
-  pen.strokeStyle = ink[lane.side];
-  pen.lineWidth = 1;
-  each(planted, (x, width) => {
-    pen.beginPath();
-    pen.roundRect(x + 0.5, lane.y + 0.5, Math.max(1, width - 1), lane.height - 1, 2);
-    pen.fill();
-    pen.stroke();
+  const { planted, unknown } = labelIntervals(lane.labels);
+  const forEachInterval = (intervals: Uint32Array, draw: (x: number, width: number) => void) =>
+    forEachVisible(intervals, view, laneWidth, (from, to) =>
+      draw(from, Math.max(2, to - from - 1)),
+    );
+  ctx.fillStyle = theme.unknown;
+  forEachInterval(unknown, (x, width) => ctx.fillRect(x, lane.y + 2, width, lane.height - 4));
+  ctx.fillStyle = theme.tint[lane.side];
+  ctx.strokeStyle = theme[lane.side];
+  ctx.lineWidth = 1;
+  forEachInterval(planted, (x, width) => {
+    ctx.beginPath();
+    ctx.roundRect(x + 0.5, lane.y + 0.5, Math.max(1, width - 1), lane.height - 1, 2);
+    ctx.fill();
+    ctx.stroke();
   });
 }
 
-/** The name of the labels beside their lane, cut where it meets the lane. */
+/** Draws the name of the reference in the label column, truncated at the lane. */
 export function paintReferenceName(
-  pen: CanvasRenderingContext2D,
-  ink: CanvasTheme,
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
   name: string,
   { y, height }: { y: number; height: number },
   left: number,
   right: number,
 ) {
-  const shown = fitted(pen, ink, name.replace(/\.(json|csv|bvh)$/i, ""), right - left, 10);
-  pen.fillStyle = ink.muted;
-  pen.fillText(shown, left, y + height / 2 + 0.5);
+  const text = truncateText(ctx, theme, name.replace(/\.(json|csv|bvh)$/i, ""), right - left, 10);
+  ctx.fillStyle = theme.muted;
+  ctx.fillText(text, left, y + height / 2 + 0.5);
 }

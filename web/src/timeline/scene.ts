@@ -6,29 +6,32 @@ import type { SegmentAnnotation, Segmentation, Tracks } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import type { Layout } from "./layout";
 
-/** All that a picture of the timeline depends on. */
+/** Everything that the timeline canvas shows. */
 export interface Scene {
   layout: Layout;
-  ink: CanvasTheme;
+  theme: CanvasTheme;
   view: TimeView;
   frames: number;
   rate: number;
+  /** Width of the canvas, in CSS pixels. */
   width: number;
   plants: readonly Plant[];
-  /** The part of the feet that the plants are of. */
+  /** Tracks of the part that defines the plants. */
   tracks: Tracks | undefined;
   segmentation: Segmentation | null;
   namedSegments: readonly NamedSegment[];
-  /** The action that is looped. */
+  /** The looped segment. */
   loopedSegment: NamedSegment | undefined;
   referenceSegments: SegmentAnnotation | null;
+  /** The looped frames. */
   loop: TimeView | null;
-  /** The bar that is edited, as it is or as a drag would leave it. */
+  /** The selected bar; while an edge is dragged, with the preview of the edge. */
   selected: PlantRef | null;
 }
 
-/** Room at the right edge, so that the last number and the playhead's handle are whole. */
+/** Margin at the right edge for the last number and the handle of the playhead, in pixels. */
 export const margin = 14;
 
+/** Returns the CSS font of canvas text; `size` is in pixels. */
 export const font = (size: number, weight = 450) =>
   `${weight} ${size}px "Inter Variable", system-ui, sans-serif`;

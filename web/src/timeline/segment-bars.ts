@@ -5,60 +5,68 @@ import type { Segment } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import type { SegmentLane } from "./layout";
 import type { Scene } from "./scene";
-import { fitted, widthOf } from "./text";
+import { textWidth, truncateText } from "./text";
 
 const textSize = 11;
 
 /**
- * Our segments. What repeats is beaded and bears a loop, what does not is underlined and bears
- * an arrow, what goes over into the next is hatched; the one that is looped is filled.
+ * Draws the segments. Periodic segments have a dotted line and a loop icon, aperiodic segments a solid
+ * line and an arrow; transitions are hatched, and the looped segment is filled.
  */
 export function paintSegments(
-  pen: CanvasRenderingContext2D,
+  ctx: CanvasRenderingContext2D,
   scene: Scene,
   lane: SegmentLane,
-  inner: number,
+  laneWidth: number,
 ) {
-  const { view, ink, namedSegments, loopedSegment, segmentation } = scene;
+  const { view, theme, namedSegments, loopedSegment, segmentation } = scene;
   for (let i = segmentIndexAt(namedSegments, view.start); i < namedSegments.length; i++) {
-    const action = namedSegments[i] as NamedSegment;
-    if (action.start > view.end) break;
-    const from = toX(view, action.start, inner);
-    const to = toX(view, action.end, inner);
-    const isChosen = action === loopedSegment;
-    box(pen, from, to, lane.y, lane.height, 3);
-    pen.fillStyle = isChosen ? ink.text : ink.raised;
-    pen.fill();
-    if (!isChosen) outline(pen, ink.edge, from, to, lane.y, lane.height);
-    underline(pen, isChosen ? ink.ground : ink.muted, action.kind, from, to, lane.y + lane.height);
+    const segment = namedSegments[i] as NamedSegment;
+    if (segment.start > view.end) break;
+    const from = toX(view, segment.start, laneWidth);
+    const to = toX(view, segment.end, laneWidth);
+    const isLooped = segment === loopedSegment;
+    addBarPath(ctx, from, to, lane.y, lane.height, 3);
+    ctx.fillStyle = isLooped ? theme.text : theme.raised;
+    ctx.fill();
+    if (!isLooped) paintOutline(ctx, theme.borderStrong, from, to, lane.y, lane.height);
+    paintKindMark(
+      ctx,
+      isLooped ? theme.background : theme.muted,
+      segment.kind,
+      from,
+      to,
+      lane.y + lane.height,
+    );
   }
-  paintTransitions(pen, scene, lane, inner);
+  paintTransitions(ctx, scene, lane, laneWidth);
   for (let i = segmentIndexAt(namedSegments, view.start); i < namedSegments.length; i++) {
-    const action = namedSegments[i] as NamedSegment;
-    if (action.start > view.end) break;
-    if (isWithin(segmentation?.transitions, action.start)) {
-      pen.fillStyle = ink.text;
-      pen.fillRect(
-        Math.round(toX(view, action.start, inner)) - 1,
+    const segment = namedSegments[i] as NamedSegment;
+    if (segment.start > view.end) break;
+    if (isInsideInterval(segmentation?.transitions, segment.start)) {
+      ctx.fillStyle = theme.text;
+      ctx.fillRect(
+        Math.round(toX(view, segment.start, laneWidth)) - 1,
         lane.y + 1,
         1.5,
         lane.height - 2,
       );
     }
-    const color = action === loopedSegment ? ink.ground : ink.text;
-    nameAction(pen, scene, action, lane, inner, color);
+    const color = segment === loopedSegment ? theme.background : theme.text;
+    paintSegmentText(ctx, scene, segment, lane, laneWidth, color);
   }
 }
 
-/** Whether a cut lies inside a transition rather than at its end. */
-function isWithin(spans: Uint32Array | undefined, frame: number): boolean {
-  if (!spans?.length) return false;
-  const at = firstIntervalAfter(spans, frame);
-  return at < spans.length && (spans[at] as number) < frame;
+/** True if a frame lies inside an interval, not at its start or end. */
+function isInsideInterval(intervals: Uint32Array | undefined, frame: number): boolean {
+  if (!intervals?.length) return false;
+  const i = firstIntervalAfter(intervals, frame);
+  return i < intervals.length && (intervals[i] as number) < frame;
 }
 
-function box(
-  pen: CanvasRenderingContext2D,
+/** Starts a path of a rounded bar. */
+function addBarPath(
+  ctx: CanvasRenderingContext2D,
   from: number,
   to: number,
   y: number,
@@ -66,12 +74,13 @@ function box(
   radius: number,
 ) {
   const width = Math.max(1.5, to - from - 1);
-  pen.beginPath();
-  pen.roundRect(from, y, width, height, Math.min(radius, width / 2));
+  ctx.beginPath();
+  ctx.roundRect(from, y, width, height, Math.min(radius, width / 2));
 }
 
-function outline(
-  pen: CanvasRenderingContext2D,
+/** Strokes the outline of a bar. */
+function paintOutline(
+  ctx: CanvasRenderingContext2D,
   color: string,
   from: number,
   to: number,
@@ -80,16 +89,16 @@ function outline(
 ) {
   const width = to - from - 2;
   if (width < 2) return;
-  pen.beginPath();
-  pen.roundRect(from + 0.5, y + 0.5, width, height - 1, Math.min(2.5, width / 2));
-  pen.lineWidth = 1;
-  pen.strokeStyle = color;
-  pen.stroke();
+  ctx.beginPath();
+  ctx.roundRect(from + 0.5, y + 0.5, width, height - 1, Math.min(2.5, width / 2));
+  ctx.lineWidth = 1;
+  ctx.strokeStyle = color;
+  ctx.stroke();
 }
 
-/** Beads under what repeats, a line under what does not, nothing where nobody knows. */
-function underline(
-  pen: CanvasRenderingContext2D,
+/** Draws a dotted line for periodic segments, a solid line for aperiodic ones, nothing otherwise. */
+function paintKindMark(
+  ctx: CanvasRenderingContext2D,
   color: string,
   kind: Segment["kind"],
   from: number,
@@ -97,161 +106,162 @@ function underline(
   bottom: number,
 ) {
   if (kind === "action" || to - from < 10) return;
-  pen.fillStyle = color;
+  ctx.fillStyle = color;
   if (kind === "aperiodic") {
-    pen.fillRect(from + 4, bottom - 4.5, to - from - 9, 1.5);
+    ctx.fillRect(from + 4, bottom - 4.5, to - from - 9, 1.5);
     return;
   }
   for (let x = Math.max(from, -6) + 5; x < to - 4 && x < 8000; x += 6) {
-    pen.fillRect(x, bottom - 5, 2.5, 2.5);
+    ctx.fillRect(x, bottom - 5, 2.5, 2.5);
   }
 }
 
+/** Draws the transitions between segments. */
 function paintTransitions(
-  pen: CanvasRenderingContext2D,
-  { view, ink, segmentation }: Scene,
+  ctx: CanvasRenderingContext2D,
+  { view, theme, segmentation }: Scene,
   lane: SegmentLane,
-  inner: number,
+  laneWidth: number,
 ) {
-  const spans = segmentation?.transitions;
-  if (!spans) return;
-  for (let i = firstIntervalAfter(spans, view.start); i < spans.length; i += 2) {
-    const start = spans[i] as number;
+  const transitions = segmentation?.transitions;
+  if (!transitions) return;
+  for (let i = firstIntervalAfter(transitions, view.start); i < transitions.length; i += 2) {
+    const start = transitions[i] as number;
     if (start > view.end) break;
-    const from = toX(view, start, inner);
-    const width = Math.max(2, toX(view, spans[i + 1] as number, inner) - from - 1);
-    pen.fillStyle = ink.ground;
-    pen.fillRect(from, lane.y, width, lane.height);
-    pen.fillStyle = ink.transition;
-    pen.fillRect(from, lane.y + 1, width, lane.height - 2);
+    const from = toX(view, start, laneWidth);
+    const width = Math.max(2, toX(view, transitions[i + 1] as number, laneWidth) - from - 1);
+    ctx.fillStyle = theme.background;
+    ctx.fillRect(from, lane.y, width, lane.height);
+    ctx.fillStyle = theme.transition;
+    ctx.fillRect(from, lane.y + 1, width, lane.height - 2);
   }
 }
 
-/** The sign of its kind and its name, or its number, as far as there is room. */
-function nameAction(
-  pen: CanvasRenderingContext2D,
-  { view, ink, segmentation }: Scene,
-  action: NamedSegment,
+/** Draws the icon of the kind and the name or number of a segment, as far as they fit. */
+function paintSegmentText(
+  ctx: CanvasRenderingContext2D,
+  { view, theme, segmentation }: Scene,
+  segment: NamedSegment,
   lane: SegmentLane,
-  inner: number,
+  laneWidth: number,
   color: string,
 ) {
-  const spans = segmentation?.transitions;
-  let from = action.start;
-  let to = action.end;
-  if (spans?.length) {
-    // Nothing is written on the hatching.
-    const before = firstIntervalAfter(spans, action.start);
-    if ((spans[before] ?? to) <= from) from = Math.min(spans[before + 1] as number, to);
-    const after = firstIntervalAfter(spans, action.end - 1);
-    if ((spans[after] ?? to) < to) to = Math.max(spans[after] as number, from);
+  const transitions = segmentation?.transitions;
+  let from = segment.start;
+  let to = segment.end;
+  if (transitions?.length) {
+    // Text is not drawn over transitions.
+    const first = firstIntervalAfter(transitions, segment.start);
+    if ((transitions[first] ?? to) <= from) from = Math.min(transitions[first + 1] as number, to);
+    const last = firstIntervalAfter(transitions, segment.end - 1);
+    if ((transitions[last] ?? to) < to) to = Math.max(transitions[last] as number, from);
   }
-  let x = Math.max(0, toX(view, from, inner)) + 7;
-  const end = Math.min(inner, toX(view, to, inner)) - 7;
-  // From afar there is room for nothing.
+  let x = Math.max(0, toX(view, from, laneWidth)) + 7;
+  const end = Math.min(laneWidth, toX(view, to, laneWidth)) - 7;
   if (end <= x) return;
-  const middle = lane.y + lane.height / 2 + (action.kind === "action" ? 0.5 : -1);
-  pen.fillStyle = color;
-  pen.strokeStyle = color;
-  const text = action.name || numeral(action.number);
-  // The name goes before the sign: beads and lines tell the kind as well.
-  const wanted = Math.min(widthOf(pen, ink, text, textSize), 24);
-  if (action.kind !== "action" && end - x >= 15 + wanted) {
-    sign(pen, action.kind, x, middle);
+  const centerY = lane.y + lane.height / 2 + (segment.kind === "action" ? 0.5 : -1);
+  ctx.fillStyle = color;
+  ctx.strokeStyle = color;
+  const text = segment.name || numberText(segment.number);
+  // The text has priority over the icon, since the line shows the kind as well.
+  const wantedWidth = Math.min(textWidth(ctx, theme, text, textSize), 24);
+  if (segment.kind !== "action" && end - x >= 15 + wantedWidth) {
+    paintKindIcon(ctx, segment.kind, x, centerY);
     x += 15;
   }
-  const shown = fitted(pen, ink, text, end - x, textSize);
-  pen.textAlign = "left";
-  if (shown) pen.fillText(shown, x, middle);
+  const truncated = truncateText(ctx, theme, text, end - x, textSize);
+  ctx.textAlign = "left";
+  if (truncated) ctx.fillText(truncated, x, centerY);
 }
 
-/** A loop for what repeats, an arrow for what does not; 10 pixels wide. */
-function sign(pen: CanvasRenderingContext2D, kind: Segment["kind"], x: number, y: number) {
-  pen.lineWidth = 1.3;
-  pen.beginPath();
+/** Draws a loop for periodic and an arrow for aperiodic segments, 10 pixels wide. */
+function paintKindIcon(ctx: CanvasRenderingContext2D, kind: Segment["kind"], x: number, y: number) {
+  ctx.lineWidth = 1.3;
+  ctx.beginPath();
   if (kind === "periodic") {
-    pen.arc(x + 4.5, y, 3.6, -0.9, 4.6);
-    pen.moveTo(x + 7.2, y - 5.2);
-    pen.lineTo(x + 7, y - 2.4);
-    pen.lineTo(x + 9.8, y - 2.4);
+    ctx.arc(x + 4.5, y, 3.6, -0.9, 4.6);
+    ctx.moveTo(x + 7.2, y - 5.2);
+    ctx.lineTo(x + 7, y - 2.4);
+    ctx.lineTo(x + 9.8, y - 2.4);
   } else {
-    pen.moveTo(x, y);
-    pen.lineTo(x + 9, y);
-    pen.moveTo(x + 6, y - 3);
-    pen.lineTo(x + 9, y);
-    pen.lineTo(x + 6, y + 3);
+    ctx.moveTo(x, y);
+    ctx.lineTo(x + 9, y);
+    ctx.moveTo(x + 6, y - 3);
+    ctx.lineTo(x + 9, y);
+    ctx.lineTo(x + 6, y + 3);
   }
-  pen.stroke();
+  ctx.stroke();
 }
 
-/** The motifs, each with the number of its class: those that are alike have the same. */
+/** Draws the motifs with the numbers of their classes. */
 export function paintMotifs(
-  pen: CanvasRenderingContext2D,
-  { view, ink, segmentation }: Scene,
+  ctx: CanvasRenderingContext2D,
+  { view, theme, segmentation }: Scene,
   lane: SegmentLane,
-  inner: number,
+  laneWidth: number,
 ) {
   if (!segmentation) return;
   const { motifs, classes } = segmentation;
-  pen.fillStyle = ink.lane;
-  pen.fillRect(0, lane.y, inner, lane.height);
-  pen.textAlign = "center";
+  ctx.fillStyle = theme.lane;
+  ctx.fillRect(0, lane.y, laneWidth, lane.height);
+  ctx.textAlign = "center";
   for (let i = firstIntervalAfter(motifs, view.start); i < motifs.length; i += 2) {
     const start = motifs[i] as number;
     if (start > view.end) break;
-    const from = toX(view, start, inner);
-    const to = toX(view, motifs[i + 1] as number, inner);
-    pen.fillStyle = ink.edge;
-    pen.fillRect(Math.round(from), lane.y, 1, lane.height);
-    const text = numeral(classes[i / 2] as number);
+    const from = toX(view, start, laneWidth);
+    const to = toX(view, motifs[i + 1] as number, laneWidth);
+    ctx.fillStyle = theme.borderStrong;
+    ctx.fillRect(Math.round(from), lane.y, 1, lane.height);
+    const text = numberText(classes[i / 2] as number);
     const left = Math.max(0, from);
-    const right = Math.min(inner, to);
-    if (right - left < widthOf(pen, ink, text, 10) + 5) continue;
-    pen.fillStyle = ink.muted;
-    pen.fillText(text, (left + right) / 2 + 0.5, lane.y + lane.height / 2 + 0.5);
+    const right = Math.min(laneWidth, to);
+    if (right - left < textWidth(ctx, theme, text, 10) + 5) continue;
+    ctx.fillStyle = theme.muted;
+    ctx.fillText(text, (left + right) / 2 + 0.5, lane.y + lane.height / 2 + 0.5);
   }
 }
 
-const numerals: string[] = [];
+/** Cache of `numberText`, which avoids allocations while drawing. */
+const numberTexts: string[] = [];
 
-function numeral(n: number): string {
-  numerals[n] ??= String(n);
-  return numerals[n];
+function numberText(n: number): string {
+  numberTexts[n] ??= String(n);
+  return numberTexts[n];
 }
 
-/** Someone else's segments: outlines of ours, with their names. */
+/** Draws the reference segments as outlines with their labels. */
 export function paintReferenceSegments(
-  pen: CanvasRenderingContext2D,
-  { view, ink, referenceSegments }: Scene,
+  ctx: CanvasRenderingContext2D,
+  { view, theme, referenceSegments }: Scene,
   lane: SegmentLane,
-  inner: number,
+  laneWidth: number,
 ) {
   const segments = referenceSegments?.segments ?? [];
-  pen.textAlign = "left";
+  ctx.textAlign = "left";
   for (let i = segmentIndexAt(segments, view.start); i < segments.length; i++) {
     const { start, end, label } = segments[i] as Segment;
     if (start > view.end) break;
-    const from = toX(view, start, inner);
-    const to = toX(view, end, inner);
-    outline(pen, ink.muted, from, to, lane.y, lane.height);
+    const from = toX(view, start, laneWidth);
+    const to = toX(view, end, laneWidth);
+    paintOutline(ctx, theme.muted, from, to, lane.y, lane.height);
     const x = Math.max(0, from) + 6;
-    const shown = fitted(pen, ink, label, Math.min(inner, to) - 6 - x, 10);
-    pen.fillStyle = ink.muted;
-    if (shown) pen.fillText(shown, x, lane.y + lane.height / 2 + 0.5);
+    const truncated = truncateText(ctx, theme, label, Math.min(laneWidth, to) - 6 - x, 10);
+    ctx.fillStyle = theme.muted;
+    if (truncated) ctx.fillText(truncated, x, lane.y + lane.height / 2 + 0.5);
   }
 }
 
-/** A small bar as they look, for the label of their lane. */
-export function segmentSwatch(
-  pen: CanvasRenderingContext2D,
-  ink: CanvasTheme,
+/** Draws a small segment for the label of the lane. */
+export function paintSegmentSwatch(
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
   x: number,
   y: number,
 ) {
-  box(pen, x, x + 13, y, 10, 3);
-  pen.fillStyle = ink.raised;
-  pen.fill();
-  outline(pen, ink.edge, x, x + 13, y, 10);
-  pen.fillStyle = ink.edge;
-  pen.fillRect(x + 6, y, 1, 10);
+  addBarPath(ctx, x, x + 13, y, 10, 3);
+  ctx.fillStyle = theme.raised;
+  ctx.fill();
+  paintOutline(ctx, theme.borderStrong, x, x + 13, y, 10);
+  ctx.fillStyle = theme.borderStrong;
+  ctx.fillRect(x + 6, y, 1, 10);
 }

@@ -1,159 +1,158 @@
 import { toX } from "../model/time-view";
 import type { Curve } from "../model/types";
+import { firstIndexWhere } from "../util/binary-search";
 import { quantile } from "../util/min-max-pyramid";
 import type { SegmentLane } from "./layout";
 import type { Scene } from "./scene";
 
-interface Range {
-  low: number;
-  top: number;
+interface ValueRange {
+  minimum: number;
+  maximum: number;
 }
 
-const ranges = new WeakMap<Curve, Range>();
+/** Cache of `rangeOf`. */
+const ranges = new WeakMap<Curve, ValueRange>();
 
-/** One spike must not flatten a curve, but what it is compared with is always in sight. */
-function rangeOf(curve: Curve): Range {
+/** Returns the vertical range: quantiles, so that spikes do not flatten the curve, with the threshold. */
+function rangeOf(curve: Curve): ValueRange {
   let range = ranges.get(curve);
   if (!range) {
-    const top = Math.max(quantile(curve.values, 0.995), quantile(curve.threshold, 0.98));
-    const low = Math.min(0, quantile(curve.values, 0.005));
-    range = { low, top: top > low ? low + 1.06 * (top - low) : low + 1 };
+    const maximum = Math.max(quantile(curve.values, 0.995), quantile(curve.threshold, 0.98));
+    const minimum = Math.min(0, quantile(curve.values, 0.005));
+    range = {
+      minimum,
+      maximum: maximum > minimum ? minimum + 1.06 * (maximum - minimum) : minimum + 1,
+    };
     ranges.set(curve, range);
   }
   return range;
 }
 
-/** What the method looks at: its curve, what that is compared with, where it turns, and the cuts. */
+/** Draws the curve of the segmentation method with its threshold, its extrema and the cuts. */
 export function paintSegmentationCurve(
-  pen: CanvasRenderingContext2D,
+  ctx: CanvasRenderingContext2D,
   scene: Scene,
   lane: SegmentLane,
-  inner: number,
+  laneWidth: number,
 ) {
-  const { ink, view, segmentation, namedSegments } = scene;
-  pen.fillStyle = ink.lane;
-  pen.fillRect(0, lane.y, inner, lane.height);
+  const { theme, view, segmentation, namedSegments } = scene;
+  ctx.fillStyle = theme.lane;
+  ctx.fillRect(0, lane.y, laneWidth, lane.height);
   if (!segmentation) return;
   const { curve } = segmentation;
-  const { low, top } = rangeOf(curve);
+  const { minimum, maximum } = rangeOf(curve);
   const bottom = lane.y + lane.height - 4;
-  const scale = (lane.height - 8) / (top - low);
-  pen.save();
-  pen.beginPath();
-  pen.rect(0, lane.y, inner, lane.height);
-  pen.clip();
-  pen.fillStyle = ink.edge;
+  const scale = (lane.height - 8) / (maximum - minimum);
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(0, lane.y, laneWidth, lane.height);
+  ctx.clip();
+  ctx.fillStyle = theme.borderStrong;
   for (const { start } of namedSegments) {
     if (start === 0 || start < view.start || start > view.end) continue;
-    pen.fillRect(Math.round(toX(view, start, inner)) - 1, lane.y, 1, lane.height);
+    ctx.fillRect(Math.round(toX(view, start, laneWidth)) - 1, lane.y, 1, lane.height);
   }
-  pen.lineJoin = "round";
+  ctx.lineJoin = "round";
   if (curve.threshold.length) {
-    trace(pen, scene, curve.frames, curve.threshold, inner, bottom, scale, low);
-    pen.setLineDash(dashes);
-    pen.strokeStyle = ink.why;
-    pen.lineWidth = 1.25;
-    pen.stroke();
-    pen.setLineDash(solid);
+    addCurvePath(ctx, scene, curve.frames, curve.threshold, laneWidth, bottom, scale, minimum);
+    ctx.setLineDash(dashedLine);
+    ctx.strokeStyle = theme.accent;
+    ctx.lineWidth = 1.25;
+    ctx.stroke();
+    ctx.setLineDash(solidLine);
   }
-  trace(pen, scene, curve.frames, curve.values, inner, bottom, scale, low);
-  pen.strokeStyle = ink.text;
-  pen.lineWidth = 1.5;
-  pen.stroke();
-  dots(pen, scene, curve, inner, bottom, scale, low);
-  pen.restore();
+  addCurvePath(ctx, scene, curve.frames, curve.values, laneWidth, bottom, scale, minimum);
+  ctx.strokeStyle = theme.text;
+  ctx.lineWidth = 1.5;
+  ctx.stroke();
+  paintExtrema(ctx, scene, curve, laneWidth, bottom, scale, minimum);
+  ctx.restore();
 }
 
-const dashes = [4, 3];
-const solid: number[] = [];
+const dashedLine = [4, 3];
+const solidLine: number[] = [];
 
-/** Place of the last value that lies before a frame, or of the first. */
-function before(frames: Float32Array, frame: number): number {
-  let low = 0;
-  let high = frames.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((frames[middle] as number) < frame) low = middle + 1;
-    else high = middle;
-  }
-  return Math.max(0, low - 1);
+/** Returns the index of the last value before a frame, or 0. */
+function indexBefore(frames: Float32Array, frame: number): number {
+  const isAtOrAfter = (i: number) => (frames[i] as number) >= frame;
+  return Math.max(0, firstIndexWhere(frames.length, isAtOrAfter) - 1);
 }
 
 /**
- * A path through values; where many fall on one pixel, from the least of them to the greatest.
- * Methods that begin anew after a cut have no values for a while.
+ * Starts a path through the values. Values in one pixel column are reduced to their minimum and
+ * maximum. The line is interrupted where values are missing, as after the cuts of some methods.
  */
-function trace(
-  pen: CanvasRenderingContext2D,
+function addCurvePath(
+  ctx: CanvasRenderingContext2D,
   { view }: Scene,
   frames: Float32Array,
   values: Float32Array,
-  inner: number,
+  laneWidth: number,
   bottom: number,
   scale: number,
-  low: number,
+  minimum: number,
 ) {
-  const gap = 1.9 * ((frames[1] ?? 0) - (frames[0] ?? 0)) + 0.01;
-  const perPixel = (view.end - view.start) / inner;
-  const yOf = (value: number) => bottom - (value - low) * scale;
+  const maxStep = 1.9 * ((frames[1] ?? 0) - (frames[0] ?? 0)) + 0.01;
+  const framesPerPixel = (view.end - view.start) / laneWidth;
+  const yOf = (value: number) => bottom - (value - minimum) * scale;
   let column = 0;
-  /** The frame with which the next column begins. */
-  let edge = Number.NEGATIVE_INFINITY;
+  /** First frame of the next pixel column. */
+  let nextColumnFrame = Number.NEGATIVE_INFINITY;
   let min = 0;
   let max = 0;
-  const span = () => {
+  const finishColumn = () => {
     if (min === max) return;
-    pen.lineTo(column + 0.5, yOf(max));
-    pen.lineTo(column + 0.5, yOf(min));
+    ctx.lineTo(column + 0.5, yOf(max));
+    ctx.lineTo(column + 0.5, yOf(min));
   };
-  pen.beginPath();
-  for (let i = before(frames, view.start); i < values.length; i++) {
+  ctx.beginPath();
+  for (let i = indexBefore(frames, view.start); i < values.length; i++) {
     const frame = frames[i] as number;
     const value = values[i] as number;
-    if (frame < edge) {
+    if (frame < nextColumnFrame) {
       if (value < min) min = value;
       else if (value > max) max = value;
       continue;
     }
-    span();
-    const x = toX(view, frame, inner);
-    if (i > 0 && frame - (frames[i - 1] as number) > gap) pen.moveTo(x, yOf(value));
-    else pen.lineTo(x, yOf(value));
-    if (x > inner) return;
+    finishColumn();
+    const x = toX(view, frame, laneWidth);
+    if (i > 0 && frame - (frames[i - 1] as number) > maxStep) ctx.moveTo(x, yOf(value));
+    else ctx.lineTo(x, yOf(value));
+    if (x > laneWidth) return;
     column = Math.floor(x);
-    edge = view.start + (column + 1) * perPixel;
+    nextColumnFrame = view.start + (column + 1) * framesPerPixel;
     min = value;
     max = value;
   }
-  span();
+  finishColumn();
 }
 
-/** The turning points, where they stand apart. */
-function dots(
-  pen: CanvasRenderingContext2D,
-  { view, ink }: Scene,
+/** Draws the extrema if they are far enough apart. */
+function paintExtrema(
+  ctx: CanvasRenderingContext2D,
+  { view, theme }: Scene,
   { frames, values, extrema }: Curve,
-  inner: number,
+  laneWidth: number,
   bottom: number,
   scale: number,
-  low: number,
+  minimum: number,
 ) {
   const [first, last] = [extrema[0], extrema.at(-1)];
   if (first === undefined || last === undefined || extrema.length < 2) return;
-  const span = (frames[last] as number) - (frames[first] as number);
-  const apart = (span / extrema.length / (view.end - view.start)) * inner;
-  if (apart < 5) return;
-  const radius = apart < 12 ? 1.75 : 2.5;
-  pen.fillStyle = ink.why;
-  pen.strokeStyle = ink.lane;
-  pen.lineWidth = 1;
+  const duration = (frames[last] as number) - (frames[first] as number);
+  const meanSpacing = (duration / extrema.length / (view.end - view.start)) * laneWidth;
+  if (meanSpacing < 5) return;
+  const radius = meanSpacing < 12 ? 1.75 : 2.5;
+  ctx.fillStyle = theme.accent;
+  ctx.strokeStyle = theme.lane;
+  ctx.lineWidth = 1;
   for (const index of extrema) {
-    const at = frames[index] as number;
-    if (at < view.start || at > view.end) continue;
-    const y = bottom - ((values[index] as number) - low) * scale;
-    pen.beginPath();
-    pen.arc(toX(view, at, inner), y, radius, 0, 7);
-    pen.fill();
-    pen.stroke();
+    const frame = frames[index] as number;
+    if (frame < view.start || frame > view.end) continue;
+    const y = bottom - ((values[index] as number) - minimum) * scale;
+    ctx.beginPath();
+    ctx.arc(toX(view, frame, laneWidth), y, radius, 0, 7);
+    ctx.fill();
+    ctx.stroke();
   }
 }

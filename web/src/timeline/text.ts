@@ -1,81 +1,92 @@
 import type { CanvasTheme } from "../ui/canvas-theme";
 import { font } from "./scene";
 
-interface Known {
-  /** Width of the first characters for each number of them, and that of the dots for the rest. */
+interface MeasuredText {
+  /** Width of the first i characters at index i; the last entry is the width of the ellipsis. */
   widths: Float32Array;
+  /** Number of characters of the text in `truncated`. */
   count: number;
-  shown: string;
+  /** The text as it was last truncated. */
+  truncated: string;
 }
 
-/** What was measured, as long as the typeface is the same: a timeline draws it many times a second. */
-const known = new WeakMap<CanvasTheme, Map<string, Known>>();
+/** Measured texts by font size and text. A new theme, as after loading the font, has a new cache. */
+const cache = new WeakMap<CanvasTheme, Map<string, MeasuredText>>();
 
-function look(pen: CanvasRenderingContext2D, ink: CanvasTheme, text: string, size: number): Known {
-  pen.font = font(size);
-  let texts = known.get(ink);
+/** Measures a text and sets the font of the context. */
+function measure(
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
+  text: string,
+  size: number,
+): MeasuredText {
+  ctx.font = font(size);
+  let texts = cache.get(theme);
   if (!texts || texts.size > 4000) {
     texts = new Map();
-    known.set(ink, texts);
+    cache.set(theme, texts);
   }
   const key = `${size} ${text}`;
-  let held = texts.get(key);
-  if (!held) {
+  let measured = texts.get(key);
+  if (!measured) {
     const widths = new Float32Array(text.length + 2);
-    for (let i = 1; i <= text.length; i++) widths[i] = pen.measureText(text.slice(0, i)).width;
-    widths[text.length + 1] = pen.measureText("…").width;
-    held = { widths, count: text.length, shown: text };
-    texts.set(key, held);
+    for (let i = 1; i <= text.length; i++) widths[i] = ctx.measureText(text.slice(0, i)).width;
+    widths[text.length + 1] = ctx.measureText("…").width;
+    measured = { widths, count: text.length, truncated: text };
+    texts.set(key, measured);
   }
-  return held;
+  return measured;
 }
 
-/** The width of a text; the pen is set to its typeface. */
-export function widthOf(
-  pen: CanvasRenderingContext2D,
-  ink: CanvasTheme,
+/** Returns the width of a text in pixels, and sets the font of the context. */
+export function textWidth(
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
   text: string,
   size: number,
 ) {
-  return look(pen, ink, text, size).widths[text.length] as number;
+  return measure(ctx, theme, text, size).widths[text.length] as number;
 }
 
-/** A text cut to a width, with `…` for what is missing; empty where nothing fits. */
-export function fitted(
-  pen: CanvasRenderingContext2D,
-  ink: CanvasTheme,
+/** Returns a text truncated to a width, with an ellipsis; empty if nothing fits. */
+export function truncateText(
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
   text: string,
-  room: number,
+  maxWidth: number,
   size: number,
 ): string {
-  const held = look(pen, ink, text, size);
-  const { widths } = held;
+  const measured = measure(ctx, theme, text, size);
+  const { widths } = measured;
   let count = text.length;
-  if ((widths[count] as number) > room) {
-    const dots = widths[count + 1] as number;
-    while (count > 0 && (widths[count] as number) + dots > room) count--;
-    // Half of a character that counts twice is none.
+  if ((widths[count] as number) > maxWidth) {
+    const ellipsisWidth = widths[count + 1] as number;
+    while (count > 0 && (widths[count] as number) + ellipsisWidth > maxWidth) count--;
+    // Surrogate pairs are not split.
     if (/[\ud800-\udbff]/.test(text.charAt(count - 1))) count--;
   }
-  if (count !== held.count) {
-    held.count = count;
-    held.shown =
+  if (count !== measured.count) {
+    measured.count = count;
+    measured.truncated =
       count === text.length ? text : count > 0 ? `${text.slice(0, count).trimEnd()}…` : "";
   }
-  return held.shown;
+  return measured.truncated;
 }
 
-/** Two lines of a text, broken between words; the second is cut where it is too long. */
-export function twoLines(
-  pen: CanvasRenderingContext2D,
-  ink: CanvasTheme,
+/** Returns two lines of a text, broken between words; the second is truncated if necessary. */
+export function wrapText(
+  ctx: CanvasRenderingContext2D,
+  theme: CanvasTheme,
   text: string,
-  room: number,
+  maxWidth: number,
   size: number,
 ): readonly [string, string] {
-  let at = text.length;
-  while (at > 0 && widthOf(pen, ink, text.slice(0, at), size) > room)
-    at = text.lastIndexOf(" ", at - 1);
-  if (at <= 0) return [fitted(pen, ink, text, room, size), ""];
-  return [text.slice(0, at), fitted(pen, ink, text.slice(at + 1), room, size)];
+  let breakIndex = text.length;
+  while (breakIndex > 0 && textWidth(ctx, theme, text.slice(0, breakIndex), size) > maxWidth)
+    breakIndex = text.lastIndexOf(" ", breakIndex - 1);
+  if (breakIndex <= 0) return [truncateText(ctx, theme, text, maxWidth, size), ""];
+  return [
+    text.slice(0, breakIndex),
+    truncateText(ctx, theme, text.slice(breakIndex + 1), maxWidth, size),
+  ];
 }

@@ -6,36 +6,37 @@ import { timeView } from "../store/playback";
 import type { Layout } from "./layout";
 import { margin } from "./scene";
 
-/** Where lines stand: what the timeline lays out, and how wide it is in pixels. */
+/** The area in which a marker moves. */
 export interface MarkerArea {
   layout: ReadonlySignal<Layout>;
+  /** Width of the timeline, in pixels. */
   width: ReadonlySignal<number>;
 }
 
 /**
- * An element that stands at a frame, over all lanes, and is hidden while that is out of sight:
- * one of its own, so that moving it repaints no lane.
+ * Places an element over all lanes at a frame, and hides it outside the visible range. Moving it does
+ * not redraw the canvas.
  */
 export function useMarker(
   { layout, width }: MarkerArea,
   frame: () => number | undefined,
 ): RefObject<HTMLDivElement | null> {
-  const mark = useRef<HTMLDivElement>(null);
+  const element = useRef<HTMLDivElement>(null);
   useEffect(
     () =>
       effect(() => {
-        const { labels, minimap } = layout.value;
-        const inner = width.value - labels - margin;
-        const at = frame();
-        const x = at === undefined ? -9 : toX(timeView.value, at, inner);
-        if (!mark.current) return;
-        const { style, dataset } = mark.current;
-        style.visibility = x < -1 || x > inner + 1 ? "hidden" : "visible";
-        style.transform = `translateX(${labels + x}px)`;
+        const { labelWidth, minimap } = layout.value;
+        const laneWidth = width.value - labelWidth - margin;
+        const current = frame();
+        const x = current === undefined ? -9 : toX(timeView.value, current, laneWidth);
+        if (!element.current) return;
+        const { style, dataset } = element.current;
+        style.visibility = x < -1 || x > laneWidth + 1 ? "hidden" : "visible";
+        style.transform = `translateX(${labelWidth + x}px)`;
         style.height = `${minimap.y - 4}px`;
-        dataset.frame = at === undefined ? "" : String(at);
+        dataset.frame = current === undefined ? "" : String(current);
       }),
     [layout, width],
   );
-  return mark;
+  return element;
 }

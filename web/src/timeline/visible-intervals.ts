@@ -1,45 +1,45 @@
 import { firstIntervalAfter } from "../model/intervals";
 import { type TimeView, toX } from "../model/time-view";
 
-/** Narrower than this many pixels, and nearer to each other than `near`, intervals are a crowd. */
-const narrow = 2;
-const near = 1;
+/** Consecutive intervals narrower than `minWidth` with gaps below `minGap` pixels are merged. */
+const minWidth = 2;
+const minGap = 1;
 
 /**
- * Hands over the intervals in sight (start, end, start, end …) from left to right in pixels.
- * A crowd is handed over as one, so that a lane costs as much to draw as it is wide,
- * however long the clip.
+ * Calls `draw` with the pixel range of each visible interval (start, end, start, end …), from left to
+ * right. Merges dense intervals, so that the cost depends on the width of the lane and not on the
+ * length of the clip.
  */
 export function forEachVisible(
   intervals: Uint32Array,
   view: TimeView,
   width: number,
-  draw: (from: number, to: number, isCrowd: boolean) => void,
+  draw: (from: number, to: number, isMerged: boolean) => void,
 ) {
-  // Compared in frames: of a crowd, only the ends are turned into pixels.
-  const perPixel = (view.end - view.start) / width;
-  const [short, close] = [narrow * perPixel, near * perPixel];
+  // Compared in frames, which avoids converting every interval to pixels.
+  const framesPerPixel = (view.end - view.start) / width;
+  const [minFrames, minGapFrames] = [minWidth * framesPerPixel, minGap * framesPerPixel];
   let from = 0;
   let to = Number.NEGATIVE_INFINITY;
   let count = 0;
   let isNarrow = false;
-  const hand = () => {
+  const flush = () => {
     if (count) draw(toX(view, from, width), toX(view, to, width), count > 1);
   };
   for (let i = firstIntervalAfter(intervals, view.start); i < intervals.length; i += 2) {
     const start = intervals[i] as number;
     if (start > view.end) break;
     const end = intervals[i + 1] as number;
-    if (isNarrow && end - start < short && start - to < close) {
+    if (isNarrow && end - start < minFrames && start - to < minGapFrames) {
       to = end;
       count++;
       continue;
     }
-    hand();
+    flush();
     from = start;
     to = end;
     count = 1;
-    isNarrow = end - start < short;
+    isNarrow = end - start < minFrames;
   }
-  hand();
+  flush();
 }

@@ -4,15 +4,15 @@ import { dialog } from "../store/view";
 import { Icon } from "./icons";
 import { Progress } from "./Progress";
 
-/** What lies over the page until it is closed; then the focus is where it was. */
+/** A modal dialog. Closing it returns the focus to the element that had it before. */
 export function Dialog({ title, children }: { title: string; children: ComponentChildren }) {
   const element = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     const opener = document.activeElement;
-    const held = element.current;
-    held?.showModal();
+    const modal = element.current;
+    modal?.showModal();
     return () => {
-      held?.close();
+      modal?.close();
       if (opener instanceof HTMLElement) opener.focus();
     };
   }, []);
@@ -23,16 +23,16 @@ export function Dialog({ title, children }: { title: string; children: Component
     <dialog
       ref={element}
       aria-labelledby="dialog-title"
-      // By Escape it is closed before it says so: keys must be the page's again at once.
+      // Escape fires cancel before close: shortcuts of the page must work again at once.
       onCancel={close}
       onClose={close}
-      // A press beside the dialog lands on its backdrop, which is the element itself.
+      // A press on the backdrop targets the dialog element itself.
       onPointerDown={(event) => event.target === event.currentTarget && close()}
     >
       <div class="dialog-box">
         <div class="dialog-head">
           <h2 id="dialog-title">{title}</h2>
-          <button type="button" class="button plain icon-only" aria-label="Close" onClick={close}>
+          <button type="button" class="button flat icon-only" aria-label="Close" onClick={close}>
             <Icon name="close" />
           </button>
         </div>

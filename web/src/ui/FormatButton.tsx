@@ -10,7 +10,7 @@ export function FormatButton({ format: { title, description, extension }, onClic
   const fileType = extension.slice(extension.lastIndexOf(".") + 1).toUpperCase();
   return (
     <button type="button" class="button" title={description} onClick={onClick}>
-      {title} <span class="quiet">{fileType}</span>
+      {title} <span class="muted">{fileType}</span>
     </button>
   );
 }

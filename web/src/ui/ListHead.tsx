@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
 import { Icon } from "./icons";
 
-/** The head of a list: how many there are, and what they are saved as, behind a button. */
+/** Header of a list: its title and count, and a button that expands the export formats. */
 export function ListHead({
   title,
   count,
@@ -11,32 +11,32 @@ export function ListHead({
 }: {
   title: string;
   count: number;
-  /** The buttons that save. */
+  /** Buttons of the export formats. */
   children: ComponentChildren;
 }) {
-  const isSaving = useSignal(false);
+  const isExpanded = useSignal(false);
   const id = useId();
   return (
     <>
-      <div class="plants-head segments-head">
+      <div class="list-head list-head-compact">
         <h2>
           {title} <span class="number">{count}</span>
         </h2>
         <button
           type="button"
           class="button"
-          aria-expanded={isSaving.value}
+          aria-expanded={isExpanded.value}
           aria-controls={id}
           onClick={() => {
-            isSaving.value = !isSaving.value;
+            isExpanded.value = !isExpanded.value;
           }}
         >
           Save
-          <Icon name={isSaving.value ? "less" : "more"} />
+          <Icon name={isExpanded.value ? "collapse" : "expand"} />
         </button>
       </div>
-      {isSaving.value && (
-        <div class="save" id={id}>
+      {isExpanded.value && (
+        <div class="save-buttons" id={id}>
           {children}
         </div>
       )}

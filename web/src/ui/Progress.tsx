@@ -2,7 +2,8 @@ import { cancelOpening } from "../actions/open";
 import { jobs, opening } from "../store/jobs";
 import { openClip } from "../store/session";
 
-const stages = { fetch: "Downloading", read: "Reading", detect: "Finding plants in" } as const;
+/** Titles of the stages of opening a clip. */
+const stages = { fetch: "Downloading", read: "Reading", detect: "Detecting plants in" } as const;
 
 /** Returns the opening or the oldest job, in the form in which it is shown. */
 function shownJob() {

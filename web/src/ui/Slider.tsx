@@ -1,42 +1,53 @@
-/** The track of a slider, and how values lie on it where not evenly. */
+/** Range of slider positions, with conversions if values are not linear in the position. */
 interface Range {
   min: number;
   max: number;
   step: number;
-  to?: (value: number) => number;
-  from?: (position: number) => number;
+  toPosition?: (value: number) => number;
+  fromPosition?: (position: number) => number;
 }
 
 interface Props {
   id: string;
   name: string;
   value: number;
-  /** What it is set back to. */
-  usual: number;
-  text: (value: number) => string;
-  /** What a screen reader says; the text where absent. */
-  spoken?: (value: number) => string;
+  /** The value that the reset button restores. */
+  defaultValue: number;
+  /** Returns the displayed text. */
+  format: (value: number) => string;
+  /** Returns the text for screen readers, by default the displayed text. */
+  formatForScreenReader?: (value: number) => string;
   range: Range;
-  ends: readonly [low: string, high: string];
-  set: (value: number) => void;
+  endLabels: readonly [low: string, high: string];
+  onChange: (value: number) => void;
 }
 
-/** A named value on a slider, with a way back to what is usual. */
-export function Slider({ id, name, value, usual, text, spoken = text, range, ends, set }: Props) {
-  const { min, max, step, to = same, from = same } = range;
-  const position = to(value);
+/** A slider with a label, the formatted value, and a reset button if the value is not the default. */
+export function Slider({
+  id,
+  name,
+  value,
+  defaultValue,
+  format,
+  formatForScreenReader = format,
+  range,
+  endLabels,
+  onChange,
+}: Props) {
+  const { min, max, step, toPosition = identity, fromPosition = identity } = range;
+  const position = toPosition(value);
   return (
     <div class="field">
       <div class="field-head">
         <h2>
           <label for={id}>{name}</label>
         </h2>
-        {value !== usual && (
-          <button type="button" class="link" onClick={() => set(usual)}>
-            Reset<span class="hidden"> {name.split(" ")[0]?.toLowerCase()}</span>
+        {value !== defaultValue && (
+          <button type="button" class="link" onClick={() => onChange(defaultValue)}>
+            Reset<span class="visually-hidden"> {name.split(" ")[0]?.toLowerCase()}</span>
           </button>
         )}
-        <output for={id}>{text(value)}</output>
+        <output for={id}>{format(value)}</output>
       </div>
       <input
         id={id}
@@ -45,19 +56,19 @@ export function Slider({ id, name, value, usual, text, spoken = text, range, end
         max={max}
         step={step}
         value={position}
-        // The part left of the thumb, which only Firefox can style by itself.
+        // Fraction of the track left of the thumb; only Firefox can style it without help.
         ref={(input) => {
-          input?.style.setProperty("--share", String((position - min) / (max - min)));
+          input?.style.setProperty("--fraction", String((position - min) / (max - min)));
         }}
-        aria-valuetext={spoken(value)}
-        onInput={(event) => set(from(event.currentTarget.valueAsNumber))}
+        aria-valuetext={formatForScreenReader(value)}
+        onInput={(event) => onChange(fromPosition(event.currentTarget.valueAsNumber))}
       />
-      <p class="ends" aria-hidden="true">
-        <span>{ends[0]}</span>
-        <span>{ends[1]}</span>
+      <p class="slider-ends" aria-hidden="true">
+        <span>{endLabels[0]}</span>
+        <span>{endLabels[1]}</span>
       </p>
     </div>
   );
 }
 
-const same = (value: number) => value;
+const identity = (value: number) => value;

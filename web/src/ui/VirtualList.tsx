@@ -4,42 +4,43 @@ import { useVisibleRows } from "./use-visible-rows";
 
 const rowHeight = 36;
 
-/** A list of which only the rows in sight exist: an hour of walking has thousands. */
+/** A list that renders only the visible rows, for thousands of items. */
 export function VirtualList<T>({
   items,
-  row,
-  shown,
+  renderRow,
+  visibleIndex,
 }: {
   items: readonly T[];
-  row: (item: T) => ComponentChildren;
-  /** Place of an item to bring into sight. */
-  shown?: number | undefined;
+  renderRow: (item: T) => ComponentChildren;
+  /** Index of an item to scroll to. */
+  visibleIndex?: number | undefined;
 }) {
-  const box = useRef<HTMLDivElement>(null);
-  const { from, to } = useVisibleRows(box, rowHeight, items.length);
+  const container = useRef<HTMLDivElement>(null);
+  const { from, to } = useVisibleRows(container, rowHeight, items.length);
   useEffect(() => {
-    const scroller = box.current?.closest("[data-scrolls]");
-    if (shown === undefined || !scroller || !box.current) return;
-    const list = box.current.getBoundingClientRect().top - scroller.getBoundingClientRect().top;
-    const at = list + shown * rowHeight;
-    if (at < 0 || at + rowHeight > scroller.clientHeight) {
-      scroller.scrollTop += at - (scroller.clientHeight - rowHeight) / 2;
+    const scroller = container.current?.closest("[data-scrolls]");
+    if (visibleIndex === undefined || !scroller || !container.current) return;
+    const listTop =
+      container.current.getBoundingClientRect().top - scroller.getBoundingClientRect().top;
+    const top = listTop + visibleIndex * rowHeight;
+    if (top < 0 || top + rowHeight > scroller.clientHeight) {
+      scroller.scrollTop += top - (scroller.clientHeight - rowHeight) / 2;
     }
-  }, [shown]);
+  }, [visibleIndex]);
   return (
-    <div ref={box}>
+    <div ref={container}>
       <ol
-        class="plants"
-        ref={(el) => el?.style.setProperty("height", `${items.length * rowHeight}px`)}
+        class="virtual-list"
+        ref={(element) => element?.style.setProperty("height", `${items.length * rowHeight}px`)}
       >
         {items.slice(from, to).map((item, i) => (
           <li
             key={from + i}
             aria-posinset={from + i + 1}
             aria-setsize={items.length}
-            ref={(el) => el?.style.setProperty("top", `${(from + i) * rowHeight}px`)}
+            ref={(element) => element?.style.setProperty("top", `${(from + i) * rowHeight}px`)}
           >
-            {row(item)}
+            {renderRow(item)}
           </li>
         ))}
       </ol>

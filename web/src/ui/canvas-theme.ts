@@ -1,98 +1,106 @@
 import type { Side } from "../model/types";
 
-/** The page's colours as the canvas needs them, with the patterns made of them. */
+/** Colours of the style sheet and fill patterns for drawing on a canvas. */
 export interface CanvasTheme {
-  ground: string;
+  background: string;
   lane: string;
-  line: string;
-  edge: string;
+  border: string;
+  borderStrong: string;
   raised: string;
-  why: string;
+  /** Thresholds and the frame under the pointer. */
+  accent: string;
   muted: string;
   text: string;
   left: string;
   right: string;
-  onSide: string;
+  /** Text on the colour of a side. */
+  textOnSide: string;
   tint: Record<Side, string>;
+  /** Heel contact. */
   hatch: Record<Side, CanvasPattern | string>;
+  /** Frames without a reference label. */
   unknown: CanvasPattern | string;
-  erode: CanvasPattern | string;
+  /** Frames of low confidence; drawn over a bar. */
+  uncertain: CanvasPattern | string;
+  /** Transitions between segments. */
   transition: CanvasPattern | string;
 }
 
+/** Reads the colours from the custom properties of an element; `pixelRatio` is device pixels per CSS pixel. */
 export function readCanvasTheme(
-  from: Element,
-  pen: CanvasRenderingContext2D,
-  ratio: number,
+  element: Element,
+  ctx: CanvasRenderingContext2D,
+  pixelRatio: number,
 ): CanvasTheme {
-  const style = getComputedStyle(from);
+  const style = getComputedStyle(element);
   const color = (name: string) => style.getPropertyValue(name).trim();
-  const [left, right, ground] = [color("--left"), color("--right"), color("--panel")];
+  const [left, right, background] = [color("--left"), color("--right"), color("--panel")];
   return {
-    ground,
+    background,
     lane: color("--lane"),
-    line: color("--line"),
-    edge: color("--edge"),
+    border: color("--border"),
+    borderStrong: color("--border-strong"),
     raised: color("--raised"),
-    why: color("--why"),
+    accent: color("--accent"),
     muted: color("--muted"),
-    text: color("--ink"),
+    text: color("--text"),
     left,
     right,
-    onSide: color("--on-side"),
+    textOnSide: color("--text-on-side"),
     tint: { left: color("--left-tint"), right: color("--right-tint") },
-    unknown: hatch(pen, color("--edge"), ratio),
-    hatch: { left: hatch(pen, left, ratio), right: hatch(pen, right, ratio) },
-    transition: hatch(pen, color("--muted"), ratio),
-    erode: dots(pen, ground, ratio),
+    unknown: createHatch(ctx, color("--border-strong"), pixelRatio),
+    hatch: { left: createHatch(ctx, left, pixelRatio), right: createHatch(ctx, right, pixelRatio) },
+    transition: createHatch(ctx, color("--muted"), pixelRatio),
+    uncertain: createDots(ctx, background, pixelRatio),
   };
 }
 
-function pattern(
-  pen: CanvasRenderingContext2D,
+/** Returns a repeating pattern of a square tile, or undefined without a canvas. */
+function createPattern(
+  ctx: CanvasRenderingContext2D,
   size: number,
-  ratio: number,
-  paint: (p: CanvasRenderingContext2D) => void,
+  pixelRatio: number,
+  draw: (tileCtx: CanvasRenderingContext2D) => void,
 ): CanvasPattern | undefined {
   const tile = document.createElement("canvas");
-  tile.width = Math.round(size * ratio);
+  tile.width = Math.round(size * pixelRatio);
   tile.height = tile.width;
-  const p = tile.getContext("2d");
-  if (!p) return undefined;
-  p.scale(tile.width / size, tile.width / size);
-  paint(p);
-  const made = pen.createPattern(tile, "repeat");
-  made?.setTransform(new DOMMatrix().scale(size / tile.width));
-  return made ?? undefined;
+  const tileCtx = tile.getContext("2d");
+  if (!tileCtx) return undefined;
+  tileCtx.scale(tile.width / size, tile.width / size);
+  draw(tileCtx);
+  const pattern = ctx.createPattern(tile, "repeat");
+  pattern?.setTransform(new DOMMatrix().scale(size / tile.width));
+  return pattern ?? undefined;
 }
 
-/** Diagonal strokes: the heel's texture. */
-function hatch(pen: CanvasRenderingContext2D, color: string, ratio: number) {
-  const made = pattern(pen, 6, ratio, (p) => {
-    p.strokeStyle = color;
-    p.lineWidth = 1.6;
-    p.beginPath();
+/** Returns a pattern of diagonal lines, or the plain colour without a canvas. */
+function createHatch(ctx: CanvasRenderingContext2D, color: string, pixelRatio: number) {
+  const pattern = createPattern(ctx, 6, pixelRatio, (tileCtx) => {
+    tileCtx.strokeStyle = color;
+    tileCtx.lineWidth = 1.6;
+    tileCtx.beginPath();
     for (const x of [-6, 0, 6]) {
-      p.moveTo(x - 1, 7);
-      p.lineTo(x + 7, -1);
+      tileCtx.moveTo(x - 1, 7);
+      tileCtx.lineTo(x + 7, -1);
     }
-    p.stroke();
+    tileCtx.stroke();
   });
-  return made ?? color;
+  return pattern ?? color;
 }
 
-/** Holes in the colour of the ground: doubt eats into a bar. */
-function dots(pen: CanvasRenderingContext2D, ground: string, ratio: number) {
-  const made = pattern(pen, 4, ratio, (p) => {
-    p.fillStyle = ground;
+/** Returns a pattern of dots in the background colour, which look like holes in a bar. */
+function createDots(ctx: CanvasRenderingContext2D, background: string, pixelRatio: number) {
+  const pattern = createPattern(ctx, 4, pixelRatio, (tileCtx) => {
+    tileCtx.fillStyle = background;
     for (const [x, y] of [
       [1, 1],
       [3, 3],
     ] as const) {
-      p.beginPath();
-      p.arc(x, y, 0.95, 0, 7);
-      p.fill();
+      tileCtx.beginPath();
+      tileCtx.arc(x, y, 0.95, 0, 7);
+      tileCtx.fill();
     }
   });
-  return made ?? "transparent";
+  return pattern ?? "transparent";
 }

@@ -9,8 +9,8 @@ const paths = {
   loop: (
     <path d="M11 2.500 13 4.500l-2 2M13 4.500H5.500a3 3 0 0 0-3 3v.5M5 13.500l-2-2 2-2M3 11.500h7.500a3 3 0 0 0 3-3V8" />
   ),
-  more: <path d="m4.500 6.500 3.500 3.500 3.500-3.500" />,
-  less: <path d="m4.500 9.500 3.500-3.500 3.500 3.500" />,
+  expand: <path d="m4.500 6.500 3.500 3.500 3.500-3.500" />,
+  collapse: <path d="m4.500 9.500 3.500-3.500 3.500 3.500" />,
   periodic: (
     <path d="M10.300 5.200a3.600 3.600 0 1 0 1.200 3.600M11.800 3.200l-.1 2.900-2.900-.1" />
   ),
@@ -27,6 +27,7 @@ const paths = {
 
 export type IconName = keyof typeof paths;
 
+/** A decorative icon of 16 pixels. */
 export function Icon({ name }: { name: IconName }) {
   return (
     <svg
@@ -46,11 +47,11 @@ export function Icon({ name }: { name: IconName }) {
   );
 }
 
-/** The sole of the footprints on the floor. */
-export function Mark() {
+/** The logo of the app: the footprint that the viewer draws on the floor. */
+export function Logo() {
   return (
     <svg
-      class="mark"
+      class="logo"
       viewBox="6 0 20 32"
       width="14"
       height="22"

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { formatBytes, formatClock, formatCount, formatDuration, formatRate } from "./format";
 
-describe("clock", () => {
+describe("formatClock", () => {
   it("shows minutes, seconds and milliseconds", () => {
     expect(formatClock(0)).toBe("0:00.000");
     expect(formatClock(12.875)).toBe("0:12.875");
@@ -11,13 +11,13 @@ describe("clock", () => {
   it("adds hours", () => expect(formatClock(3600 + 125)).toBe("1:02:05.000"));
 });
 
-it("names spans in the unit that reads best", () => {
+it("formats durations in seconds or minutes", () => {
   expect(formatDuration(0.417)).toBe("0.42 s");
   expect(formatDuration(31)).toBe("31.0 s");
   expect(formatDuration(725)).toBe("12 min 5 s");
 });
 
-it("drops needless digits of a rate", () => {
+it("formats rates without trailing zeros", () => {
   expect(formatRate(120.00048)).toBe("120 Hz");
   expect(formatRate(59.94)).toBe("59.94 Hz");
 });
@@ -27,7 +27,7 @@ it("groups thousands", () => {
   expect(formatCount(432000)).toBe("432\u202f000");
 });
 
-it("names sizes", () => {
+it("formats file sizes", () => {
   expect(formatBytes(512)).toBe("512 B");
   expect(formatBytes(12_400_000)).toBe("12.4 MB");
 });

@@ -4,23 +4,23 @@ import { mapConcurrent } from "./map-concurrent";
 it("runs a limited number of calls at a time and keeps the order", async () => {
   const finish: (() => void)[] = [];
   let running = 0;
-  let most = 0;
-  const numbers = Array.from({ length: 100 }, (_, at) => at);
+  let maxRunning = 0;
+  const numbers = Array.from({ length: 100 }, (_, i) => i);
   const mapping = mapConcurrent(numbers, async (number) => {
-    most = Math.max(most, ++running);
+    maxRunning = Math.max(maxRunning, ++running);
     await new Promise<void>((resolve) => finish.push(resolve));
     running--;
     return 2 * number;
   });
-  // Finished in the reverse of the order in which they were started.
+  // The calls finish in reverse order.
   while (running) {
     finish.pop()?.();
     await Promise.resolve();
     await Promise.resolve();
   }
   expect(await mapping).toEqual(numbers.map((number) => 2 * number));
-  expect(most).toBeGreaterThan(1);
-  expect(most).toBeLessThan(100);
+  expect(maxRunning).toBeGreaterThan(1);
+  expect(maxRunning).toBeLessThan(100);
 });
 
 it("rejects if a call fails", async () => {

@@ -9,7 +9,7 @@ export async function mapConcurrent<In, Out>(
   const results: Out[] = [];
   const queue = items.entries();
   const runQueue = async () => {
-    for (const [at, item] of queue) results[at] = await map(item);
+    for (const [index, item] of queue) results[index] = await map(item);
   };
   await Promise.all(Array.from({ length: maxConcurrent }, runQueue));
   return results;

@@ -11,13 +11,13 @@ it("keeps every peak and trough of many frames", () => {
   expect(columns[0]).toBe(0);
 });
 
-it("repeats a frame that is wider than a column", () => {
+it("repeats values that are wider than a column", () => {
   const values = Float32Array.of(1, 2);
   const columns = minMaxColumns(values, extremesOf(values), 0, 2, 8);
   expect([...columns]).toEqual([1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2]);
 });
 
-it("finds all from afar that it finds close by, and nothing that is a quarter of a column away", () => {
+it("covers all values of a column and none further than a quarter of a column away", () => {
   const values = Float32Array.from({ length: 10_007 }, (_, i) => Math.sin(i * i));
   for (const [start, end] of [
     [0, 10_007],
@@ -25,18 +25,18 @@ it("finds all from afar that it finds close by, and nothing that is a quarter of
     [-200, 10_100],
   ] as const) {
     const columns = minMaxColumns(values, extremesOf(values), start, end, 50);
-    const each = (end - start) / 50;
+    const columnWidth = (end - start) / 50;
     const within = (from: number, to: number) =>
       values.slice(Math.max(0, Math.floor(from)), Math.max(0, Math.ceil(to)));
     for (let column = 0; column < 50; column++) {
-      const [from, to] = [start + column * each, start + (column + 1) * each];
-      const under = within(from, to);
-      if (!under.length) continue;
-      const around = within(from - each / 4, to + each / 4);
+      const [from, to] = [start + column * columnWidth, start + (column + 1) * columnWidth];
+      const inside = within(from, to);
+      if (!inside.length) continue;
+      const around = within(from - columnWidth / 4, to + columnWidth / 4);
       const [min, max] = columns.slice(2 * column, 2 * column + 2);
-      expect(min).toBeLessThanOrEqual(Math.min(...under));
+      expect(min).toBeLessThanOrEqual(Math.min(...inside));
       expect(min).toBeGreaterThanOrEqual(Math.min(...around));
-      expect(max).toBeGreaterThanOrEqual(Math.max(...under));
+      expect(max).toBeGreaterThanOrEqual(Math.max(...inside));
       expect(max).toBeLessThanOrEqual(Math.max(...around));
     }
   }
@@ -48,7 +48,7 @@ it("does not read outside the series", () => {
   expect([...columns].every(Number.isFinite)).toBe(true);
 });
 
-it("finds a quantile", () => {
+it("returns a quantile", () => {
   expect(quantile(Float32Array.of(5, 1, 3, 2, 4), 0.5)).toBe(3);
   expect(quantile(new Float32Array(0), 0.5)).toBe(0);
 });

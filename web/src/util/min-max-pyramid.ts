@@ -32,10 +32,13 @@ export function extremesOf(values: Float32Array): Float32Array {
 }
 
 /**
- * Least and greatest value of a series under each pixel column, so that a curve costs
- * as much to draw as the canvas is wide, however long the clip: from afar it is read
- * from its extremes, whole ones, which reach over a column's edges by a quarter of its width at
- * most. `out` holds min, max, min, max …; columns nobody falls in repeat the sample they lie on.
+ * Returns the minimum and maximum of a series in each pixel column: min, max, min, max, …. The cost
+ * of drawing depends on the width of the canvas, not on the length of the clip.
+ *
+ * When zoomed out, blocks of `extremes` are read instead of values. Blocks may extend beyond a
+ * column by at most a quarter of its width. Columns between two values repeat the earlier one.
+ *
+ * @param out Array to which the result is written.
  */
 export function minMaxColumns(
   values: Float32Array,
@@ -46,18 +49,24 @@ export function minMaxColumns(
   out = new Float32Array(2 * columns),
 ): Float32Array {
   const perColumn = (end - start) / columns;
-  // A series of pairs, or one in which each value is both.
-  const isFar = perColumn >= 4 * blockSize;
-  const [series, apart, upper, each] = isFar ? [extremes, 2, 1, blockSize] : [values, 1, 0, 1];
-  const last = series.length / apart - 1;
+  const useBlocks = perColumn >= 4 * blockSize;
+  // Entries are pairs of minimum and maximum, or single values that are both.
+  const [series, stride, maxOffset, valuesPerEntry] = useBlocks
+    ? [extremes, 2, 1, blockSize]
+    : [values, 1, 0, 1];
+  const last = series.length / stride - 1;
   for (let column = 0; column < columns; column++) {
-    const from = clamp(Math.floor((start + column * perColumn) / each), 0, last);
-    const to = clamp(Math.ceil((start + (column + 1) * perColumn) / each), from + 1, last + 1);
-    let min = series[apart * from] ?? 0;
-    let max = series[apart * from + upper] ?? 0;
+    const from = clamp(Math.floor((start + column * perColumn) / valuesPerEntry), 0, last);
+    const to = clamp(
+      Math.ceil((start + (column + 1) * perColumn) / valuesPerEntry),
+      from + 1,
+      last + 1,
+    );
+    let min = series[stride * from] ?? 0;
+    let max = series[stride * from + maxOffset] ?? 0;
     for (let i = from + 1; i < to; i++) {
-      const low = series[apart * i] as number;
-      const high = series[apart * i + upper] as number;
+      const low = series[stride * i] as number;
+      const high = series[stride * i + maxOffset] as number;
       if (low < min) min = low;
       if (high > max) max = high;
     }

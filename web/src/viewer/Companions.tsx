@@ -2,18 +2,18 @@ import { removeCompanion } from "../actions/companions";
 import { companions } from "../store/companions";
 import { Icon } from "../ui/icons";
 
-/** The clips beside the one on show, by name. */
+/** Lists the clips that are shown for comparison, each with a button to remove it. */
 export function Companions() {
   if (!companions.value.length) return null;
   return (
-    <ul class="companions" aria-label="Beside it">
+    <ul class="companions" aria-label="Comparison clips">
       {companions.value.map(({ source }) => (
         <li key={source.name} class="chip">
           <span>{source.name}</span>
           <button
             type="button"
-            aria-label={`Take ${source.name} away`}
-            title="Take away"
+            aria-label={`Remove ${source.name} from the comparison`}
+            title="Remove from the comparison"
             onClick={() => removeCompanion(source)}
           >
             <Icon name="close" />

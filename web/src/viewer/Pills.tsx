@@ -5,12 +5,12 @@ import { isFramePreviewed, shownFrame } from "../store/evidence";
 import { detection, openClip, plants } from "../store/session";
 import { formatDuration } from "../util/format";
 
-/** What each foot does now, in words. */
+/** Contact state of each foot at the shown frame, as text. */
 export function Pills() {
   if (!detection.value) return null;
   return (
     <div class="pills">
-      {isFramePreviewed.value && <p class="pill why-pill">Frame {shownFrame}</p>}
+      {isFramePreviewed.value && <p class="pill frame-pill">Frame {shownFrame}</p>}
       <Pill side="left" />
       <Pill side="right" />
     </div>
@@ -18,17 +18,19 @@ export function Pills() {
 }
 
 function Pill({ side }: { side: Side }) {
-  const plant = useComputed<Plant | undefined>(() => plantAt(plants.value, shownFrame.value, side));
+  const current = useComputed<Plant | undefined>(() =>
+    plantAt(plants.value, shownFrame.value, side),
+  );
   const name = side === "left" ? "Left" : "Right";
   const rate = openClip.value?.rate ?? 1;
-  const planted = plant.value;
+  const plant = current.value;
   return (
-    <p class={`pill ${side}`} data-planted={planted !== undefined}>
+    <p class={`pill ${side}`} data-planted={plant !== undefined}>
       <span class="dot" aria-hidden="true" />
-      {planted ? (
+      {plant ? (
         <>
           {name} planted{" "}
-          <span class="quiet">{formatDuration((planted.end - planted.start) / rate)}</span>
+          <span class="muted">{formatDuration((plant.end - plant.start) / rate)}</span>
         </>
       ) : (
         `${name} in the air`

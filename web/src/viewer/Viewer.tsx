@@ -33,26 +33,26 @@ import { Companions } from "./Companions";
 import { Pills } from "./Pills";
 import type { Stage } from "./stage";
 
-/** Why there is no picture; empty while there is one. */
-const trouble = signal<"" | "missing" | "lost">("");
+/** Reason why nothing is drawn: no WebGL, or a lost graphics context. Empty while drawing works. */
+const problem = signal<"" | "missing" | "lost">("");
 
 const views: readonly CameraView[] = ["perspective", "front", "side", "top"];
 
 export function Viewer() {
   const host = useRef<HTMLDivElement>(null);
-  useEffect(() => (host.current ? direct(host.current) : undefined), []);
+  useEffect(() => (host.current ? mountStage(host.current) : undefined), []);
   const label = useComputed(() =>
-    openClip.value ? `The skeleton of ${openClip.value.name}` : "A walking skeleton",
+    openClip.value ? `Skeleton of ${openClip.value.name}` : "A walking skeleton",
   );
   return (
     <section class="viewer" aria-label="View">
       <div class="stage" ref={host} role="img" aria-label={label} />
-      {trouble.value && <p class="viewer-trouble">{troubleText[trouble.value]}</p>}
+      {problem.value && <p class="viewer-error">{problemText[problem.value]}</p>}
       {openClip.value && (
         <>
-          <div class="viewer-tools" hidden={trouble.value === "missing"}>
+          <div class="viewer-tools" hidden={problem.value === "missing"}>
             <fieldset class="segmented">
-              <legend class="hidden">Camera</legend>
+              <legend class="visually-hidden">Camera</legend>
               {views.map((view) => (
                 <button
                   key={view}
@@ -88,7 +88,7 @@ export function Viewer() {
           </div>
           <Pills />
           <Companions />
-          <p class="scale" hidden={trouble.value === "missing"}>
+          <p class="grid-size" hidden={problem.value === "missing"}>
             Grid {gridStep(characterSize(openClip.value))} m
           </p>
         </>
@@ -97,50 +97,56 @@ export function Viewer() {
   );
 }
 
-const troubleText = {
+const problemText = {
   missing:
-    "This browser shows no 3D (WebGL is off or missing). The timeline and the labels work without it.",
-  lost: "The graphics driver dropped the picture. It comes back by itself when the driver does; the timeline works meanwhile.",
+    "3D view unavailable: WebGL is disabled or not supported. Enable WebGL to see the skeleton; the timeline and the labels work without it.",
+  lost: "3D view interrupted: the graphics driver has reset. The view returns when the driver recovers; the timeline still works.",
 } as const;
 
-/** Builds the stage when three.js has come, keeps it at what the state says; returns how to end it. */
-function direct(host: HTMLElement): () => void {
-  let ended = false;
-  let end = () => {};
-  const coming = Promise.race([firstInteraction, when(() => opening.value || clip.value)]);
-  void Promise.all([coming.then(() => import("./stage")), when(() => clip.value)]).then(
+/**
+ * Creates the stage as soon as three.js has loaded and binds it to the application state. Returns a
+ * function that removes it.
+ */
+function mountStage(host: HTMLElement): () => void {
+  let unmounted = false;
+  let dispose = () => {};
+  const stageNeeded = Promise.race([
+    firstInteraction,
+    untilTruthy(() => opening.value || clip.value),
+  ]);
+  void Promise.all([stageNeeded.then(() => import("./stage")), untilTruthy(() => clip.value)]).then(
     ([{ Stage }]) => {
-      if (ended) return;
+      if (unmounted) return;
       let stage: Stage;
       try {
         stage = new Stage(host, prefersReducedMotion());
       } catch {
-        trouble.value = "missing";
+        problem.value = "missing";
         return;
       }
       stage.canvas.addEventListener("webglcontextlost", (event) => {
         event.preventDefault();
-        trouble.value = "lost";
+        problem.value = "lost";
       });
       stage.canvas.addEventListener("webglcontextrestored", () => {
-        trouble.value = "";
+        problem.value = "";
         stage.invalidate();
       });
-      const stops = connect(stage);
-      end = () => {
-        for (const stop of stops) stop();
+      const disposers = bindStage(stage);
+      dispose = () => {
+        for (const stop of disposers) stop();
         stage.dispose();
       };
     },
   );
   return () => {
-    ended = true;
-    end();
+    unmounted = true;
+    dispose();
   };
 }
 
-/** Settles when a state has come. */
-function when(state: () => unknown): Promise<void> {
+/** Resolves as soon as the state is truthy. */
+function untilTruthy(state: () => unknown): Promise<void> {
   return new Promise((resolve) => {
     const stop = effect(() => {
       if (!state()) return;
@@ -150,36 +156,37 @@ function when(state: () => unknown): Promise<void> {
   });
 }
 
-function connect(stage: Stage): (() => void)[] {
+function bindStage(stage: Stage): (() => void)[] {
   stageHandle.value = stage;
-  let before: unknown;
-  let up: unknown;
+  let previousSource: unknown;
+  let previousUp: unknown;
   return [
     effect(() => {
       void theme.value;
-      const isOther = before !== source.value;
-      const reframe = isOther || up !== clip.value?.up;
-      before = source.value;
-      up = clip.value?.up;
-      const held = clip.value;
-      const after = cleaned.value && { ...held, positions: cleaned.value.positions };
-      stage.setClip(after && cleanedView.value !== "before" ? (after as Clip) : held, reframe);
-      if (cleanedView.value === "both") stage.setGhost(held);
+      const isNewClip = previousSource !== source.value;
+      const reframe = isNewClip || previousUp !== clip.value?.up;
+      previousSource = source.value;
+      previousUp = clip.value?.up;
+      const original = clip.value;
+      const corrected = cleaned.value && { ...original, positions: cleaned.value.positions };
+      const isCorrected = corrected && cleanedView.value !== "before";
+      stage.setClip(isCorrected ? (corrected as Clip) : original, reframe);
+      if (cleanedView.value === "both") stage.setGhost(original);
       stage.setLabels(detection.peek(), plants.peek());
       stage.setCompanions(openClip.value ? companions.peek() : []);
       stage.setTrails(trailsVisible.peek());
       if (reframe) cameraView.value = "perspective";
-      if (isOther) showAsSent(stage);
+      if (isNewClip) applyLinkedView(stage);
     }),
     effect(() => stage.setLabels(detection.value, plants.value)),
     effect(() => stage.setTrails(trailsVisible.value)),
     effect(() => stage.setCompanions(openClip.value ? companions.value : [])),
     effect(() => stage.seek(shownMoment.value)),
     effect(() => stage.setFollow(followCamera.value || isPreview.value)),
-    effect(() => stage.setAside(isPreview.value)),
+    effect(() => stage.setPreview(isPreview.value)),
     skipFirst(
       () => cameraRequests.value,
-      () => stage.look(cameraView.peek()),
+      () => stage.setCameraView(cameraView.peek()),
     ),
     skipFirst(
       () => frameAllRequests.value,
@@ -188,17 +195,17 @@ function connect(stage: Stage): (() => void)[] {
   ];
 }
 
-/** The camera is where a link or a shared page says. */
-function showAsSent(stage: Stage) {
+/** Applies the camera and the playhead that a link or a shared page carries. */
+function applyLinkedView(stage: Stage) {
   const { view } = source.peek() ?? {};
   if (!view) return;
   stage.seek(playhead.peek());
   stage.setFollow(followCamera.peek());
-  stage.show(view);
+  stage.applyViewState(view);
   if (view.view) cameraView.value = view.view;
 }
 
-/** An effect for requests: what was asked before there was a stage is past. */
+/** An effect that ignores the initial value: requests made before the stage existed are dropped. */
 function skipFirst<T>(read: () => T, act: (value: T) => void): () => void {
   let first = true;
   return effect(() => {

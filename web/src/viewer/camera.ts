@@ -30,44 +30,46 @@ CameraControls.install({
 });
 
 const fov = 32;
-/** The part of the free height of the picture that the clip's greatest height takes. */
-const share = 0.84;
-/** Pixels that the page's own things take from the picture: tools above, on a phone pills below. */
-const taken = { wide: { top: 52, bottom: 44 }, narrow: { top: 54, bottom: 54 } };
-/** Degrees from straight above. */
-const tilt = 76 * MathUtils.DEG2RAD;
+/** Fraction of the free canvas height that the tallest pose fills. */
+const characterFraction = 0.84;
+/** Canvas height covered by controls, in pixels: tools at the top, pills at the bottom on a phone. */
+const reserved = { wide: { top: 52, bottom: 44 }, narrow: { top: 54, bottom: 54 } };
+/** Polar angle of the perspective view, in radians from straight above. */
+const perspectivePolar = 76 * MathUtils.DEG2RAD;
 
-/** From where each of the four sides is looked at, in radians; the azimuth from where the character faces. */
-const angles = {
-  perspective: { azimuth: -0.62, polar: tilt },
+/** Angles of the preset views, in radians; azimuths are relative to the facing direction. */
+const presetAngles = {
+  perspective: { azimuth: -0.62, polar: perspectivePolar },
   front: { azimuth: 0, polar: 86 * MathUtils.DEG2RAD },
   side: { azimuth: -Math.PI / 2, polar: 86 * MathUtils.DEG2RAD },
   top: { azimuth: -Math.PI / 2, polar: 0 },
 };
 
-/** The camera and what it looks at: a person, from an angle, that travels along if asked. */
+/** An orbit camera on one character, with preset views, which can follow the character. */
 export class Camera {
   readonly camera = new PerspectiveCamera(fov, 1, 0.05, 200);
   readonly controls: CameraControls;
-  /** Whether the character stands beside the middle of the picture. */
-  aside = false;
-  /** Nobody has moved the camera since the character was framed: a new window size frames it again. */
-  private framed = true;
+  /** True on the start page, where the character is off-centre to leave room for the text. */
+  isPreview = false;
+  /** True until the user moves the camera; only then does resizing frame the character again. */
+  private isFramed = true;
   private readonly target = new Vector3();
+  /** Height of the framed character, metres. */
   private height = 1.75;
-  private free = 1;
+  /** Fraction of the canvas height without controls. */
+  private freeFraction = 1;
   private x = 0;
   private z = 0;
 
-  constructor(canvas: HTMLElement, still: boolean) {
+  constructor(canvas: HTMLElement, reducedMotion: boolean) {
     this.controls = new CameraControls(this.camera, canvas);
     const { controls } = this;
-    controls.smoothTime = still ? 0 : 0.11;
-    controls.draggingSmoothTime = still ? 0 : 0.06;
+    controls.smoothTime = reducedMotion ? 0 : 0.11;
+    controls.draggingSmoothTime = reducedMotion ? 0 : 0.06;
     controls.maxPolarAngle = 89 * MathUtils.DEG2RAD;
     controls.dollyToCursor = false;
     controls.addEventListener("controlstart", () => {
-      this.framed = false;
+      this.isFramed = false;
     });
     const { ACTION } = CameraControls;
     controls.mouseButtons.right = ACTION.TRUCK;
@@ -80,19 +82,19 @@ export class Camera {
   resize(width: number, height: number) {
     const { camera } = this;
     camera.aspect = width / Math.max(height, 1);
-    const right = this.aside && width > 720 ? 0.2 * width : 0;
-    // Low enough to leave a phone's words alone, high enough for the gallery's.
-    const { top, bottom } = width > 720 ? taken.wide : taken.narrow;
-    const up = this.aside ? (right ? 0.07 : -0.03) * height : (bottom - top) / 2;
-    this.free = this.aside ? 0.78 : Math.max(1 - (top + bottom) / height, 0.3);
+    const right = this.isPreview && width > 720 ? 0.2 * width : 0;
+    // Below the headline on a phone, above the gallery on a wide page.
+    const { top, bottom } = width > 720 ? reserved.wide : reserved.narrow;
+    const up = this.isPreview ? (right ? 0.07 : -0.03) * height : (bottom - top) / 2;
+    this.freeFraction = this.isPreview ? 0.78 : Math.max(1 - (top + bottom) / height, 0.3);
     camera.setViewOffset(width, height, -right, up, width, height);
-    if (this.framed) this.frame(false);
+    if (this.isFramed) this.frame(false);
   }
 
-  /** Takes the measure of a character: its size, how high it ever reaches, and where it stands. */
-  measure(size: number, height: number, x: number, z: number) {
-    // A leap from a tower must not make an ant of who leaps.
-    this.height = Math.min(Math.max(height, size), 1.6 * size);
+  /** Sets the character: its size, the greatest height that it reaches, and its ground position. */
+  setCharacter(size: number, maxHeight: number, x: number, z: number) {
+    // Limited, so that a jump from a height does not make the character tiny.
+    this.height = Math.min(Math.max(maxHeight, size), 1.6 * size);
     this.x = x;
     this.z = z;
     this.camera.near = size / 40;
@@ -102,61 +104,60 @@ export class Camera {
     this.controls.maxDistance = size * 40;
   }
 
-  /** How far away something must be for its radius to fill what is free of the picture. */
+  /** Returns the distance at which an object of this radius fills the free part of the canvas. */
   private distance(radius: number) {
-    const half = Math.tan((fov / 2) * MathUtils.DEG2RAD) * this.free;
-    // A narrow picture is short of width before it is short of height.
+    const half = Math.tan((fov / 2) * MathUtils.DEG2RAD) * this.freeFraction;
+    // On a narrow canvas the width is the limit.
     return radius / half / Math.min(1, this.camera.aspect * 1.15);
   }
 
-  /** Looks at the character from one of the four sides; `facing` is an azimuth. */
-  look(view: CameraView, facing: number, glide: boolean) {
-    const { azimuth, polar } = angles[view];
+  /** Rotates to a preset view; `facing` is the azimuth of the facing direction. */
+  setView(view: CameraView, facing: number, animate: boolean) {
+    const { azimuth, polar } = presetAngles[view];
     this.controls.normalizeRotations();
-    void this.controls.rotateTo(facing + azimuth, polar, glide);
+    void this.controls.rotateTo(facing + azimuth, polar, animate);
   }
 
-  /** Whether it looks from a side as it does by itself. */
-  isAt(view: CameraView, facing: number): boolean {
-    const { azimuth, polar } = angles[view];
-    const turn = Math.cos(this.azimuth - facing - azimuth);
-    return this.framed && turn > 0.99999 && Math.abs(this.polar - polar) < 0.005;
+  /** True if the user has not moved the camera away from a preset view. */
+  isAtPreset(view: CameraView, facing: number): boolean {
+    const { azimuth, polar } = presetAngles[view];
+    const alignment = Math.cos(this.azimuth - facing - azimuth);
+    return this.isFramed && alignment > 0.99999 && Math.abs(this.polar - polar) < 0.005;
   }
 
-  /** Where it is and what it looks at. */
-  get sight(): CameraPose {
+  /** Position of the camera and its target. */
+  get pose(): CameraPose {
     return {
       eye: this.controls.getPosition(new Vector3()).toArray(),
       at: this.controls.getTarget(new Vector3()).toArray(),
     };
   }
 
-  /** Looks from a place at another. */
-  place({ eye, at }: CameraPose) {
-    this.framed = false;
+  setPose({ eye, at }: CameraPose) {
+    this.isFramed = false;
     void this.controls.setLookAt(...eye, ...at, false);
   }
 
-  /** Brings the whole character into the picture. */
-  frame(glide: boolean) {
-    this.framed = true;
-    void this.controls.moveTo(this.x, this.height / 2, this.z, glide);
-    void this.controls.dollyTo(this.distance(this.height / share / 2), glide);
+  /** Moves so that the whole character is visible. */
+  frame(animate: boolean) {
+    this.isFramed = true;
+    void this.controls.moveTo(this.x, this.height / 2, this.z, animate);
+    void this.controls.dollyTo(this.distance(this.height / characterFraction / 2), animate);
   }
 
-  /** Brings a whole stretch of floor into the picture. */
-  frameBox(low: { x: number; z: number }, high: { x: number; z: number }, glide: boolean) {
-    this.framed = false;
+  /** Moves so that a rectangle on the ground is visible. */
+  frameBounds(low: { x: number; z: number }, high: { x: number; z: number }, animate: boolean) {
+    this.isFramed = false;
     const radius = Math.max(
       Math.hypot(high.x - low.x, high.z - low.z) / 2,
-      this.height / share / 2,
+      this.height / characterFraction / 2,
     );
-    void this.controls.moveTo((low.x + high.x) / 2, this.height / 2, (low.z + high.z) / 2, glide);
-    void this.controls.dollyTo(this.distance(radius), glide);
+    void this.controls.moveTo((low.x + high.x) / 2, this.height / 2, (low.z + high.z) / 2, animate);
+    void this.controls.dollyTo(this.distance(radius), animate);
   }
 
-  /** The character has moved; the camera goes along if it follows. */
-  travel(x: number, z: number, follow: boolean) {
+  /** Takes the new ground position of the character; moves along with it if `follow` is set. */
+  followCharacter(x: number, z: number, follow: boolean) {
     const dx = x - this.x;
     const dz = z - this.z;
     this.x = x;

@@ -10,42 +10,51 @@ import { Figure } from "./figure";
 import type { MainCharacter } from "./main-character";
 import type { Palette } from "./palette";
 
-/** How far apart characters stand side by side, in heights. */
-const apart = 0.75;
+/** Distance between neighbouring characters, as a multiple of the character height. */
+const spacing = 0.75;
 
-/** Another clip beside the one on stage. */
+/** The figure of a comparison clip. */
 export class CompanionFigure {
   private readonly figure: Figure;
-  private readonly lowest: number;
+  private readonly fallbackGroundHeight: number;
 
-  /** The next to the side: by turns left and right of the one on stage, as it faces at first. */
+  /** Placed alternately to the left and right of the main character, relative to its initial facing. */
   constructor(
-    lead: MainCharacter,
+    mainCharacter: MainCharacter,
     private readonly companion: Companion,
-    place: number,
+    index: number,
     palette: Palette,
   ) {
     const { clip } = companion;
-    const facing = facingDirection(lead.clip, 0);
-    const away = apart * lead.size * Math.ceil((place + 1) / 2) * (place % 2 ? -1 : 1);
+    const facing = facingDirection(mainCharacter.clip, 0);
+    const sideOffset =
+      spacing * mainCharacter.size * Math.ceil((index + 1) / 2) * (index % 2 ? -1 : 1);
     const { x, z } = smoothedPosition(clip, clip.roles.hips ?? 0, 0);
-    const start = lead.at(0);
-    const aside = { x: start.x - x + away * facing.z, z: start.z - z - away * facing.x };
-    this.figure = new Figure(clip, characterSize(clip), palette, aside);
-    this.lowest = verticalExtent(clip, 0).low;
+    const start = mainCharacter.groundPosition(0);
+    const offset = {
+      x: start.x - x + sideOffset * facing.z,
+      z: start.z - z - sideOffset * facing.x,
+    };
+    this.figure = new Figure(clip, characterSize(clip), palette, offset);
+    this.fallbackGroundHeight = verticalExtent(clip, 0).low;
   }
 
-  enter(scene: Scene) {
-    this.figure.enter(scene);
+  addTo(scene: Scene) {
+    this.figure.addTo(scene);
   }
 
-  leave(scene: Scene) {
-    this.figure.leave(scene);
+  removeFrom(scene: Scene) {
+    this.figure.removeFrom(scene);
   }
 
-  show(seconds: number) {
+  /** Shows the pose at a time of the main clip, in seconds. */
+  update(seconds: number) {
     const { clip, detection } = this.companion;
-    this.figure.show(seconds * clip.rate, detection?.floor ?? this.lowest, detection);
+    this.figure.update(
+      seconds * clip.rate,
+      detection?.floor ?? this.fallbackGroundHeight,
+      detection,
+    );
   }
 
   dispose() {

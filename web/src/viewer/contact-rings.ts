@@ -2,58 +2,61 @@ import { DynamicDrawUsage, type InstancedBufferAttribute, Mesh, ShaderMaterial }
 import type { FootWithSole } from "../model/footprints";
 import type { Bones } from "./bones";
 import type { Palette } from "./palette";
-import { flat, quads } from "./quads";
+import { createQuads, floorMaterialOptions } from "./quads";
 
 const vertexShader = /* glsl */ `
   uniform float uSize;
   attribute vec4 aFoot;
   attribute vec2 aState;
   attribute vec3 aColor;
-  varying vec2 vPlace;
-  varying float vHalf;
-  varying float vShare;
+  varying vec2 vPosition;
+  varying float vHalfLength;
+  varying float vWeight;
   varying vec3 vColor;
   void main() {
     vec2 along = aFoot.zw - aFoot.xy;
     float length_ = length(along);
     along = length_ > 1e-5 ? along / length_ : vec2(0.0, 1.0);
     vec2 across = vec2(-along.y, along.x);
-    vHalf = 0.5 * length_ / uSize;
-    vShare = aState.x;
-    vec2 reach = vec2(vHalf + 0.16, 0.16) * uSize;
-    vec2 local = position.xy * reach;
-    vPlace = local / uSize;
-    vec2 place = 0.5 * (aFoot.xy + aFoot.zw) + along * local.x + across * local.y;
+    vHalfLength = 0.5 * length_ / uSize;
+    vWeight = aState.x;
+    vec2 halfSize = vec2(vHalfLength + 0.16, 0.16) * uSize;
+    vec2 local = position.xy * halfSize;
+    vPosition = local / uSize;
+    vec2 ground = 0.5 * (aFoot.xy + aFoot.zw) + along * local.x + across * local.y;
     vColor = aColor;
-    gl_Position = projectionMatrix * viewMatrix * vec4(place.x, 0.0, place.y, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, 0.0, ground.y, 1.0);
   }
 `;
 
 const fragmentShader = /* glsl */ `
-  varying vec2 vPlace;
-  varying float vHalf;
-  varying float vShare;
+  varying vec2 vPosition;
+  varying float vHalfLength;
+  varying float vWeight;
   varying vec3 vColor;
   void main() {
-    vec2 p = vec2(max(abs(vPlace.x) - vHalf, 0.0), vPlace.y);
-    float d = length(p) - mix(0.03, 0.062, vShare);
+    vec2 p = vec2(max(abs(vPosition.x) - vHalfLength, 0.0), vPosition.y);
+    float d = length(p) - mix(0.03, 0.062, vWeight);
     float px = fwidth(d);
     float line = 1.0 - smoothstep(0.7 * px, 1.7 * px, abs(d));
     float glow = 0.42 * exp(-max(d, 0.0) * 42.0) * (d > 0.0 ? 1.0 : 0.6);
     glow *= 1.0 - smoothstep(0.06, 0.098, max(d, 0.0));
-    float alpha = vShare * max(line, glow);
+    float alpha = vWeight * max(line, glow);
     if (alpha < 0.004) discard;
     gl_FragColor = vec4(vColor, alpha);
     #include <colorspace_fragment>
   }
 `;
 
-/** The outline that grows around a foot while it is planted, so that colour is not the only sign. */
+/**
+ * Outlines on the floor around planted feet, which grow with the contact weight. They mark contact
+ * without relying on colour.
+ */
 export class ContactRings {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
   private readonly feet: readonly (FootWithSole | undefined)[];
-  private readonly places: InstancedBufferAttribute;
+  private readonly segments: InstancedBufferAttribute;
   private readonly states: InstancedBufferAttribute;
 
   constructor(feet: readonly (FootWithSole | undefined)[], size: number, palette: Palette) {
@@ -61,17 +64,17 @@ export class ContactRings {
     const color = new Float32Array(6);
     palette.left.toArray(color, 0);
     palette.right.toArray(color, 3);
-    const geometry = quads(2, {
+    const geometry = createQuads(2, {
       aFoot: [4, new Float32Array(8)],
       aState: [2, new Float32Array(4)],
       aColor: [3, color],
     });
-    this.places = geometry.getAttribute("aFoot") as InstancedBufferAttribute;
+    this.segments = geometry.getAttribute("aFoot") as InstancedBufferAttribute;
     this.states = geometry.getAttribute("aState") as InstancedBufferAttribute;
-    this.places.setUsage(DynamicDrawUsage);
+    this.segments.setUsage(DynamicDrawUsage);
     this.states.setUsage(DynamicDrawUsage);
     this.material = new ShaderMaterial({
-      ...flat,
+      ...floorMaterialOptions,
       vertexShader,
       fragmentShader,
       uniforms: { uSize: { value: size } },
@@ -81,25 +84,26 @@ export class ContactRings {
     this.mesh.renderOrder = -4;
   }
 
-  show(bones: Bones, left: number, right: number) {
+  /** `left` and `right` are contact weights, 0 … 1. */
+  update(bones: Bones, left: number, right: number) {
     const { pose } = bones;
     for (let i = 0; i < 2; i++) {
-      const found = this.feet[i];
-      this.states.array[2 * i] = found ? (i === 0 ? left : right) : 0;
-      if (!found) continue;
-      const { foot, sole } = found;
+      const entry = this.feet[i];
+      this.states.array[2 * i] = entry ? (i === 0 ? left : right) : 0;
+      if (!entry) continue;
+      const { foot, sole } = entry;
       const x = pose[3 * foot.ankle] as number;
       const z = pose[3 * foot.ankle + 2] as number;
       const dx = (pose[3 * foot.tip] as number) - x;
       const dz = (pose[3 * foot.tip + 2] as number) - z;
-      // As far as the sole goes; a foot that points down casts a shorter shadow.
-      const beyond = 1 + sole.front / Math.max(sole.reach, Math.hypot(dx, dz));
-      this.places.array[4 * i] = x;
-      this.places.array[4 * i + 1] = z;
-      this.places.array[4 * i + 2] = x + dx * beyond;
-      this.places.array[4 * i + 3] = z + dz * beyond;
+      // To the front end of the sole; shorter if the foot points down.
+      const extension = 1 + sole.front / Math.max(sole.reach, Math.hypot(dx, dz));
+      this.segments.array[4 * i] = x;
+      this.segments.array[4 * i + 1] = z;
+      this.segments.array[4 * i + 2] = x + dx * extension;
+      this.segments.array[4 * i + 3] = z + dz * extension;
     }
-    this.places.needsUpdate = true;
+    this.segments.needsUpdate = true;
     this.states.needsUpdate = true;
   }
 

@@ -4,38 +4,38 @@ import type { Palette } from "./palette";
 
 const vertexShader = /* glsl */ `
   uniform vec2 uCenter;
-  varying vec2 vPlace;
+  varying vec2 vPosition;
   void main() {
-    vPlace = position.xz + uCenter;
-    gl_Position = projectionMatrix * viewMatrix * vec4(vPlace.x, 0.0, vPlace.y, 1.0);
+    vPosition = position.xz + uCenter;
+    gl_Position = projectionMatrix * viewMatrix * vec4(vPosition.x, 0.0, vPosition.y, 1.0);
   }
 `;
 
-// Lines stay one pixel and a half wide near and far; far away they fade before they alias.
+// Lines are 1.5 pixels wide at any distance and fade out before they alias.
 const fragmentShader = /* glsl */ `
   uniform vec2 uCenter;
   uniform float uStep;
-  uniform float uReach;
-  uniform vec3 uGround;
+  uniform float uFadeRadius;
+  uniform vec3 uBackground;
   uniform vec3 uFloor;
-  uniform vec3 uLine;
-  varying vec2 vPlace;
+  uniform vec3 uGrid;
+  varying vec2 vPosition;
   void main() {
-    vec2 cell = vPlace / uStep;
+    vec2 cell = vPosition / uStep;
     vec2 width = fwidth(cell);
-    vec2 away = abs(fract(cell - 0.5) - 0.5) / width;
-    vec2 line = (1.0 - smoothstep(0.1, 1.1, away)) * (1.0 - smoothstep(0.15, 0.5, width));
-    float distance = length(vPlace - uCenter) / uReach;
+    vec2 lineDistance = abs(fract(cell - 0.5) - 0.5) / width;
+    vec2 line = (1.0 - smoothstep(0.1, 1.1, lineDistance)) * (1.0 - smoothstep(0.15, 0.5, width));
+    float distance = length(vPosition - uCenter) / uFadeRadius;
     float fade = 1.0 - smoothstep(0.12, 1.0, distance);
     float glow = 1.0 - smoothstep(0.0, 0.8, distance);
-    vec3 color = mix(uGround, uFloor, glow);
-    color = mix(color, uLine, max(line.x, line.y) * fade);
+    vec3 color = mix(uBackground, uFloor, glow);
+    color = mix(color, uGrid, max(line.x, line.y) * fade);
     gl_FragColor = vec4(color, 1.0);
     #include <colorspace_fragment>
   }
 `;
 
-/** The ground: a grid of metres that fades around the character into the page's own colour. */
+/** The floor: a grid around the character that fades into the background. */
 export class Floor {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
@@ -50,10 +50,10 @@ export class Floor {
       uniforms: {
         uCenter: { value: this.center },
         uStep: { value: gridStep(size) },
-        uReach: { value: size * 5.5 },
-        uGround: { value: palette.ground },
+        uFadeRadius: { value: size * 5.5 },
+        uBackground: { value: palette.background },
         uFloor: { value: palette.floor },
-        uLine: { value: palette.line },
+        uGrid: { value: palette.grid },
       },
     });
     const plane = new PlaneGeometry(size * 14, size * 14).rotateX(-Math.PI / 2);

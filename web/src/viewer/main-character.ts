@@ -13,14 +13,15 @@ import { Figure } from "./figure";
 import { Floor } from "./floor";
 import type { Palette } from "./palette";
 
-/** The clip on stage: its figure, the floor under it, and the way it goes. */
+/** The character of the open clip, with the floor under it. */
 export class MainCharacter {
+  /** Height, metres. */
   readonly size: number;
-  /** Without labels nobody knows the floor: the lowest joint of the first frame stands on it. */
-  readonly lowest: number;
+  /** Ground height without a detection, in metres: the lowest joint of the first frame. */
+  readonly fallbackGroundHeight: number;
   private readonly hips: number;
-  private readonly spot: GroundPoint = { x: 0, z: 0 };
-  private readonly next: GroundPoint = { x: 0, z: 0 };
+  private readonly position: GroundPoint = { x: 0, z: 0 };
+  private readonly following: GroundPoint = { x: 0, z: 0 };
   private readonly floor: Floor;
   private readonly figure: Figure;
 
@@ -29,56 +30,56 @@ export class MainCharacter {
     palette: Palette,
   ) {
     this.size = characterSize(clip);
-    this.lowest = verticalExtent(clip, 0).low;
+    this.fallbackGroundHeight = verticalExtent(clip, 0).low;
     this.hips = clip.roles.hips ?? 0;
     this.floor = new Floor(palette, this.size);
     this.figure = new Figure(clip, this.size, palette);
   }
 
-  enter(scene: Scene) {
+  addTo(scene: Scene) {
     scene.add(this.floor.mesh);
-    this.figure.enter(scene);
+    this.figure.addTo(scene);
   }
 
-  leave(scene: Scene) {
+  removeFrom(scene: Scene) {
     scene.remove(this.floor.mesh);
-    this.figure.leave(scene);
+    this.figure.removeFrom(scene);
   }
 
-  /** How high it comes over its floor. */
-  get reach(): number {
-    return maxHeight(this.clip, this.lowest);
+  /** Greatest height above the ground, metres. */
+  get maxHeight(): number {
+    return maxHeight(this.clip, this.fallbackGroundHeight);
   }
 
-  /** Where it is over the ground at a moment; the next call tells in the same object. */
-  at(moment: number): GroundPoint {
-    const { clip, hips, spot, next } = this;
+  /** Returns the smoothed ground position; the object is reused by the next call. */
+  groundPosition(playhead: number): GroundPoint {
+    const { clip, hips, position, following } = this;
     const last = Math.max(clip.frames, 1) - 1;
-    const frame = Math.min(Math.floor(moment), last);
-    const share = Math.min(moment, last) - frame;
-    smoothedPosition(clip, hips, frame, spot);
-    smoothedPosition(clip, hips, Math.min(frame + 1, last), next);
-    spot.x = mix(spot.x, next.x, share);
-    spot.z = mix(spot.z, next.z, share);
-    return spot;
+    const frame = Math.min(Math.floor(playhead), last);
+    const fraction = Math.min(playhead, last) - frame;
+    smoothedPosition(clip, hips, frame, position);
+    smoothedPosition(clip, hips, Math.min(frame + 1, last), following);
+    position.x = lerp(position.x, following.x, fraction);
+    position.z = lerp(position.z, following.z, fraction);
+    return position;
   }
 
-  /** The ground that all of its way takes. */
-  bounds(): { low: GroundPoint; high: GroundPoint } {
+  /** Bounding rectangle of the trajectory on the ground. */
+  groundBounds(): { low: GroundPoint; high: GroundPoint } {
     return groundBounds(this.clip, this.hips);
   }
 
-  /** The angle at which it faces in a frame. */
-  facing(frame: number): number {
+  /** Returns the azimuth of the facing direction in a frame, in radians. */
+  facingAngle(frame: number): number {
     const { x, z } = facingDirection(this.clip, Math.min(frame, Math.max(this.clip.frames - 1, 0)));
     return Math.atan2(x, z);
   }
 
-  /** Puts it where a moment has it; `height` is that of its floor. */
-  show(moment: number, height: number, detection: Detection | null) {
-    const { x, z } = this.at(moment);
+  /** Shows the pose at a playhead position, in frames. */
+  update(playhead: number, groundHeight: number, detection: Detection | null) {
+    const { x, z } = this.groundPosition(playhead);
     this.floor.moveTo(x, z);
-    this.figure.show(moment, height, detection);
+    this.figure.update(playhead, groundHeight, detection);
   }
 
   dispose() {
@@ -87,4 +88,4 @@ export class MainCharacter {
   }
 }
 
-const mix = (a: number, b: number, share: number) => a + (b - a) * share;
+const lerp = (a: number, b: number, t: number) => a + (b - a) * t;

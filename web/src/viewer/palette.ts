@@ -1,25 +1,27 @@
 import { Color } from "three";
 
-/** The page's colours as the scene needs them. */
+/** Colours of the style sheet for the three.js scene. */
 export interface Palette {
-  ground: Color;
+  background: Color;
   floor: Color;
-  line: Color;
+  grid: Color;
   muted: Color;
   bone: Color;
   joint: Color;
   left: Color;
   right: Color;
+  /** Opacity of shadows. */
   shadow: number;
 }
 
+/** Reads the colours from the custom properties of an element. */
 export function readPalette(from: Element): Palette {
   const style = getComputedStyle(from);
   const color = (name: string) => new Color().setStyle(style.getPropertyValue(name).trim());
   return {
-    ground: color("--view-ground"),
+    background: color("--view-background"),
     floor: color("--view-floor"),
-    line: color("--view-line"),
+    grid: color("--view-grid"),
     muted: color("--muted"),
     bone: color("--view-bone"),
     joint: color("--view-joint"),

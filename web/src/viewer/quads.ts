@@ -5,8 +5,11 @@ import {
   PlaneGeometry,
 } from "three";
 
-/** Many quads in one draw; each attribute is given per quad as [items per quad, values]. */
-export function quads(count: number, attributes: Record<string, readonly [number, Float32Array]>) {
+/** Creates instanced quads; attributes are given as [item size, values] with one item per quad. */
+export function createQuads(
+  count: number,
+  attributes: Record<string, readonly [number, Float32Array]>,
+) {
   const plane = new PlaneGeometry(2, 2);
   const geometry = new InstancedBufferGeometry();
   geometry.index = plane.index;
@@ -18,8 +21,8 @@ export function quads(count: number, attributes: Record<string, readonly [number
   return geometry;
 }
 
-/** What everything lying on the floor shares: drawn in order, under the skeleton. */
-export const flat = {
+/** Material parameters of everything on the floor: drawn in `renderOrder`, under the skeleton. */
+export const floorMaterialOptions = {
   transparent: true,
   depthTest: false,
   depthWrite: false,

@@ -1,13 +1,13 @@
 import { DynamicDrawUsage, type InstancedBufferAttribute, Mesh, ShaderMaterial } from "three";
 import type { Bones } from "./bones";
-import { flat, quads } from "./quads";
+import { createQuads, floorMaterialOptions } from "./quads";
 
 const vertexShader = /* glsl */ `
   uniform float uSize;
   attribute vec3 aFrom;
   attribute vec3 aTo;
   attribute float aWidth;
-  varying vec2 vPlace;
+  varying vec2 vPosition;
   varying vec2 vFrom;
   varying vec2 vTo;
   varying float vRadius;
@@ -22,28 +22,28 @@ const vertexShader = /* glsl */ `
     float half_ = 0.5 * length(along);
     along = half_ > 1e-5 ? normalize(along) : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
-    vPlace = 0.5 * (vFrom + vTo) + along * position.x * (half_ + vRadius) + across * position.y * vRadius;
-    gl_Position = projectionMatrix * viewMatrix * vec4(vPlace.x, 0.0, vPlace.y, 1.0);
+    vPosition = 0.5 * (vFrom + vTo) + along * position.x * (half_ + vRadius) + across * position.y * vRadius;
+    gl_Position = projectionMatrix * viewMatrix * vec4(vPosition.x, 0.0, vPosition.y, 1.0);
   }
 `;
 
 const fragmentShader = /* glsl */ `
   uniform float uStrength;
-  varying vec2 vPlace;
+  varying vec2 vPosition;
   varying vec2 vFrom;
   varying vec2 vTo;
   varying float vRadius;
   varying float vStrength;
   void main() {
     vec2 bone = vTo - vFrom;
-    float t = clamp(dot(vPlace - vFrom, bone) / max(dot(bone, bone), 1e-8), 0.0, 1.0);
-    float away = length(vPlace - vFrom - bone * t) / vRadius;
-    float soft = max(0.0, 1.0 - away * away);
-    gl_FragColor = vec4(0.0, 0.0, 0.0, uStrength * vStrength * soft * soft);
+    float t = clamp(dot(vPosition - vFrom, bone) / max(dot(bone, bone), 1e-8), 0.0, 1.0);
+    float boneDistance = length(vPosition - vFrom - bone * t) / vRadius;
+    float falloff = max(0.0, 1.0 - boneDistance * boneDistance);
+    gl_FragColor = vec4(0.0, 0.0, 0.0, uStrength * vStrength * falloff * falloff);
   }
 `;
 
-/** A soft shadow under every bone, sharper and darker the nearer the bone is to the floor. */
+/** Soft shadows of the bones; sharper and darker for bones near the floor. */
 export class Shadow {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
@@ -52,7 +52,7 @@ export class Shadow {
 
   constructor(bones: Bones, size: number, strength: number) {
     const count = bones.child.length;
-    const geometry = quads(count, {
+    const geometry = createQuads(count, {
       aFrom: [3, new Float32Array(3 * count)],
       aTo: [3, new Float32Array(3 * count)],
       aWidth: [1, bones.width],
@@ -62,7 +62,7 @@ export class Shadow {
     this.from.setUsage(DynamicDrawUsage);
     this.to.setUsage(DynamicDrawUsage);
     this.material = new ShaderMaterial({
-      ...flat,
+      ...floorMaterialOptions,
       vertexShader,
       fragmentShader,
       uniforms: { uSize: { value: size }, uStrength: { value: strength } },
@@ -72,15 +72,15 @@ export class Shadow {
     this.mesh.renderOrder = -8;
   }
 
-  show(bones: Bones) {
+  update(bones: Bones) {
     const from = this.from.array;
     const to = this.to.array;
     for (let k = 0; k < bones.child.length; k++) {
-      const p = 3 * (bones.parent[k] as number);
-      const c = 3 * (bones.child[k] as number);
+      const parent = 3 * (bones.parent[k] as number);
+      const child = 3 * (bones.child[k] as number);
       for (let axis = 0; axis < 3; axis++) {
-        from[3 * k + axis] = bones.pose[p + axis] as number;
-        to[3 * k + axis] = bones.pose[c + axis] as number;
+        from[3 * k + axis] = bones.pose[parent + axis] as number;
+        to[3 * k + axis] = bones.pose[child + axis] as number;
       }
     }
     this.from.needsUpdate = true;

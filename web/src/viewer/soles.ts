@@ -2,63 +2,63 @@ import { Mesh, ShaderMaterial } from "three";
 import type { Footprint } from "../model/footprints";
 import type { Plant } from "../model/plants";
 import type { Palette } from "./palette";
-import { flat, quads } from "./quads";
+import { createQuads, floorMaterialOptions } from "./quads";
 
 const vertexShader = /* glsl */ `
-  uniform float uNow;
-  attribute vec4 aPlace;
+  uniform float uTime;
+  attribute vec4 aPlacement;
   attribute vec2 aShape;
-  attribute vec2 aSpan;
-  attribute vec2 aReign;
+  attribute vec2 aPlant;
+  attribute vec2 aVisible;
   attribute vec3 aColor;
   varying vec2 vLocal;
   varying vec3 vColor;
   varying float vFill;
   varying float vLine;
   void main() {
-    vec2 ahead = aPlace.zw;
-    vec2 right = vec2(-ahead.y, ahead.x);
+    vec2 forward = aPlacement.zw;
+    vec2 right = vec2(-forward.y, forward.x);
     vec2 local = position.xy * vec2(0.3, 0.56);
-    vec2 place = aPlace.xy + (right * local.x + ahead * local.y) * aShape.x;
+    vec2 ground = aPlacement.xy + (right * local.x + forward * local.y) * aShape.x;
     vLocal = vec2(local.x * aShape.y, local.y);
-    float past = max(0.0, uNow - aSpan.y);
-    float future = max(0.0, aSpan.x - uNow);
-    float here = smoothstep(-0.12, 0.0, uNow - aSpan.x) * (1.0 - smoothstep(0.0, 0.25, past));
-    float near = exp(-(past / 3.2 + future / 1.6));
-    float reign = smoothstep(-0.1, 0.1, uNow - aReign.x) * smoothstep(-0.1, 0.1, aReign.y - uNow);
-    reign = max(reign, here);
-    vFill = reign * mix(0.34 * near * step(future, 0.0), 0.6, here);
-    vLine = reign * mix(0.14 + 0.7 * near * (future > 0.0 ? 0.55 : 1.0), 1.0, here);
+    float past = max(0.0, uTime - aPlant.y);
+    float future = max(0.0, aPlant.x - uTime);
+    float current = smoothstep(-0.12, 0.0, uTime - aPlant.x) * (1.0 - smoothstep(0.0, 0.25, past));
+    float recency = exp(-(past / 3.2 + future / 1.6));
+    float visibility = smoothstep(-0.1, 0.1, uTime - aVisible.x) * smoothstep(-0.1, 0.1, aVisible.y - uTime);
+    visibility = max(visibility, current);
+    vFill = visibility * mix(0.34 * recency * step(future, 0.0), 0.6, current);
+    vLine = visibility * mix(0.14 + 0.7 * recency * (future > 0.0 ? 0.55 : 1.0), 1.0, current);
     vColor = aColor;
-    gl_Position = projectionMatrix * viewMatrix * vec4(place.x, 0.0, place.y, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, 0.0, ground.y, 1.0);
   }
 `;
 
-// A sole as a distance field, length 1, toes towards +y, big toe towards -x.
+// Signed distance field of a sole of length 1, toes towards +y, big toe towards -x.
 const fragmentShader = /* glsl */ `
   varying vec2 vLocal;
   varying vec3 vColor;
   varying float vFill;
   varying float vLine;
-  float join(float a, float b, float k) {
+  float smoothUnion(float a, float b, float k) {
     float h = clamp(0.5 + 0.5 * (b - a) / k, 0.0, 1.0);
     return mix(b, a, h) - k * h * (1.0 - h);
   }
-  float rod(vec2 p, vec2 a, vec2 b, float r) {
+  float capsule(vec2 p, vec2 a, vec2 b, float r) {
     vec2 d = b - a;
     return length(p - a - d * clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0)) - r;
   }
-  float disc(vec2 p, float x, float y, float r) { return length(p - vec2(x, y)) - r; }
+  float circle(vec2 p, float x, float y, float r) { return length(p - vec2(x, y)) - r; }
   void main() {
     vec2 p = vLocal;
-    float sole = disc(p, 0.0, -0.36, 0.125);
-    sole = join(sole, rod(p, vec2(0.055, -0.26), vec2(0.07, 0.02), 0.075), 0.1);
-    sole = join(sole, rod(p, vec2(-0.055, 0.14), vec2(0.07, 0.085), 0.115), 0.1);
-    float toes = disc(p, -0.105, 0.37, 0.07);
-    toes = min(toes, disc(p, 0.0, 0.392, 0.046));
-    toes = min(toes, disc(p, 0.078, 0.36, 0.041));
-    toes = min(toes, disc(p, 0.142, 0.312, 0.037));
-    toes = min(toes, disc(p, 0.19, 0.25, 0.033));
+    float sole = circle(p, 0.0, -0.36, 0.125);
+    sole = smoothUnion(sole, capsule(p, vec2(0.055, -0.26), vec2(0.07, 0.02), 0.075), 0.1);
+    sole = smoothUnion(sole, capsule(p, vec2(-0.055, 0.14), vec2(0.07, 0.085), 0.115), 0.1);
+    float toes = circle(p, -0.105, 0.37, 0.07);
+    toes = min(toes, circle(p, 0.0, 0.392, 0.046));
+    toes = min(toes, circle(p, 0.078, 0.36, 0.041));
+    toes = min(toes, circle(p, 0.142, 0.312, 0.037));
+    toes = min(toes, circle(p, 0.19, 0.25, 0.033));
     float d = min(sole, toes);
     float px = 0.75 * fwidth(d);
     float fill = 1.0 - smoothstep(-px, px, d);
@@ -70,40 +70,46 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
-const uniforms = { uNow: { value: 0 } };
+const uniforms = { uTime: { value: 0 } };
 
-/** One for all soles there will be, so that its shader stays compiled while none lie. */
-const material = new ShaderMaterial({ ...flat, vertexShader, fragmentShader, uniforms });
+// Shared by all instances, so that the shader stays compiled while there are none.
+const material = new ShaderMaterial({
+  ...floorMaterialOptions,
+  vertexShader,
+  fragmentShader,
+  uniforms,
+});
 
-/** A footprint for every plant. Time is a uniform: fading costs the page nothing. */
+/** The footprints of plants. The shader fades them by time, so that playing updates no attributes. */
 export class Soles {
   readonly mesh: Mesh;
 
+  /** `visibility` holds the start and end of the visible time of each footprint, in seconds. */
   constructor(
     plants: readonly Plant[],
-    prints: readonly Footprint[],
-    reign: Float32Array,
+    footprints: readonly Footprint[],
+    visibility: Float32Array,
     rate: number,
     palette: Palette,
   ) {
-    const n = plants.length;
-    const place = new Float32Array(4 * n);
-    const shape = new Float32Array(2 * n);
-    const span = new Float32Array(2 * n);
-    const color = new Float32Array(3 * n);
+    const count = plants.length;
+    const placement = new Float32Array(4 * count);
+    const shape = new Float32Array(2 * count);
+    const plantTimes = new Float32Array(2 * count);
+    const color = new Float32Array(3 * count);
     plants.forEach((plant, i) => {
-      const print = prints[i];
-      if (!print) return;
-      place.set([print.x, print.z, print.dx, print.dz], 4 * i);
-      shape.set([print.length, plant.side === "left" ? -1 : 1], 2 * i);
-      span.set([plant.start / rate, plant.end / rate], 2 * i);
+      const footprint = footprints[i];
+      if (!footprint) return;
+      placement.set([footprint.x, footprint.z, footprint.dx, footprint.dz], 4 * i);
+      shape.set([footprint.length, plant.side === "left" ? -1 : 1], 2 * i);
+      plantTimes.set([plant.start / rate, plant.end / rate], 2 * i);
       (plant.side === "left" ? palette.left : palette.right).toArray(color, 3 * i);
     });
-    const geometry = quads(n, {
-      aPlace: [4, place],
+    const geometry = createQuads(count, {
+      aPlacement: [4, placement],
       aShape: [2, shape],
-      aSpan: [2, span],
-      aReign: [2, reign],
+      aPlant: [2, plantTimes],
+      aVisible: [2, visibility],
       aColor: [3, color],
     });
     this.mesh = new Mesh(geometry, material);
@@ -111,8 +117,8 @@ export class Soles {
     this.mesh.renderOrder = -6;
   }
 
-  show(seconds: number) {
-    uniforms.uNow.value = seconds;
+  update(seconds: number) {
+    uniforms.uTime.value = seconds;
   }
 
   dispose() {

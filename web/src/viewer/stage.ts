@@ -12,25 +12,25 @@ import { MainCharacter } from "./main-character";
 import { readPalette } from "./palette";
 import { Trails } from "./trails";
 
-/** The same clip as it was before, seen through. */
+/** The uncorrected clip, drawn translucent. */
 interface Ghost {
   clip: Clip;
   bones: Bones;
 }
 
-/** The labels of that clip. */
+/** The labels of the open clip. */
 interface Labels {
   detection: Detection;
   plants: readonly Plant[];
 }
 
-/** The prints of the plants near the moment. */
+/** Footprints of the plants near the playhead. */
 interface VisibleFootprints {
-  near: PlantWindow;
-  prints: Footprints;
+  plantWindow: PlantWindow;
+  footprints: Footprints;
 }
 
-/** The three.js scene. Draws only when something asked for it. */
+/** The three.js scene. Draws on demand only, see `invalidate`. */
 export class Stage {
   follow = true;
   private readonly host: HTMLElement;
@@ -38,34 +38,37 @@ export class Stage {
   private readonly scene = new Scene();
   private readonly camera: Camera;
   private readonly observer: ResizeObserver;
-  private lead: MainCharacter | null = null;
+  private mainCharacter: MainCharacter | null = null;
   private labels: Labels | null = null;
   private visibleFootprints: VisibleFootprints | null = null;
   private ghost: Ghost | null = null;
   private companions: CompanionFigure[] = [];
   private trails: Trails | null = null;
-  /** What was replaced. It goes after its successor was drawn, so that shaders they share stay compiled. */
+  /** Replaced objects, disposed of after the next draw, so that shared shaders stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
-  /** With a new clip comes the rest of the page: drawn before its place is measured, it is drawn twice. */
-  private fits = false;
-  private moment = 0;
-  private due = 0;
-  private before = 0;
+  /** False after a new clip: the page layout changes, so the size is measured before drawing. */
+  private isSized = false;
+  /** Playhead position in frames, possibly fractional. */
+  private playhead = 0;
+  /** Pending animation frame, 0 if none. */
+  private frameRequest = 0;
+  /** Time of the previous animation frame, in milliseconds. */
+  private previousTick = 0;
 
-  /** Throws where the browser has no WebGL. */
-  constructor(host: HTMLElement, still: boolean) {
+  /** Throws if WebGL is unavailable. */
+  constructor(host: HTMLElement, reducedMotion: boolean) {
     this.host = host;
     this.renderer = new WebGLRenderer({ antialias: true });
     const canvas = this.renderer.domElement;
     host.append(canvas);
-    this.scene.background = readPalette(host).ground;
-    this.camera = new Camera(canvas, still);
+    this.scene.background = readPalette(host).background;
+    this.camera = new Camera(canvas, reducedMotion);
     for (const event of ["control", "wake", "transitionstart"] as const) {
       this.camera.controls.addEventListener(event, () => this.invalidate());
     }
     const key = new DirectionalLight(0xffffff, 2.1);
     key.position.set(-1.2, 1.6, 1.4);
-    // The key light sits on the camera's shoulder: no side of the skeleton is ever black.
+    // Attached to the camera, so that no visible side of the skeleton is unlit.
     this.camera.camera.add(key);
     this.scene.add(this.camera.camera, new HemisphereLight(0xffffff, 0x8794a3, 1.5));
     this.observer = new ResizeObserver(() => this.resize());
@@ -78,245 +81,258 @@ export class Stage {
   }
 
   private resize() {
-    // At once: a cleared canvas must not flash.
-    if (this.fit()) this.draw();
+    // Drawn immediately: resizing clears the canvas, which would flicker.
+    if (this.updateSize()) this.draw();
     else this.invalidate();
   }
 
-  /** Fits the picture to its place, and tells whether that was of another size. */
-  private fit(): boolean {
+  /** Adapts the drawing buffer to the size of the host; returns true if the size has changed. */
+  private updateSize(): boolean {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return false;
     this.camera.resize(width, height);
     const { renderer } = this;
     const ratio = Math.min(devicePixelRatio, 2);
-    renderer.getSize(measured);
-    // A new buffer takes tens of milliseconds: only for a new size.
-    if (renderer.getPixelRatio() === ratio && measured.equals(wanted.set(width, height))) {
+    renderer.getSize(currentSize);
+    // Reallocating the buffer takes tens of milliseconds.
+    if (
+      renderer.getPixelRatio() === ratio &&
+      currentSize.equals(requestedSize.set(width, height))
+    ) {
       return false;
     }
     renderer.setDrawingBufferSize(width, height, ratio);
     return true;
   }
 
-  /** Shows another clip; `reframe` also brings the camera to it. */
+  /** Replaces the clip; `reframe` also resets the camera. */
   setClip(clip: Clip | null, reframe: boolean) {
     this.setLabels(null, []);
     this.setGhost(null);
     this.setCompanions([]);
     this.setTrails(false);
-    this.clear();
-    if (clip) this.addCharacter(clip);
-    if (this.lead && reframe) {
-      const { lead } = this;
-      const { x, z } = lead.at(this.moment);
-      this.camera.measure(lead.size, lead.reach, x, z);
+    this.removeMainCharacter();
+    if (clip) this.addMainCharacter(clip);
+    if (this.mainCharacter && reframe) {
+      const { mainCharacter } = this;
+      const { x, z } = mainCharacter.groundPosition(this.playhead);
+      this.camera.setCharacter(mainCharacter.size, mainCharacter.maxHeight, x, z);
       this.camera.frame(false);
-      this.look("perspective", false, 0);
-      this.fits = false;
+      this.setCameraView("perspective", false, 0);
+      this.isSized = false;
     }
     this.invalidate();
   }
 
-  private addCharacter(clip: Clip) {
+  private addMainCharacter(clip: Clip) {
     const palette = readPalette(this.host);
-    this.scene.background = palette.ground;
-    this.lead = new MainCharacter(clip, palette);
-    this.lead.enter(this.scene);
+    this.scene.background = palette.background;
+    this.mainCharacter = new MainCharacter(clip, palette);
+    this.mainCharacter.addTo(this.scene);
   }
 
-  private clear() {
-    if (!this.lead) return;
-    this.lead.leave(this.scene);
-    this.retired.push(this.lead);
-    this.lead = null;
+  private removeMainCharacter() {
+    if (!this.mainCharacter) return;
+    this.mainCharacter.removeFrom(this.scene);
+    this.retired.push(this.mainCharacter);
+    this.mainCharacter = null;
   }
 
-  /** Shows the ways of toes and root around the moment, or does not. */
-  setTrails(wanted: boolean) {
+  /** Shows or hides the trails of the toes and the root. */
+  setTrails(visible: boolean) {
     if (this.trails) {
       this.scene.remove(this.trails.group);
       this.retired.push(this.trails);
     }
-    const { lead } = this;
+    const { mainCharacter } = this;
     this.trails =
-      wanted && lead?.clip.frames ? new Trails(lead.clip, readPalette(this.host)) : null;
+      visible && mainCharacter?.clip.frames
+        ? new Trails(mainCharacter.clip, readPalette(this.host))
+        : null;
     if (this.trails) this.scene.add(this.trails.group);
     this.invalidate();
   }
 
-  /** Shows other clips at the side of the one on stage; they start where it does, and go their own way. */
+  /** Replaces the comparison clips, which start next to the main character. */
   setCompanions(others: readonly Companion[]) {
-    for (const companion of this.companions) companion.leave(this.scene);
+    for (const companion of this.companions) companion.removeFrom(this.scene);
     this.retired.push(...this.companions);
-    const { lead } = this;
+    const { mainCharacter } = this;
     const palette = readPalette(this.host);
-    this.companions = lead ? others.map((it, i) => new CompanionFigure(lead, it, i, palette)) : [];
-    for (const companion of this.companions) companion.enter(this.scene);
+    this.companions = mainCharacter
+      ? others.map((companion, i) => new CompanionFigure(mainCharacter, companion, i, palette))
+      : [];
+    for (const companion of this.companions) companion.addTo(this.scene);
     this.invalidate();
   }
 
-  /** Shows the clip on stage once more, as it was before; `null` shows none. */
+  /** Shows a translucent copy of a clip at the main character; `null` removes it. */
   setGhost(clip: Clip | null) {
     if (this.ghost) {
       this.scene.remove(this.ghost.bones.group);
       this.retired.push(this.ghost.bones);
     }
     this.ghost = null;
-    if (clip && this.lead) {
-      const bones = new Bones(clip, this.lead.size, readPalette(this.host), true);
+    if (clip && this.mainCharacter) {
+      const bones = new Bones(clip, this.mainCharacter.size, readPalette(this.host), true);
       this.ghost = { clip, bones };
       this.scene.add(bones.group);
     }
     this.invalidate();
   }
 
-  /** Shows the labels of the clip on stage. */
+  /** Replaces the labels of the clip. */
   setLabels(detection: Detection | null, plants: readonly Plant[]) {
-    this.labels = this.lead && detection ? { detection, plants } : null;
+    this.labels = this.mainCharacter && detection ? { detection, plants } : null;
     this.hideFootprints();
     this.invalidate();
   }
 
-  /** Prints are laid when they are drawn first, and others where the moment has come too far. */
+  /** Creates footprints on the first draw, and again when the playhead has left their window. */
   private showFootprints({ clip, size }: MainCharacter) {
-    const { labels, visibleFootprints, moment } = this;
+    const { labels, visibleFootprints, playhead } = this;
     if (
       !labels ||
       (visibleFootprints &&
-        moment >= visibleFootprints.near.since &&
-        moment < visibleFootprints.near.until)
+        playhead >= visibleFootprints.plantWindow.since &&
+        playhead < visibleFootprints.plantWindow.until)
     )
       return;
-    const near = plantWindowAt(labels.plants, moment);
-    const plants = labels.plants.slice(near.from, near.to);
-    const prints = new Footprints(clip, plants, size, readPalette(this.host));
+    const plantWindow = plantWindowAt(labels.plants, playhead);
+    const plants = labels.plants.slice(plantWindow.from, plantWindow.to);
+    const footprints = new Footprints(clip, plants, size, readPalette(this.host));
     this.hideFootprints();
-    prints.enter(this.scene);
-    this.visibleFootprints = { near, prints };
+    footprints.addTo(this.scene);
+    this.visibleFootprints = { plantWindow, footprints };
   }
 
   private hideFootprints() {
     if (!this.visibleFootprints) return;
-    this.visibleFootprints.prints.leave(this.scene);
-    this.retired.push(this.visibleFootprints.prints);
+    this.visibleFootprints.footprints.removeFrom(this.scene);
+    this.retired.push(this.visibleFootprints.footprints);
     this.visibleFootprints = null;
   }
 
-  seek(moment: number) {
-    this.moment = Math.max(0, moment);
+  seek(playhead: number) {
+    this.playhead = Math.max(0, playhead);
     this.invalidate();
   }
 
-  /** Looks from a side at where the character faces, at the moment or at a frame. */
-  look(view: CameraView, glide = true, frame = Math.floor(this.moment)) {
-    if (!this.lead) return;
-    this.camera.look(view, this.lead.facing(frame), glide);
+  /** Rotates the camera to a preset view, relative to the facing direction in a frame. */
+  setCameraView(view: CameraView, animate = true, frame = Math.floor(this.playhead)) {
+    if (!this.mainCharacter) return;
+    this.camera.setView(view, this.mainCharacter.facingAngle(frame), animate);
     this.invalidate();
   }
 
-  /** What the camera sees; absent where it does so by itself once a clip is open and a side chosen. */
+  /** Returns the camera pose; undefined if it is the default pose of the preset view. */
   cameraPose(view: CameraView): CameraPose | undefined {
-    if (!this.lead) return undefined;
-    // Nobody has asked for the first side: it is that of the first frame.
-    const frame = view === "perspective" ? 0 : Math.floor(this.moment);
-    const isUsual = this.camera.isAt(view, this.lead.facing(frame));
-    return isUsual ? undefined : this.camera.sight;
+    if (!this.mainCharacter) return undefined;
+    // The initial perspective view is relative to the first frame.
+    const frame = view === "perspective" ? 0 : Math.floor(this.playhead);
+    const isDefault = this.camera.isAtPreset(view, this.mainCharacter.facingAngle(frame));
+    return isDefault ? undefined : this.camera.pose;
   }
 
-  /** Looks at the moment from a place at another, or from a side. */
-  show({ view, eye, at }: ViewState) {
-    if (!this.lead) return;
-    const { x, z } = this.lead.at(this.moment);
-    // Along with the character, as if it had walked there.
-    this.camera.travel(x, z, true);
-    if (view) this.look(view, false);
-    if (eye && at) this.camera.place({ eye, at });
+  /** Applies a preset view, a camera pose or both. */
+  applyViewState({ view, eye, at }: ViewState) {
+    if (!this.mainCharacter) return;
+    const { x, z } = this.mainCharacter.groundPosition(this.playhead);
+    this.camera.followCharacter(x, z, true);
+    if (view) this.setCameraView(view, false);
+    if (eye && at) this.camera.setPose({ eye, at });
     this.invalidate();
   }
 
-  /** A picture of what is to be seen. */
+  /** Returns the current view as a PNG image. */
   picture(): Promise<Blob | null> {
-    // The drawing does not outlast the task it is drawn in.
+    // The drawing buffer is only valid in the task that draws it.
     this.draw();
     return new Promise((resolve) => this.canvas.toBlob(resolve));
   }
 
-  /** The character, or all of its way where the camera stands still. */
+  /** Frames the character if the camera follows it, otherwise its whole trajectory. */
   frameAll() {
-    const { lead } = this;
-    if (!lead) return;
+    const { mainCharacter } = this;
+    if (!mainCharacter) return;
     if (this.follow) this.camera.frame(true);
     else {
-      const { low, high } = lead.bounds();
-      this.camera.frameBox(low, high, true);
+      const { low, high } = mainCharacter.groundBounds();
+      this.camera.frameBounds(low, high, true);
     }
     this.invalidate();
   }
 
-  /** Behind the empty page the character stands aside from the words. */
-  setAside(aside: boolean) {
-    this.camera.aside = aside;
+  /** Moves the character off-centre on the start page, to leave room for the text. */
+  setPreview(isPreview: boolean) {
+    this.camera.isPreview = isPreview;
     this.resize();
   }
 
   setFollow(follow: boolean) {
-    const began = follow && !this.follow;
+    const isStarting = follow && !this.follow;
     this.follow = follow;
-    if (began) this.camera.frame(true);
+    if (isStarting) this.camera.frame(true);
     this.invalidate();
   }
 
+  /** Requests a draw in the next animation frame. */
   invalidate() {
-    if (!this.due) this.due = requestAnimationFrame(this.tick);
+    if (!this.frameRequest) this.frameRequest = requestAnimationFrame(this.tick);
   }
 
   private readonly tick = (now: number) => {
-    this.due = 0;
-    const elapsed = Math.min((now - this.before) / 1000, 0.1);
-    this.before = now;
-    const moving = this.camera.controls.update(elapsed);
-    if (!this.fits) this.fit();
-    this.fits = true;
+    this.frameRequest = 0;
+    const elapsed = Math.min((now - this.previousTick) / 1000, 0.1);
+    this.previousTick = now;
+    const isMoving = this.camera.controls.update(elapsed);
+    if (!this.isSized) this.updateSize();
+    this.isSized = true;
     this.draw();
-    if (moving) this.invalidate();
+    if (isMoving) this.invalidate();
   };
 
   private draw() {
-    const { lead } = this;
-    if (lead) {
-      this.showFootprints(lead);
-      const { clip } = lead;
-      const { x, z } = lead.at(this.moment);
-      this.camera.travel(x, z, this.follow);
+    const { mainCharacter } = this;
+    if (mainCharacter) {
+      this.showFootprints(mainCharacter);
+      const { clip } = mainCharacter;
+      const { x, z } = mainCharacter.groundPosition(this.playhead);
+      this.camera.followCharacter(x, z, this.follow);
       this.camera.controls.update(0);
       const detection = this.labels?.detection ?? null;
-      const moment = Math.min(this.moment, Math.max(clip.frames - 1, 0));
-      const floor = detection?.floor ?? lead.lowest;
-      lead.show(moment, floor, detection);
-      this.ghost?.bones.show(this.ghost.clip, moment, floor);
-      this.trails?.show(moment, floor);
-      const seconds = this.moment / clip.rate;
-      this.visibleFootprints?.prints.show(seconds, this.camera.azimuth, this.camera.polar, x, z);
-      for (const companion of this.companions) companion.show(seconds);
+      const playhead = Math.min(this.playhead, Math.max(clip.frames - 1, 0));
+      const groundHeight = detection?.floor ?? mainCharacter.fallbackGroundHeight;
+      mainCharacter.update(playhead, groundHeight, detection);
+      this.ghost?.bones.setPose(this.ghost.clip, playhead, groundHeight);
+      this.trails?.update(playhead, groundHeight);
+      const seconds = this.playhead / clip.rate;
+      this.visibleFootprints?.footprints.update(
+        seconds,
+        this.camera.azimuth,
+        this.camera.polar,
+        x,
+        z,
+      );
+      for (const companion of this.companions) companion.update(seconds);
     }
     this.renderer.render(this.scene, this.camera.camera);
-    // Not in the same task: a clip's first picture takes long enough.
+    // In a later task: the first draw of a clip is already slow.
     if (!this.retired.length) return;
     const parts = this.retired.splice(0);
     setTimeout(() => dispose(parts));
   }
 
   dispose() {
-    cancelAnimationFrame(this.due);
+    cancelAnimationFrame(this.frameRequest);
     this.observer.disconnect();
     this.setLabels(null, []);
-    cancelAnimationFrame(this.due);
+    cancelAnimationFrame(this.frameRequest);
     this.setGhost(null);
     this.setCompanions([]);
     this.setTrails(false);
-    cancelAnimationFrame(this.due);
-    this.clear();
+    cancelAnimationFrame(this.frameRequest);
+    this.removeMainCharacter();
     dispose(this.retired);
     this.camera.dispose();
     this.renderer.dispose();
@@ -328,5 +344,5 @@ function dispose(parts: readonly { dispose: () => void }[]) {
   for (const part of parts) part.dispose();
 }
 
-const measured = new Vector2();
-const wanted = new Vector2();
+const currentSize = new Vector2();
+const requestedSize = new Vector2();

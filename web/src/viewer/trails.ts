@@ -11,13 +11,13 @@ import { footOf } from "../model/feet";
 import type { Clip } from "../model/types";
 import type { Palette } from "./palette";
 
-/** Seconds before and after the moment that a trail shows. */
-const span = 1;
+/** Time shown before and after the playhead, in seconds. */
+const trailSeconds = 1;
 
-/** A trail has at most so many points: at higher rates it leaves frames out. */
-const most = 240;
+/** Greatest number of points of a trail; frames are skipped at higher rates. */
+const maxPoints = 240;
 
-/** The way of both toes and of the root around the moment, fading with distance in time. */
+/** Trajectories of both toes and of the root around the playhead, fading with time. */
 export class Trails {
   readonly group = new Group();
   private readonly joints: readonly number[];
@@ -28,38 +28,44 @@ export class Trails {
     private readonly clip: Clip,
     palette: Palette,
   ) {
-    this.step = Math.max(1, Math.ceil((2 * span * clip.rate) / most));
-    const ways: readonly (readonly [number | undefined, Color])[] = [
+    this.step = Math.max(1, Math.ceil((2 * trailSeconds * clip.rate) / maxPoints));
+    const candidates: readonly (readonly [number | undefined, Color])[] = [
       [footOf(clip, "left")?.toe, palette.left],
       [footOf(clip, "right")?.toe, palette.right],
       [clip.roles.hips ?? 0, palette.muted],
     ];
-    const known = ways.filter((way): way is readonly [number, Color] => way[0] !== undefined);
-    this.joints = known.map(([joint]) => joint);
-    this.lines = known.map(([, color]) => trail(color));
+    const available = candidates.filter(
+      (entry): entry is readonly [number, Color] => entry[0] !== undefined,
+    );
+    this.joints = available.map(([joint]) => joint);
+    this.lines = available.map(([, color]) => createTrail(color));
     this.group.add(...this.lines);
   }
 
-  show(moment: number, floor: number) {
+  update(playhead: number, groundHeight: number) {
     const { clip, step } = this;
-    const reach = span * clip.rate;
+    const radiusFrames = trailSeconds * clip.rate;
     const last = Math.max(clip.frames - 1, 0);
-    // On whole steps, so that the same points stay on the trail while time goes on.
-    const first = Math.ceil(Math.max(0, moment - reach) / step) * step;
-    const end = Math.min(last, moment + reach);
+    // Multiples of the step, so that the points do not change during playback.
+    const first = Math.ceil(Math.max(0, playhead - radiusFrames) / step) * step;
+    const end = Math.min(last, playhead + radiusFrames);
     const stride = 3 * clip.joints.length;
     this.lines.forEach((line, i) => {
       const joint = 3 * (this.joints[i] as number);
-      const places = line.geometry.getAttribute("position") as Float32BufferAttribute;
+      const positions = line.geometry.getAttribute("position") as Float32BufferAttribute;
       const colors = line.geometry.getAttribute("color") as Float32BufferAttribute;
       let count = 0;
-      for (let frame = first; frame <= end && count < most; frame += step, count++) {
-        const at = frame * stride + joint;
-        const [x, y, z] = [clip.positions[at], clip.positions[at + 1], clip.positions[at + 2]];
-        places.setXYZ(count, x as number, (y as number) - floor, z as number);
-        colors.setW(count, 0.9 * (1 - Math.abs(frame - moment) / reach));
+      for (let frame = first; frame <= end && count < maxPoints; frame += step, count++) {
+        const offset = frame * stride + joint;
+        const [x, y, z] = [
+          clip.positions[offset],
+          clip.positions[offset + 1],
+          clip.positions[offset + 2],
+        ];
+        positions.setXYZ(count, x as number, (y as number) - groundHeight, z as number);
+        colors.setW(count, 0.9 * (1 - Math.abs(frame - playhead) / radiusFrames));
       }
-      places.needsUpdate = true;
+      positions.needsUpdate = true;
       colors.needsUpdate = true;
       line.geometry.setDrawRange(0, count);
     });
@@ -73,12 +79,12 @@ export class Trails {
   }
 }
 
-function trail(color: Color) {
+function createTrail(color: Color) {
   const geometry = new BufferGeometry();
-  const colors = new Float32Array(4 * most);
-  for (let i = 0; i < most; i++) color.toArray(colors, 4 * i);
+  const colors = new Float32Array(4 * maxPoints);
+  for (let i = 0; i < maxPoints; i++) color.toArray(colors, 4 * i);
   const attributes = {
-    position: new Float32BufferAttribute(new Float32Array(3 * most), 3),
+    position: new Float32BufferAttribute(new Float32Array(3 * maxPoints), 3),
     color: new Float32BufferAttribute(colors, 4),
   };
   for (const [name, attribute] of Object.entries(attributes)) {

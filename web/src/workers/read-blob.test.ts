@@ -1,20 +1,20 @@
 import { expect, it } from "vitest";
 import { readChunks } from "./read-blob";
 
-const bytes = new Uint8Array(3_000_000).map((_, at) => (at * 7) % 251);
+const bytes = new Uint8Array(3_000_000).map((_, i) => (i * 7) % 251);
 
 async function read(file: Blob): Promise<Buffer> {
-  const copies = [];
-  for await (const piece of readChunks(file)) copies.push(Buffer.from(piece));
-  return Buffer.concat(copies);
+  const chunks = [];
+  for await (const chunk of readChunks(file)) chunks.push(Buffer.from(chunk));
+  return Buffer.concat(chunks);
 }
 
-it("gives all bytes in their order", async () => {
+it("yields all bytes in order", async () => {
   expect((await read(new Blob([bytes]))).equals(bytes)).toBe(true);
   expect(await read(new Blob([]))).toHaveLength(0);
 });
 
-it("does so where the browser lends no buffer", async () => {
+it("works without support for byte streams", async () => {
   const stream = () =>
     new ReadableStream({
       start(controller) {

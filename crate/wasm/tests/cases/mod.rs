@@ -73,14 +73,14 @@ fn labels_equal_those_of_the_core() {
 
 #[wasm_bindgen_test]
 fn labels_follow_from_the_evidence() {
-    let found = walk().detect(options("paper")).unwrap();
-    let evidence = found.evidence("toe").unwrap().to_rust().unwrap();
-    let sorted = found.sorted_norms("toe").unwrap();
+    let detection = walk().detect(options("paper")).unwrap();
+    let evidence = detection.evidence("toe").unwrap().to_rust().unwrap();
+    let sorted = detection.sorted_norms("toe").unwrap();
     let mut norms: Vec<f32> =
-        ["left", "right"].iter().flat_map(|side| found.norms("toe", side).unwrap()).collect();
+        ["left", "right"].iter().flat_map(|side| detection.norms("toe", side).unwrap()).collect();
     norms.sort_by(f32::total_cmp);
     assert_eq!(sorted, norms);
-    let variances = found.running_variance("toe").unwrap();
+    let variances = detection.running_variance("toe").unwrap();
     assert_eq!((sorted.len(), variances.len()), (490, 490));
     for count in [2, evidence.knee + 1, 490] {
         let first: Vec<f64> = sorted[..count].iter().map(|&norm| f64::from(norm)).collect();
@@ -92,36 +92,36 @@ fn labels_follow_from_the_evidence() {
     assert_eq!((evidence.sigma as f32, evidence.tolerance), (sorted[evidence.knee], 0.001));
     assert!(evidence.planted_is_high && evidence.planted_median > evidence.threshold);
     for side in ["left", "right"] {
-        let values = found.decision_values("toe", side).unwrap();
+        let values = detection.decision_values("toe", side).unwrap();
         let planted: Vec<u8> =
             values.iter().map(|&value| u8::from(f64::from(value) > evidence.threshold)).collect();
-        assert_eq!(planted, found.planted("toe", side).unwrap());
+        assert_eq!(planted, detection.planted("toe", side).unwrap());
     }
-    let field = found.decision_field("toe", &[0.0, 1.0], &[0.0, 0.5, 9.0]).unwrap();
+    let field = detection.decision_field("toe", &[0.0, 1.0], &[0.0, 0.5, 9.0]).unwrap();
     assert_eq!(field.len(), 6);
     assert!(f64::from(field[0]) > evidence.threshold && f64::from(field[5]) < evidence.threshold);
-    assert!(found.decision_field("heel", &[0.0], &[0.0]).is_err());
-    let thresholds = found.thresholds().unwrap().to_rust().unwrap();
+    assert!(detection.decision_field("heel", &[0.0], &[0.0]).is_err());
+    let thresholds = detection.thresholds().unwrap().to_rust().unwrap();
     assert_eq!((thresholds.height, thresholds.speed), (None, None));
 }
 
 #[wasm_bindgen_test]
 fn methods_without_decision_field_report_it() {
     let mut clip = walk();
-    let found = clip.detect(options("njw")).unwrap();
-    assert!(!found.evidence("toe").unwrap().to_rust().unwrap().has_field);
-    assert!(found.decision_field("toe", &[0.0], &[0.0]).is_err());
-    let found = clip.detect(options("dual")).unwrap();
-    assert!(!found.has_evidence("toe").unwrap() && found.evidence("toe").is_err());
-    let thresholds = found.thresholds().unwrap().to_rust().unwrap();
+    let detection = clip.detect(options("njw")).unwrap();
+    assert!(!detection.evidence("toe").unwrap().to_rust().unwrap().has_field);
+    assert!(detection.decision_field("toe", &[0.0], &[0.0]).is_err());
+    let detection = clip.detect(options("dual")).unwrap();
+    assert!(!detection.has_evidence("toe").unwrap() && detection.evidence("toe").is_err());
+    let thresholds = detection.thresholds().unwrap().to_rust().unwrap();
     assert_eq!((thresholds.height, thresholds.speed), (Some(0.05), Some(0.5)));
 }
 
 #[wasm_bindgen_test]
 fn edits_apply_until_they_are_removed() {
     let mut clip = walk();
-    let mut found = clip.detect(options("robust")).unwrap();
-    let before = found.intervals("contact", "left").unwrap();
+    let mut detection = clip.detect(options("robust")).unwrap();
+    let before = detection.intervals("contact", "left").unwrap();
     let edit = EditInfo {
         side: Side::Left,
         part: Part::Contact,
@@ -129,51 +129,52 @@ fn edits_apply_until_they_are_removed() {
         end: before[1] as usize,
         planted: false,
     };
-    found.edit(vec![edit.into_ts().unwrap()]).unwrap();
-    assert_eq!(found.intervals("contact", "left").unwrap(), before[2..]);
-    let moved = EditInfo {
+    detection.edit(vec![edit.into_ts().unwrap()]).unwrap();
+    assert_eq!(detection.intervals("contact", "left").unwrap(), before[2..]);
+    let extended = EditInfo {
         side: Side::Left,
         part: Part::Contact,
         start: before[2] as usize,
         end: before[3] as usize + 2,
         planted: true,
     };
-    found.edit(vec![moved.into_ts().unwrap()]).unwrap();
-    assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
-    assert!(found.has_evidence("contact").unwrap(), "evidence does not depend on edits");
-    let mut marks = vec![0; before.len() / 2];
-    marks[1] = 1;
-    assert_eq!(found.edited("contact", "left").unwrap(), marks);
-    let text = save_text(&clip, &found, "json");
+    detection.edit(vec![extended.into_ts().unwrap()]).unwrap();
+    assert_eq!(detection.intervals("contact", "left").unwrap()[3], before[3] + 2);
+    assert!(detection.has_evidence("contact").unwrap(), "evidence does not depend on edits");
+    let mut edited = vec![0; before.len() / 2];
+    edited[1] = 1;
+    assert_eq!(detection.edited("contact", "left").unwrap(), edited);
+    let text = save_text(&clip, &detection, "json");
     assert_eq!(text.matches("\"edited\"").count(), 1);
     let read = WasmAnnotation::new(text.as_bytes(), 245).unwrap();
-    found.edit(read.edits().unwrap()).unwrap();
-    assert_eq!(found.intervals("contact", "left").unwrap()[3], before[3] + 2);
-    found.edit(Vec::new()).unwrap();
-    assert_eq!(found.intervals("contact", "left").unwrap(), before);
+    detection.edit(read.edits().unwrap()).unwrap();
+    assert_eq!(detection.intervals("contact", "left").unwrap()[3], before[3] + 2);
+    detection.edit(Vec::new()).unwrap();
+    assert_eq!(detection.intervals("contact", "left").unwrap(), before);
 }
 
 #[wasm_bindgen_test]
 fn labels_read_back_from_npz() {
     let mut clip = walk();
-    let found = clip.detect(options("robust")).unwrap();
-    let archive = clip.save(&found, "npz", "walk.bvh".into(), None).unwrap();
+    let detection = clip.detect(options("robust")).unwrap();
+    let archive = clip.save(&detection, "npz", "walk.bvh".into(), None).unwrap();
     let read = WasmAnnotation::new(&archive, 245).unwrap();
-    for part in found.parts() {
-        let ours: Vec<i8> = found.planted(&part, "right").unwrap().iter().map(|&label| label as i8).collect();
-        assert_eq!(read.planted(&part, "right").unwrap(), ours);
+    for part in detection.parts() {
+        let expected: Vec<i8> =
+            detection.planted(&part, "right").unwrap().iter().map(|&label| label as i8).collect();
+        assert_eq!(read.planted(&part, "right").unwrap(), expected);
     }
-    assert!(save_text(&clip, &found, "blender").contains("import bpy"));
+    assert!(save_text(&clip, &detection, "blender").contains("import bpy"));
 }
 
 #[wasm_bindgen_test]
 fn clean_up_removes_slides() {
     let mut clip = walk();
-    let found = clip.detect(options("robust")).unwrap();
+    let detection = clip.detect(options("robust")).unwrap();
     let slides: Vec<f64> =
-        clip.skate(&found).unwrap().iter().map(|slide| slide.to_rust().unwrap().max_distance).collect();
+        clip.skate(&detection).unwrap().iter().map(|slide| slide.to_rust().unwrap().max_distance).collect();
     assert_eq!(slides.len(), 5);
-    let cleaned = clip.clean(&found).unwrap();
+    let cleaned = clip.clean(&detection).unwrap();
     for (plant, before) in cleaned.plants().unwrap().iter().zip(slides) {
         let plant = plant.to_rust().unwrap();
         assert_eq!((plant.before, plant.skip_reason), (before, None));
@@ -195,8 +196,8 @@ fn clean_up_removes_slides() {
 #[wasm_bindgen_test]
 fn gait_of_a_walk_is_plausible() {
     let mut clip = walk();
-    let found = clip.detect(options("robust")).unwrap();
-    let gait = clip.gait(&found).unwrap().to_rust().unwrap();
+    let detection = clip.detect(options("robust")).unwrap();
+    let gait = clip.gait(&detection).unwrap().to_rust().unwrap();
     assert!((100.0..125.0).contains(&gait.cadence.unwrap()), "{gait:?}");
     assert_eq!(gait.sides.len(), 7);
     assert!(gait.double_support_share.unwrap().mean > 0.1);
@@ -215,8 +216,8 @@ fn overrides_replace_earlier_ones() {
     clip.apply(overrides.into_ts().unwrap()).unwrap();
     let changed = info(&clip);
     assert_eq!((changed.rate.round(), changed.up.as_str()), (30.0, "z"));
-    let wrong = Overrides { rate: Some(-1.0), ..Overrides::default() };
-    assert!(clip.apply(wrong.into_ts().unwrap()).is_err());
+    let invalid = Overrides { rate: Some(-1.0), ..Overrides::default() };
+    assert!(clip.apply(invalid.into_ts().unwrap()).is_err());
     clip.apply(Overrides::default().into_ts().unwrap()).unwrap();
     assert_eq!(info(&clip).rate.round(), 120.0);
 }
@@ -237,10 +238,10 @@ fn labels_agree_with_the_truth() {
     let mut clip = walk();
     let labels = clip.detect(options("robust")).unwrap();
     let truth = include_str!("../../../../samples/curved-walk.json");
-    let other = WasmAnnotation::new(truth.as_bytes(), 245).unwrap();
-    assert_eq!(other.parts(), ["contact", "toe", "heel"]);
-    assert_eq!(other.planted("toe", "left").unwrap().len(), 245);
-    let scores = other.score(&clip, &labels).unwrap();
+    let reference = WasmAnnotation::new(truth.as_bytes(), 245).unwrap();
+    assert_eq!(reference.parts(), ["contact", "toe", "heel"]);
+    assert_eq!(reference.planted("toe", "left").unwrap().len(), 245);
+    let scores = reference.score(&clip, &labels).unwrap();
     let contact = scores[0].to_rust().unwrap();
     assert!(contact.rows[3].lenient > 0.98 && contact.events.f1 > 0.9);
     assert!(WasmAnnotation::new(truth.as_bytes(), 244).is_err());
@@ -287,21 +288,21 @@ fn every_segmentation_method_covers_the_clip() {
     assert_eq!(methods.len(), 6);
     for method in methods {
         let method = method.to_rust().unwrap();
-        let found = clip.segment(segment_options(&method.name), &no_progress()).unwrap();
+        let segmentation = clip.segment(segment_options(&method.name), &no_progress()).unwrap();
         let segments: Vec<SegmentInfo> =
-            found.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap()).collect();
+            segmentation.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap()).collect();
         assert_eq!((segments[0].start, segments[segments.len() - 1].end), (0, 744), "{}", method.name);
         assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].start), "{}", method.name);
-        let values = found.curve_values();
-        assert_eq!(found.curve_frames().len(), values.len());
-        assert!([0, values.len()].contains(&found.curve_threshold().len()));
-        assert!(found.extrema().iter().all(|&index| (index as usize) < values.len()));
-        assert_eq!(found.motifs().len(), 2 * found.motif_classes().len());
-        assert!(!found.curve_title().is_empty() && !method.description.is_empty());
+        let values = segmentation.curve_values();
+        assert_eq!(segmentation.curve_frames().len(), values.len());
+        assert!([0, values.len()].contains(&segmentation.curve_threshold().len()));
+        assert!(segmentation.extrema().iter().all(|&index| (index as usize) < values.len()));
+        assert_eq!(segmentation.motifs().len(), 2 * segmentation.motif_classes().len());
+        assert!(!segmentation.curve_title().is_empty() && !method.description.is_empty());
     }
     assert!(clip.segment(segment_options("best"), &no_progress()).is_err());
-    let wrong = SegmentOptions { dims: Some(0), ..segment_options("mvu").to_rust().unwrap() };
-    assert!(clip.segment(wrong.into_ts().unwrap(), &no_progress()).is_err());
+    let invalid = SegmentOptions { dims: Some(0), ..segment_options("mvu").to_rust().unwrap() };
+    assert!(clip.segment(invalid.into_ts().unwrap(), &no_progress()).is_err());
 }
 
 #[wasm_bindgen_test]
@@ -317,21 +318,21 @@ fn segmentation_reports_progress() {
 #[wasm_bindgen_test]
 fn segments_read_back_under_given_names() {
     let clip = limp_to_run();
-    let found = clip.segment(segment_options("lsd"), &no_progress()).unwrap();
-    let count = found.segments().unwrap().len();
+    let segmentation = clip.segment(segment_options("lsd"), &no_progress()).unwrap();
+    let count = segmentation.segments().unwrap().len();
     let names: Vec<String> = (1..=count).map(|number| format!("move {number}")).collect();
     for format in ["json", "csv", "babel"] {
-        let file = clip.save_segments(&found, names.clone(), format, "limp.bvh".into(), None).unwrap();
+        let file = clip.save_segments(&segmentation, names.clone(), format, "limp.bvh".into(), None).unwrap();
         let text = String::from_utf8(file).unwrap();
         assert!(has_segments(&text, "limp") && !has_segments("frame,left_toe\n", "limp"));
-        let other = WasmSegmentAnnotation::new(&text, "limp", &clip).unwrap();
-        let read = other.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap().label);
+        let reference = WasmSegmentAnnotation::new(&text, "limp", &clip).unwrap();
+        let read = reference.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap().label);
         assert_eq!(read.collect::<Vec<_>>(), names, "{format}");
-        for score in other.score(&clip, &found).unwrap() {
+        for score in reference.score(&clip, &segmentation).unwrap() {
             assert_eq!(score.to_rust().unwrap().f1, 1.0);
         }
     }
-    assert!(clip.save_segments(&found, names, "xml", "limp.bvh".into(), None).is_err());
+    assert!(clip.save_segments(&segmentation, names, "xml", "limp.bvh".into(), None).is_err());
     assert!(WasmSegmentAnnotation::new("{}", "limp", &clip).is_err());
 }
 
@@ -339,7 +340,7 @@ fn segments_read_back_under_given_names() {
 fn cut_writes_the_frames_of_the_range() {
     let clip = walk();
     let part = bvh::parse(&clip.cut(10, 30).unwrap(), bvh::Options::default()).unwrap().clip;
-    let whole = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
-    assert_eq!((part.frame_count(), part.row(0)), (20, whole.row(10)));
+    let original = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
+    assert_eq!((part.frame_count(), part.row(0)), (20, original.row(10)));
     assert!(clip.cut(10, 10).is_err() && clip.cut(0, 246).is_err());
 }

@@ -1,21 +1,21 @@
 import { expect, test } from "./app";
-import { bad, good, opens, refused } from "./clips";
+import { bad, good, invalidFiles, validFiles } from "./clips";
 
-test("the lists of files good and bad are read", () => {
-  expect(opens.length).toBeGreaterThanOrEqual(10);
-  expect(refused.length).toBeGreaterThanOrEqual(8);
+test("reads the lists of valid and invalid files", () => {
+  expect(validFiles.length).toBeGreaterThanOrEqual(10);
+  expect(invalidFiles.length).toBeGreaterThanOrEqual(8);
 });
 
-for (const { name, place, message } of refused) {
-  test(`${name} is refused in words, and the clip before stays`, async ({ app, page }) => {
-    await app.with(good("plain"));
+for (const { name, location, message } of invalidFiles) {
+  test(`reports ${name} and keeps the open clip`, async ({ app, page }) => {
+    await app.openFile(good("plain"));
     await app.drop(bad(name));
     await expect(app.alert.getByRole("heading")).toHaveText(`${name}.bvh could not be opened`);
-    // The page takes archives apart, whatever they are called; the reader does not.
-    const said = name === "archive" ? "There is no BVH file in the archive" : message;
-    await expect(app.alert).toContainText(said.replace(/\.$/, ""), { ignoreCase: true });
-    if (place) {
-      await expect(app.alert).toContainText(`At ${place}`);
+    // The page unpacks archives whatever their names; the reader does not.
+    const expected = name === "archive" ? "The archive contains no BVH file" : message;
+    await expect(app.alert).toContainText(expected.replace(/\.$/, ""), { ignoreCase: true });
+    if (location) {
+      await expect(app.alert).toContainText(`At ${location}`);
       await expect(app.alert.getByText(/\^$/)).toBeVisible();
     }
     await expect(app.alert).toContainText("plain.bvh is still open");
@@ -29,9 +29,9 @@ for (const { name, place, message } of refused) {
   });
 }
 
-test("the report of a refused file can be copied", async ({ app, page, context }) => {
+test("copies the report of an invalid file", async ({ app, page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await app.empty();
+  await app.openStartPage();
   await app.drop(bad("unknown-channel"));
   await app.alert.getByRole("button", { name: "Copy report" }).click();
   await expect(app.alert.getByRole("button", { name: "Copied" })).toBeVisible();
@@ -40,16 +40,16 @@ test("the report of a refused file can be copied", async ({ app, page, context }
   expect(report).toContain("line 5, column 53");
 });
 
-for (const { name, frames, notices } of opens) {
-  test(`${name} opens with its ${frames} frames and notices`, async ({ app }) => {
-    await app.with(good(name));
+for (const { name, frames, notices } of validFiles) {
+  test(`opens ${name} with ${frames} frames and the expected notices`, async ({ app }) => {
+    await app.openFile(good(name));
     if (frames) expect(await app.lastFrame()).toBe(frames - 1);
     else await expect(app.timeline).toContainText("no motion");
     if (!notices.length) return;
     await app.head.getByRole("button", { name: /^\d+ notices?$/ }).click();
-    await expect(app.dialog).toHaveAccessibleName(`Notices on ${name}.bvh`);
-    const said = await app.dialog.locator("code").allInnerTexts();
-    expect(said).toEqual(expect.arrayContaining(notices));
+    await expect(app.dialog).toHaveAccessibleName(`Notices for ${name}.bvh`);
+    const codes = await app.dialog.locator("code").allInnerTexts();
+    expect(codes).toEqual(expect.arrayContaining(notices));
     await app.page.keyboard.press("Escape");
     await expect(app.dialog).toBeHidden();
   });

@@ -1,8 +1,8 @@
 import { expect, test } from "./app";
 import { readLabels } from "./labels";
 
-test("another rate changes the duration", async ({ app, page }) => {
-  await app.sample("bowling");
+test("overrides the frame rate", async ({ app, page }) => {
+  await app.openSample("bowling");
   await app.tab("Clip");
   await expect(app.fact("Duration")).toHaveText("10.5 s");
   const rate = page.getByRole("spinbutton", { name: "Rate" });
@@ -17,20 +17,20 @@ test("another rate changes the duration", async ({ app, page }) => {
   await expect(app.fact("Duration")).toHaveText("10.5 s");
 });
 
-test("another up axis is taken up and given back", async ({ app, page }) => {
-  await app.sample("foot-drag-walk");
+test("overrides the up axis and restores the detected one", async ({ app, page }) => {
+  await app.openSample("foot-drag-walk");
   await app.tab("Clip");
   await expect(app.fact("Up axis")).toHaveText("Z");
   const up = page.getByRole("combobox", { name: "Up axis" });
   await up.selectOption({ label: "Y" });
   await expect(app.fact("Up axis")).toHaveText("Y");
   await expect(app.head).toContainText("Y up");
-  await up.selectOption({ label: "As found" });
+  await up.selectOption({ label: "Detected" });
   await expect(app.fact("Up axis")).toHaveText("Z");
 });
 
-test("another joint can be named as a foot's toe", async ({ app, page }) => {
-  await app.sample("bowling");
+test("overrides a foot joint and restores the detected one", async ({ app, page }) => {
+  await app.openSample("bowling");
   const found = readLabels(await app.save("Labels")).joints;
   await app.tab("Clip");
   const toe = page.getByRole("combobox", { name: "Left toe" });
@@ -39,12 +39,12 @@ test("another joint can be named as a foot's toe", async ({ app, page }) => {
     .poll(async () => readLabels(await app.save("Labels")).joints.left.toe)
     .toBe(found.left.heel);
   await app.tab("Clip");
-  await toe.selectOption({ label: "As found" });
+  await toe.selectOption({ label: "Detected" });
   await expect.poll(async () => readLabels(await app.save("Labels")).joints).toEqual(found);
 });
 
-test("corrections end with the clip they were made for", async ({ app, page }) => {
-  await app.sample("bowling");
+test("resets overrides when another clip is opened", async ({ app, page }) => {
+  await app.openSample("bowling");
   await app.tab("Clip");
   const rate = page.getByRole("spinbutton", { name: "Rate" });
   await rate.fill("60");
@@ -53,7 +53,7 @@ test("corrections end with the clip they were made for", async ({ app, page }) =
   await page.evaluate(() => {
     location.hash = "#sample=ballet";
   });
-  await app.opened("ballet.bvh");
+  await app.waitForClip("ballet.bvh");
   await expect(rate).toHaveValue("");
   await expect(app.head).toContainText("24 Hz");
 });

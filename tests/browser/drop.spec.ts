@@ -5,61 +5,61 @@ import { clip, good, root } from "./clips";
 
 const highlight = (app: App) => app.page.getByText("Drop to open");
 
-/** Tells an element of a drag that passes over it. */
-const over =
+/** Returns a function that dispatches a drag event on an element. */
+const dispatchDrag =
   (app: App, type: "dragenter" | "dragleave", at: "main" | "button" | "heading") =>
   async (dataTransfer: JSHandle<DataTransfer>) =>
     app.page.getByRole(at).first().dispatchEvent(type, { dataTransfer });
 
-test("files dragged over the page light it up until they leave", async ({ app }) => {
-  await app.empty();
+test("highlights the page while files are dragged over it", async ({ app }) => {
+  await app.openStartPage();
   const files = await app.transfer(good("plain"));
-  await over(app, "dragenter", "main")(files);
+  await dispatchDrag(app, "dragenter", "main")(files);
   await expect(highlight(app)).toBeVisible();
-  await over(app, "dragleave", "main")(files);
+  await dispatchDrag(app, "dragleave", "main")(files);
   await expect(highlight(app)).toBeHidden();
 });
 
-test("the light stays while files move from element to element", async ({ app }) => {
-  await app.empty();
+test("keeps the highlight while files move between elements", async ({ app }) => {
+  await app.openStartPage();
   const files = await app.transfer(good("plain"));
-  await over(app, "dragenter", "main")(files);
+  await dispatchDrag(app, "dragenter", "main")(files);
   for (const [from, to] of [
     ["main", "heading"],
     ["heading", "button"],
     ["button", "main"],
   ] as const) {
-    await over(app, "dragenter", to)(files);
-    await over(app, "dragleave", from)(files);
+    await dispatchDrag(app, "dragenter", to)(files);
+    await dispatchDrag(app, "dragleave", from)(files);
     await expect(highlight(app)).toBeVisible();
   }
-  await over(app, "dragleave", "main")(files);
+  await dispatchDrag(app, "dragleave", "main")(files);
   await expect(highlight(app)).toBeHidden();
 });
 
-test("the light goes out when files are dropped", async ({ app }) => {
-  await app.empty();
+test("removes the highlight when files are dropped", async ({ app }) => {
+  await app.openStartPage();
   const file = good("plain");
-  await over(app, "dragenter", "main")(await app.transfer(file));
+  await dispatchDrag(app, "dragenter", "main")(await app.transfer(file));
   await expect(highlight(app)).toBeVisible();
   await app.drop(file);
   await expect(highlight(app)).toBeHidden();
-  await app.opened(file.name);
+  await app.waitForClip(file.name);
 });
 
-test("dragged text is none of the page's business", async ({ app, page }) => {
-  await app.empty();
+test("ignores dragged text", async ({ app, page }) => {
+  await app.openStartPage();
   const text = await page.evaluateHandle(() => {
     const transfer = new DataTransfer();
     transfer.setData("text/plain", "HIERARCHY");
     return transfer;
   });
-  await over(app, "dragenter", "main")(text);
+  await dispatchDrag(app, "dragenter", "main")(text);
   await expect(highlight(app)).toBeHidden();
 });
 
-test("a file that the system drags across the page and drops opens", async ({ app, page }) => {
-  await app.empty();
+test("opens a file dragged from the system", async ({ app, page }) => {
+  await app.openStartPage();
   const system = await page.context().newCDPSession(page);
   const path = "tests/files/good/plain.bvh";
   const data = { items: [], files: [join(root, path)], dragOperationsMask: 1 };
@@ -81,6 +81,6 @@ test("a file that the system drags across the page and drops opens", async ({ ap
   await drag("dragOver", 705, 455);
   await expect(highlight(app)).toBeVisible();
   await drag("drop", 705, 455);
-  await app.opened(clip(path).name);
+  await app.waitForClip(clip(path).name);
   await expect(highlight(app)).toBeHidden();
 });

@@ -19,7 +19,7 @@ const graphicsContrast = 3;
 
 for (const [i, { name, title }] of samples.entries()) {
   test(`${title}: layout, colours and labels`, async ({ app }) => {
-    await app.sample(name);
+    await app.openSample(name);
     await expectLooks(app, i);
   });
 }
@@ -36,11 +36,11 @@ const recordings = [
 for (const [i, path] of recordings.entries()) {
   test(`recording ${path}: layout, colours and labels`, async ({ app, page }) => {
     const file = recorded(`${path}.bvh`);
-    test.skip(!file, "There is no recorded motion: set PLANTIGRADE_CORPUS to its folder.");
+    test.skip(!file, "No recorded motion was found. Set PLANTIGRADE_CORPUS to its folder.");
     if (!file) return;
-    await app.empty();
+    await app.openStartPage();
     await page.locator("input[type=file]").setInputFiles(file);
-    await app.opened(`${path.replace(/^.*\//, "")}.bvh`);
+    await app.waitForClip(`${path.replace(/^.*\//, "")}.bvh`);
     await expectLooks(app, i);
   });
 }
@@ -55,9 +55,9 @@ async function expectLooks(app: App, index: number) {
     await page.setViewportSize(viewport);
     await page.emulateMedia({ colorScheme: theme });
     await expect(page.locator("html")).toHaveAttribute("data-theme", theme);
-    // Choosing a tab raises the panel on a phone.
-    const lower = page.getByRole("button", { name: "Lower the panel" });
-    if (await lower.isVisible()) await lower.click();
+    // Selecting a tab expands the panel on a phone.
+    const collapse = page.getByRole("button", { name: "Collapse panel" });
+    if (await collapse.isVisible()) await collapse.click();
     await expectColours(app, theme);
     await page.keyboard.press("Home");
     let before = { frame: 0, picture: "", boxes: "" };
@@ -109,13 +109,15 @@ async function boxesOf(elements: readonly Locator[]): Promise<Box[]> {
   return boxes.filter((box) => box !== null);
 }
 
-/** Boxes may share an edge, and half a pixel of rounding. */
+/** Fails if boxes overlap by more than half a pixel. */
 function expectDisjoint(boxes: readonly Box[]) {
   for (const [i, a] of boxes.entries()) {
     for (const b of boxes.slice(i + 1)) {
-      const wide = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
-      const high = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
-      expect(Math.min(wide, high), `${JSON.stringify(a)} ${JSON.stringify(b)}`).toBeLessThan(0.5);
+      const width = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
+      const height = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
+      expect(Math.min(width, height), `${JSON.stringify(a)} ${JSON.stringify(b)}`).toBeLessThan(
+        0.5,
+      );
     }
   }
 }
@@ -142,17 +144,17 @@ async function expectColours(app: App, theme: "light" | "dark") {
     return {
       isDark: luminance("--panel") < 0.2,
       text: [
-        ratio("--ink", "--panel"),
+        ratio("--text", "--panel"),
         ratio("--muted", "--panel"),
-        ratio("--on-side", "--left"),
-        ratio("--on-side", "--right"),
+        ratio("--text-on-side", "--left"),
+        ratio("--text-on-side", "--right"),
       ],
       graphics: [
         ratio("--left", "--lane"),
         ratio("--right", "--lane"),
-        ratio("--why", "--lane"),
-        ratio("--edge", "--panel"),
-        ratio("--view-bone", "--view-ground"),
+        ratio("--accent", "--lane"),
+        ratio("--border-strong", "--panel"),
+        ratio("--view-bone", "--view-background"),
       ],
     };
   });

@@ -2,23 +2,19 @@ import { expect, test } from "./app";
 import { sample } from "./clips";
 import { readTable } from "./labels";
 
-// The site's own files are kept for later as a part of loading it.
+// Loading includes caching the files of the site.
 test.use({ serviceWorkers: "allow" });
 
-test("nothing leaves the computer: a loaded page opens, labels and saves without a request", async ({
-  app,
-  page,
-  context,
-}) => {
-  await app.empty();
+test("opens, labels and saves without network requests", async ({ app, page, context }) => {
+  await app.openStartPage();
   await page.evaluate(() => navigator.serviceWorker.ready);
   await page.waitForLoadState("networkidle");
-  const asked: string[] = [];
-  context.on("request", (request) => asked.push(request.url()));
+  const requested: string[] = [];
+  context.on("request", (request) => requested.push(request.url()));
   await context.setOffline(true);
   await app.drop(sample("one-leg-hop"));
-  await app.opened("one-leg-hop.bvh");
+  await app.waitForClip("one-leg-hop.bvh");
   await page.getByRole("slider", { name: "Sensitivity r" }).fill("1");
   expect(readTable(await app.save("Every frame")).rows).toHaveLength(336);
-  expect(asked.filter((url) => !url.startsWith("blob:"))).toEqual([]);
+  expect(requested.filter((url) => !url.startsWith("blob:"))).toEqual([]);
 });

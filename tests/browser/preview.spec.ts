@@ -2,7 +2,7 @@
 
 import { type App, expect, test } from "./app";
 
-/** Opens the page with the preview held back. Returns a function that lets it load. */
+/** Opens the page with the preview blocked. Returns a function that lets it load. */
 async function openWithoutPreview(app: App): Promise<() => void> {
   let release = () => {};
   const released = new Promise<void>((resolve) => {
@@ -33,7 +33,7 @@ test("the preview plays on the start page", async ({ app, page }) => {
   await expect.poll(async () => (await app.picture()) === before).toBe(false);
 });
 
-test("the preview stands still if reduced motion is preferred", async ({ app }) => {
+test("the preview does not move if reduced motion is preferred", async ({ app }) => {
   await openWithPreview(app);
   // The labels arrive later and change the picture once.
   await expect(async () => {
@@ -47,10 +47,10 @@ test("a clip plays when it is opened, unless reduced motion is preferred", async
   app,
   page,
 }) => {
-  await app.sample("bowling");
+  await app.openSample("bowling");
   await expect(app.timeline.getByRole("button", { name: "Play" })).toBeVisible();
   await page.emulateMedia({ reducedMotion: "no-preference" });
   await page.reload();
-  await app.opened("bowling.bvh");
+  await app.waitForClip("bowling.bvh");
   await expect(app.timeline.getByRole("button", { name: "Pause" })).toBeVisible();
 });

@@ -1,7 +1,7 @@
 import { expect, test } from "./app";
 
-test("Space plays and the button pauses", async ({ app, page }) => {
-  await app.sample("bowling");
+test("plays by Space and pauses by button", async ({ app, page }) => {
+  await app.openSample("bowling");
   await page.keyboard.press("Space");
   const pause = app.timeline.getByRole("button", { name: "Pause" });
   await expect(pause).toBeVisible();
@@ -15,10 +15,10 @@ test("Space plays and the button pauses", async ({ app, page }) => {
 
 test("plays in real time", async ({ app, page }) => {
   test.slow();
-  await app.sample("limp-to-run");
+  await app.openSample("limp-to-run");
   await page.keyboard.press("Space");
   await expect.poll(() => app.frame()).toBeGreaterThan(0);
-  // Pauses between animation frames that are longer than playback makes up for are left out.
+  // Playback does not catch up on long pauses between animation frames; they are excluded.
   const rate = await page.evaluate(async () => {
     const frameNow = () =>
       Number(document.querySelector("[role=slider]")?.getAttribute("aria-valuenow"));
@@ -40,8 +40,8 @@ test("plays in real time", async ({ app, page }) => {
   expect(rate).toBeLessThan(24 * 1.2);
 });
 
-test("keys step and go to the first and last frame", async ({ app, page }) => {
-  await app.sample("bowling");
+test("steps frames and jumps to both ends by key", async ({ app, page }) => {
+  await app.openSample("bowling");
   const go = async (key: string) => {
     await page.keyboard.press(key);
     return app.frame();
@@ -53,8 +53,8 @@ test("keys step and go to the first and last frame", async ({ app, page }) => {
   expect(await go("ArrowRight")).toBe(1);
 });
 
-test("comma and full stop change the speed", async ({ app, page }) => {
-  await app.sample("bowling");
+test("changes the speed by comma and full stop", async ({ app, page }) => {
+  await app.openSample("bowling");
   const speed = app.timeline.getByRole("combobox", { name: "Speed" });
   await expect(speed).toHaveValue("1");
   await page.keyboard.press(".");
@@ -67,8 +67,8 @@ test("comma and full stop change the speed", async ({ app, page }) => {
   await expect(speed).toHaveValue("4");
 });
 
-test("L loops the clip, then a plant, then a segment, then nothing", async ({ app, page }) => {
-  await app.sample("bowling");
+test("cycles loop modes by L", async ({ app, page }) => {
+  await app.openSample("bowling");
   const loop = app.timeline.getByRole("button", { name: /^Loop/ });
   await expect(loop).toHaveText("Loop clip");
   await page.keyboard.press("l");
@@ -82,8 +82,8 @@ test("L loops the clip, then a plant, then a segment, then nothing", async ({ ap
   await expect(loop).toHaveText("Loop clip");
 });
 
-test("without a loop a clip plays to its end and stays there", async ({ app, page }) => {
-  await app.sample("bowling");
+test("stops at the last frame without a loop", async ({ app, page }) => {
+  await app.openSample("bowling");
   for (let i = 0; i < 3; i++) await page.keyboard.press("l");
   await page.keyboard.press("End");
   for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowLeft");

@@ -1,4 +1,4 @@
-/** What must not take the page along: a fault of the program, files beyond all measure, sleep. */
+/** Recovery from traps of the core, oversized files and a blocked page. */
 
 import { type App, expect, test } from "./app";
 import { sample } from "./clips";
@@ -6,8 +6,8 @@ import { readLabels } from "./labels";
 
 const spans = async (app: App) => readLabels(await app.save("Labels")).left.contact;
 
-test("a fault in the core replaces the worker, and edits are kept", async ({ app, page }) => {
-  // Measuring gait reaches an instruction that traps, once.
+test("replaces the worker after a trap and keeps edits", async ({ app, page }) => {
+  // In the first worker, measuring gait traps.
   await page.addInitScript(() => {
     const Real = globalThis.Worker;
     const trap = `
@@ -27,30 +27,30 @@ test("a fault in the core replaces the worker, and edits are kept", async ({ app
         }
         isFirst = false;
         const code = `${trap}\nawait import(${JSON.stringify(String(new URL(url, location.href)))});`;
-        // What comes before the module runs waits for it.
-        const held = `const early = []; const keep = (e) => early.push(e); addEventListener("message", keep);
+        // Messages that arrive before the module runs are queued.
+        const script = `const early = []; const queue = (e) => early.push(e); addEventListener("message", queue);
           ${code}
-          removeEventListener("message", keep); for (const e of early) dispatchEvent(new MessageEvent("message", { data: e.data, ports: [...e.ports], origin: e.origin }));`;
-        super(URL.createObjectURL(new Blob([held], { type: "text/javascript" })), options);
+          removeEventListener("message", queue); for (const e of early) dispatchEvent(new MessageEvent("message", { data: e.data, ports: [...e.ports], origin: e.origin }));`;
+        super(URL.createObjectURL(new Blob([script], { type: "text/javascript" })), options);
       }
     };
   });
-  await app.sample("curved-walk");
+  await app.openSample("curved-walk");
   await page.keyboard.press("e");
   await page.keyboard.press("Delete");
   await expect.poll(async () => (await spans(app))?.length).toBe(2);
   await app.tab("Clip");
   await expect(app.alert).toContainText("curved-walk.bvh could not be measured");
-  await expect(app.alert).toContainText("your edits are kept");
+  await expect(app.alert).toContainText("your edits were not lost");
   await app.alert.getByRole("button", { name: "Dismiss" }).click();
-  // The next worker has the clip and the edits again.
+  // The new worker has restored the clip and the edits.
   await expect.poll(async () => (await spans(app))?.length).toBe(2);
   await app.tab("Clip");
   await expect(app.panel.getByRole("table", { name: "Gait" })).toBeVisible();
 });
 
-test("a file of two gigabytes is refused before it is read", async ({ app, page }) => {
-  await app.sample("curved-walk");
+test("refuses a file of two gigabytes before reading it", async ({ app, page }) => {
+  await app.openSample("curved-walk");
   await page.evaluate(() => {
     const part = new Blob([new Uint8Array(2 ** 26)]);
     const huge = new File(Array(32).fill(part), "huge.bvh");
@@ -64,11 +64,11 @@ test("a file of two gigabytes is refused before it is read", async ({ app, page 
   await expect(app.alert).toContainText("the limit is 1.07 GB");
   await expect(app.alert).toContainText("curved-walk.bvh is still open");
   await app.drop(sample("bowling"));
-  await app.opened("bowling.bvh");
+  await app.waitForClip("bowling.bvh");
 });
 
-test("a page that was held up goes on where it was", async ({ app, page }) => {
-  await app.sample("limp-to-run");
+test("does not skip frames after the page was blocked", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
   await page.keyboard.press("Space");
   const [before, after] = await page.evaluate(async () => {
     const now = () =>
@@ -76,14 +76,14 @@ test("a page that was held up goes on where it was", async ({ app, page }) => {
     const drawn = () => new Promise(requestAnimationFrame);
     await drawn();
     const before = now();
-    // As a tab that sleeps: no picture for three seconds.
+    // Simulates a suspended tab: no animation frames for three seconds.
     const end = performance.now() + 3000;
     while (performance.now() < end);
     await drawn();
     await drawn();
     return [before, now()] as const;
   });
-  // At most a quarter of a second of it is made up for.
+  // Playback catches up by a quarter of a second at most.
   expect(after - before).toBeLessThan(24);
   await expect.poll(() => app.frame()).toBeGreaterThan(after);
 });

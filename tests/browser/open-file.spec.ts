@@ -1,13 +1,13 @@
 import { expect, test } from "./app";
 import { bad, good, sample } from "./clips";
 
-test("a dropped file shows its facts, its plants and its name in the title", async ({ app }) => {
-  await app.empty();
+test("shows properties and plants of a dropped file", async ({ app }) => {
+  await app.openStartPage();
   await app.drop(sample("curved-walk"));
-  await app.opened("curved-walk.bvh");
+  await app.waitForClip("curved-walk.bvh");
   await expect(app.head).toContainText("curved-walk.bvh");
   await expect(app.head).toContainText("245 frames · 120 Hz · 2.04 s");
-  await expect(app.stage).toHaveAccessibleName("The skeleton of curved-walk.bvh");
+  await expect(app.stage).toHaveAccessibleName("Skeleton of curved-walk.bvh");
   await expect(app.playhead).toHaveAttribute("aria-valuemax", "244");
   expect((await app.result("Left")).plants).toBeGreaterThan(0);
   expect((await app.result("Right")).plants).toBeGreaterThan(0);
@@ -17,15 +17,15 @@ test("a dropped file shows its facts, its plants and its name in the title", asy
   await expect(app.fact("Up axis")).toHaveText("Y");
 });
 
-test("the file input opens a file, and the same one again", async ({ app, page }) => {
-  await app.empty();
+test("opens the same file twice from the file picker", async ({ app, page }) => {
+  await app.openStartPage();
   for (const button of ["Open a file", "Open"]) {
     const choosing = page.waitForEvent("filechooser");
     await page.getByRole("button", { name: button, exact: true }).click();
     const chooser = await choosing;
     expect(chooser.isMultiple()).toBe(true);
     await chooser.setFiles(good("plain"));
-    await app.opened("plain.bvh");
+    await app.waitForClip("plain.bvh");
     expect(await app.lastFrame()).toBe(11);
     expect(await app.frame()).toBe(0);
     await page.keyboard.press("End");
@@ -33,35 +33,35 @@ test("the file input opens a file, and the same one again", async ({ app, page }
   }
 });
 
-test("a pasted file opens", async ({ app }) => {
-  await app.empty();
+test("opens a pasted file", async ({ app }) => {
+  await app.openStartPage();
   await app.paste(good("plain"));
-  await app.opened("plain.bvh");
+  await app.waitForClip("plain.bvh");
 });
 
-test("a file with a value that is no number can be opened leniently", async ({ app }) => {
-  await app.empty();
+test("opens a file with invalid values leniently", async ({ app }) => {
+  await app.openStartPage();
   await app.drop(bad("ragged-row"));
   await expect(app.alert.getByRole("button", { name: "Open leniently" })).toBeHidden();
   await app.drop(bad("not-a-number"));
   await expect(app.alert).toContainText("Expected a number");
   await app.alert.getByRole("button", { name: "Open leniently" }).click();
-  await app.opened("not-a-number.bvh");
+  await app.waitForClip("not-a-number.bvh");
   await expect(app.alert).toBeHidden();
   await expect(app.head.getByRole("button", { name: /notice/ })).toBeVisible();
 });
 
-test("the file input is no button of its own", async ({ app, page }) => {
-  await app.sample("bowling");
+test("hides the file input", async ({ app, page }) => {
+  await app.openSample("bowling");
   await expect(page.locator("input[type=file]")).toBeHidden();
   await expect(page.getByRole("button", { name: /^Open/ })).toHaveCount(1);
 });
 
-test("a new clip takes the place of the one before", async ({ app }) => {
-  await app.sample("bowling");
+test("replaces the open clip", async ({ app }) => {
+  await app.openSample("bowling");
   await app.page.keyboard.press("End");
   await app.drop(good("plain"));
-  await app.opened("plain.bvh");
+  await app.waitForClip("plain.bvh");
   expect(await app.frame()).toBe(0);
   await expect(app.page).toHaveURL(app.site.home);
 });

@@ -1,18 +1,18 @@
 import { expect, test } from "./app";
 import { repeated, sample } from "./clips";
 
-/** 245 frames so many times over: far more plants than there are pixels for. */
+/** A clip with more plants than the timeline has pixels. */
 const long = repeated(sample("curved-walk"), 122);
 
-test("a clip of thirty thousand frames is labelled, played and searched", async ({ app, page }) => {
+test("labels, plays and scrubs a clip of 30,000 frames", async ({ app, page }) => {
   test.slow();
-  await app.with(long);
+  await app.openFile(long);
   expect(await app.lastFrame()).toBe(122 * 245 - 1);
   const left = await app.result("Left");
   expect(left.plants).toBeGreaterThan(200);
-  expect(left.share).toBeGreaterThan(20);
+  expect(left.percent).toBeGreaterThan(20);
 
-  // All of it is in sight, and a drag goes through it.
+  // The timeline shows the entire clip, and a drag scrubs through it.
   const middle = await app.pressRuler(0.5);
   expect(middle).toBeGreaterThan(12_000);
   expect(middle).toBeLessThan(18_000);
@@ -21,15 +21,15 @@ test("a clip of thirty thousand frames is labelled, played and searched", async 
   await page.mouse.move(x, y);
   await page.mouse.down();
   let before = middle;
-  for (const share of [0.6, 0.75, 0.9]) {
-    await page.mouse.move((await app.ruler(share)).x, y, { steps: 4 });
+  for (const position of [0.6, 0.75, 0.9]) {
+    await page.mouse.move((await app.ruler(position)).x, y, { steps: 4 });
     await expect.poll(() => app.frame()).toBeGreaterThan(before);
     before = await app.frame();
   }
   await page.mouse.up();
   expect(before).toBeGreaterThan(24_000);
 
-  // What is said of a moment far in is said beside the picture too.
+  // The text of the playhead agrees with the foot status in the view.
   await page.keyboard.press("Shift+ArrowRight");
   const words = (await app.playhead.getAttribute("aria-valuetext")) ?? "";
   for (const [foot, side] of [
@@ -41,7 +41,7 @@ test("a clip of thirty thousand frames is labelled, played and searched", async 
     await expect(app.view.getByText(`${foot} ${state}`)).toBeVisible();
   }
 
-  // Who listens gets a beginning, and the list has them all.
+  // The table for screen readers is limited; the list is complete.
   await expect(
     app.timeline.getByRole("table", { name: /first 100 listed/ }).first(),
   ).toBeAttached();

@@ -1,0 +1,34 @@
+/** Clips shown side by side. */
+
+import { expect, test } from "./app";
+import { bad, sample } from "./clips";
+
+test("shows clips side by side and removes them", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("curved-walk"), sample("bowling"), sample("frog-jumps"), bad("empty"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  // The button requires an open clip.
+  await expect(page.getByRole("button", { name: /side by side/ })).toHaveCount(0);
+  await page.getByRole("button", { name: "curved-walk.bvh", exact: true }).click();
+  await app.waitForClip("curved-walk.bvh");
+  const alone = await app.stillPicture();
+  await page.getByRole("button", { name: "4 clips" }).click();
+  for (const name of ["bowling", "frog-jumps"]) {
+    const button = page.getByRole("button", {
+      name: `${name}.bvh side by side with curved-walk.bvh`,
+    });
+    await button.focus();
+    await page.keyboard.press("Enter");
+    await expect(button).toHaveAttribute("aria-pressed", "true");
+  }
+  await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+  const shown = page.getByRole("list", { name: "Comparison clips" });
+  await expect(shown.getByRole("listitem")).toHaveText(["bowling.bvh", "frog-jumps.bvh"]);
+  await expect.poll(async () => (await app.picture()) === alone).toBe(false);
+  // Each clip has a button that removes it.
+  await page.keyboard.press("End");
+  await page.getByRole("button", { name: "Remove bowling.bvh from the comparison" }).click();
+  await expect(shown.getByRole("listitem")).toHaveText(["frog-jumps.bvh"]);
+  await page.getByRole("button", { name: "Remove frog-jumps.bvh from the comparison" }).click();
+  await expect(shown).toBeHidden();
+});

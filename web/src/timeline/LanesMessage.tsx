@@ -1,0 +1,34 @@
+import { toSentence } from "../model/report";
+import { activeTab, sheetOpen } from "../store/view";
+
+interface Props {
+  message: string;
+  /** What the user can do. */
+  hint?: string | undefined;
+  /** Adds a button that opens the joint assignment. */
+  offersJoints?: boolean;
+  /** Height of the lanes below the message, in pixels. */
+  bottom?: number;
+}
+
+/** A message instead of the lanes of the feet, if there are none. */
+export function LanesMessage({ message, hint, offersJoints, bottom = 0 }: Props) {
+  const openClipPanel = () => {
+    activeTab.value = "clip";
+    sheetOpen.value = true;
+  };
+  return (
+    <div
+      class="timeline-message"
+      ref={(element) => element?.style.setProperty("--lanes-height", `${bottom}px`)}
+    >
+      <p>{toSentence(message)}</p>
+      {hint && <p class="muted">{hint}</p>}
+      {offersJoints && (
+        <button type="button" class="button" onClick={openClipPanel}>
+          Assign joints
+        </button>
+      )}
+    </div>
+  );
+}
