@@ -1,4 +1,4 @@
-//! Output files: written atomically and reused while up to date.
+//! Output: JSON on standard output; files that are written atomically and reused while up to date.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,6 +11,11 @@ use sha2::{Digest, Sha256};
 
 /// Name of the file in an output folder that records the origin of its results.
 const RECORD_FILE: &str = ".plantigrade.json";
+
+/// Prints a value as indented JSON.
+pub fn print_json(value: &impl Serialize) {
+    println!("{}", serde_json::to_string_pretty(value).expect("text, numbers and lists"));
+}
 
 /// A folder of results.
 pub struct OutputFolder {

@@ -1,5 +1,6 @@
 //! Accuracy of detection on the samples, against their generated truth.
 
+#[path = "support/files.rs"]
 mod support;
 
 use std::fs;

@@ -1,5 +1,6 @@
 //! Clean-up of generated clips, whose true foot positions are known.
 
+#[path = "support/roughness.rs"]
 mod roughness;
 
 use nalgebra::Vector3;

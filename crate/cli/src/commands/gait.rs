@@ -6,10 +6,10 @@ use plantigrade::gait::{Gait, PerSide, Spread};
 use serde::Serialize;
 
 use super::detect::{self, DetectedSkeleton};
-use super::print_json;
 use crate::args::{GaitArgs, GaitFormat};
 use crate::error::{InputError, UsageError, display_name};
 use crate::input::{self, Input};
+use crate::output::print_json;
 use crate::parallel;
 
 /// Gait of one skeleton of a clip.

@@ -9,10 +9,10 @@ use plantigrade::notice::Notice;
 use plantigrade::skeleton::{self, LegRoles, Role, Skeleton};
 use serde::Serialize;
 
-use super::print_json;
 use crate::args::{InfoArgs, InfoFormat};
 use crate::error::{UsageError, display_name};
 use crate::input::{self, Input, LoadedClip};
+use crate::output::print_json;
 
 /// Description of one file.
 #[derive(Serialize)]

@@ -1,20 +1,23 @@
-//! The commands.
-//!
-//! Each `run` function returns the number of inputs that failed, or a [`UsageError`] if the
-//! command line is invalid.
-//!
-//! [`UsageError`]: crate::error::UsageError
+//! The commands: one file or folder per command.
 
-pub mod clean;
-pub mod detect;
-pub mod gait;
-pub mod info;
-pub mod score;
-pub mod segment;
+mod clean;
+mod detect;
+mod gait;
+mod info;
+mod score;
+mod segment;
 
-use serde::Serialize;
+use crate::args::Command;
+use crate::error::UsageError;
 
-/// Prints a value as indented JSON.
-fn print_json(value: &impl Serialize) {
-    println!("{}", serde_json::to_string_pretty(value).expect("text, numbers and lists"));
+/// Runs a command. Returns the number of inputs that failed.
+pub fn run(command: &Command) -> Result<usize, UsageError> {
+    match command {
+        Command::Detect(args) => detect::run(args),
+        Command::Segment(args) => segment::run(args),
+        Command::Gait(args) => gait::run(args),
+        Command::Score(args) => score::run(args),
+        Command::Clean(args) => clean::run(args),
+        Command::Info(args) => info::run(args),
+    }
 }

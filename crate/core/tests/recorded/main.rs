@@ -5,11 +5,11 @@
 
 mod force_plates;
 mod reading;
-#[path = "../roughness.rs"]
+#[path = "../support/roughness.rs"]
 mod roughness;
 mod segments;
 mod skate;
-#[path = "../support.rs"]
+#[path = "../support/files.rs"]
 mod support;
 
 use std::path::{Path, PathBuf};
