@@ -1,6 +1,6 @@
 /** Writes BENCHMARKS.md: the measurements with their targets, and charts of growth. */
 
-import { readFileSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { join } from "node:path";
 import { root } from "../run.mjs";
@@ -9,8 +9,6 @@ import { METHODS } from "./core.mjs";
 import { lineChart } from "./line-chart.mjs";
 
 const chartFolder = "docs/results";
-/** Everything from this heading on is written by hand and preserved. */
-const MANUAL_PART = "## What was tried";
 
 const formatTime = (value) =>
   value >= 1000 ? `${(value / 1000).toFixed(2)} s` : `${value.toPrecision(3)} ms`;
@@ -266,10 +264,6 @@ function stageRows({ detect, redetect }) {
 export function toMarkdown(results) {
   const { core, app } = results;
   const longest = core.growth.at(-1);
-  const previous = readFileSync(join(root, "BENCHMARKS.md"), "utf8");
-  const manualPart = previous.includes(MANUAL_PART)
-    ? previous.slice(previous.indexOf(MANUAL_PART))
-    : `${MANUAL_PART}\n`;
   const growthRows = core.growth.map(
     ({ frames, bytes, parse, positions, detect }) =>
       `| ${formatCount(frames)} | ${formatMegabytes(bytes)} | ${formatTime(parse)} | ${formatTime(positions)} | ${formatTime(detect)} | ${((detect / frames) * 1000).toFixed(1)} µs |`,
@@ -317,5 +311,7 @@ ${growthRows.join("\n")}
 
 ![Memory by number of frames: after detection, after parsing, and size of the file](${chartFolder}/growth-memory.svg)
 
-${manualPart}`;
+[docs/notes/performance.md](docs/notes/performance.md) explains these figures and records what was
+tried.
+`;
 }
