@@ -12,6 +12,12 @@ pub struct UnknownName {
     pub known: Vec<&'static str>,
 }
 
+/// Returns the position of a name in a list of `kind`.
+pub(crate) fn position(kind: &'static str, names: &[&'static str], name: &str) -> Result<usize, UnknownName> {
+    let position = names.iter().position(|other| *other == name);
+    position.ok_or_else(|| UnknownName { kind, name: name.into(), known: names.into() })
+}
+
 /// Declares an enum and the entry of each variant: `Variant => path::ENTRY`.
 ///
 /// The entries are constants of one type with the fields `name`, `title` and `description`. The first
@@ -65,10 +71,8 @@ macro_rules! registry {
             type Err = $crate::registry::UnknownName;
 
             fn from_str(name: &str) -> Result<$Item, $crate::registry::UnknownName> {
-                $Item::ALL.iter().copied().find(|item| item.name() == name).ok_or_else(|| {
-                    let known = $Item::ALL.iter().map(|item| item.name()).collect();
-                    $crate::registry::UnknownName { kind: $kind, name: name.into(), known }
-                })
+                const NAMES: &[&str] = &[$($entry.name),+];
+                Ok($Item::ALL[$crate::registry::position($kind, NAMES, name)?])
             }
         }
     };

@@ -20,17 +20,26 @@ pub struct FormatInfo {
     pub media_type: String,
 }
 
+impl FormatInfo {
+    // Called for each list of formats: inlined, it would enlarge the module.
+    #[inline(never)]
+    fn new([name, title, description]: [&str; 3], extension: &str, media_type: &str) -> FormatInfo {
+        FormatInfo {
+            name: name.into(),
+            title: title.into(),
+            description: description.into(),
+            extension: extension.into(),
+            media_type: media_type.into(),
+        }
+    }
+}
+
 macro_rules! impl_from_format {
     ($($Format:ty),+) => {$(
         impl From<$Format> for FormatInfo {
             fn from(format: $Format) -> FormatInfo {
-                FormatInfo {
-                    name: format.name().into(),
-                    title: format.title().into(),
-                    description: format.description().into(),
-                    extension: format.extension().into(),
-                    media_type: format.media_type().into(),
-                }
+                let names = [format.name(), format.title(), format.description()];
+                FormatInfo::new(names, format.extension(), format.media_type())
             }
         }
     )+};
