@@ -121,7 +121,7 @@ pub fn tracks_at(clip: &Clip, joints: &[usize], frames: impl ExactSizeIterator<I
     tracks
 }
 
-/// Returns at max `max` frames at equal distances over the clip.
+/// Returns at most `max` frames at equal distances over the clip.
 pub fn sample_frames(clip: &Clip, max: usize) -> impl ExactSizeIterator<Item = usize> + Clone {
     let count = pose_count(clip);
     let samples = count.min(max);

@@ -143,7 +143,7 @@ pub(crate) struct Cells {
 pub(crate) type CellExtent = (Range<usize>, [f32; DIMS]);
 
 impl Cells {
-    /// Splits points into at max the given numbers of cells. The cells with the largest error are
+    /// Splits points into at most the given numbers of cells. The cells with the largest error are
     /// split first.
     pub fn new(mut points: Vec<Point>, max_targets: usize, max_sources: usize) -> Cells {
         let mut open = BinaryHeap::from([Cell::new(&points, 0..points.len())]);

@@ -13,7 +13,7 @@ use crate::plants::spectral::affinity::{AffinityGraph, Kernel};
 use crate::plants::spectral::cells::{PartitionedSamples, PrincipalAxes};
 use crate::plants::spectral::expansion::Expansion;
 
-/// Bandwidths at or below this count as zero: max samples are at rest and the variance knee lies
+/// Bandwidths at or below this count as zero: most samples are at rest and the variance knee lies
 /// among them.
 const MIN_BANDWIDTH: f64 = 1e-30;
 /// Maximum number of samples for summation over all pairs.
@@ -209,7 +209,7 @@ impl SqrtDegrees<'_> {
     }
 }
 
-/// Returns at max `max` samples within `reach`, the nearest first, given pairs of distance and
+/// Returns at most `max` samples within `reach`, the nearest first, given pairs of distance and
 /// sample.
 fn nearest(samples: impl Iterator<Item = (f64, usize)>, reach: f64, max: usize) -> Vec<usize> {
     let truncate = |near: &mut Vec<(f64, usize)>| {

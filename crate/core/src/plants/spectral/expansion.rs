@@ -22,7 +22,7 @@ const LANES: usize = 8;
 /// Samples farther from the centre of their cell than this, in units of the bandwidth, are
 /// evaluated one by one because the series is short …
 const FAR_DISTANCE: f32 = 0.3;
-/// … but at max one in this many samples, the farthest first.
+/// … but at most one in this many samples, the farthest first.
 const SAMPLES_PER_FAR: usize = 100;
 
 type Lanes = [f32; LANES];
