@@ -145,7 +145,7 @@ impl BothPlanted {
     }
 
     /// Returns the first index between `from` and `end` at which the feet are separated by more
-    /// than `distance`, or by how much they fall short of it at min_slack.
+    /// than `distance`, or by how much they fall short of it at least.
     fn first_separated(&self, from: usize, end: usize, distance: f64) -> Result<usize, f64> {
         let mut min_slack = MIN_SLACK * distance;
         let mut to = from + 1;

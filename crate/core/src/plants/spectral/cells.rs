@@ -92,7 +92,7 @@ impl PrincipalAxes {
 pub(crate) struct PartitionedSamples {
     pub samples: Samples,
     axes: OnceCell<PrincipalAxes>,
-    /// Cached cells, if they are cached: they need more memory than the samples.
+    /// Cells, if they are cached; they need more memory than the samples.
     cells: Option<OnceCell<Cells>>,
 }
 

@@ -1,8 +1,8 @@
-//! Square roots of the degrees of samples: exact for approximate samples, and for many samples exact near
+//! Square roots of the degrees of samples: exact for few samples, and for many samples exact near
 //! the threshold.
 //!
 //! Samples near the threshold are first evaluated one by one against the cells of all queries, which
-//! takes a fraction of the time and leaves approximate samples for the exact sum.
+//! takes a fraction of the time and leaves few samples for the exact sum.
 
 use std::cell::OnceCell;
 use std::ops::RangeInclusive;
@@ -158,7 +158,7 @@ impl SqrtDegrees<'_> {
     pub fn refine_near(&mut self, threshold: f64) -> Option<RangeInclusive<f64>> {
         let mut band = None;
         if threshold > 0.0 {
-            // The first step leaves approximate samples for the expensive step.
+            // The first step leaves few samples for the expensive step.
             for (from, to, first_batch) in [
                 (Accuracy::CellToCell, Accuracy::PointToCell, FIRST_BATCH),
                 (Accuracy::PointToCell, Accuracy::Exact, FIRST_BATCH / 4),
