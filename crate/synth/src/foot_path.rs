@@ -219,8 +219,8 @@ impl<'a> FootPath<'a> {
     }
 }
 
-/// Returns the bound time near the ground of a stance, in seconds; shorter for sprints, because the
-/// leg could not follow for longer.
+/// Returns the time before and after a stance in which the foot follows its path, in seconds;
+/// shorter for sprints, in which the leg cannot follow longer.
 fn near_ground(stance: &Stance) -> f64 {
     match stance.toe_off - stance.strike {
         // A sliding foot has a stance of zero length.

@@ -1,10 +1,10 @@
-//! Conversion of UTF-8 and UTF-16, with or without byte order bom, to UTF-8 bytes.
+//! Conversion of UTF-8 and UTF-16, with or without a byte order mark, to UTF-8 bytes.
 
 /// Decodes a file in chunks of any size.
 #[derive(Debug, Default)]
 pub(crate) struct Decoder {
     encoding: Option<Encoding>,
-    /// Bytes of an incomplete character or bom: at most three.
+    /// Bytes of an incomplete character or byte order mark: at most three.
     pending: Vec<u8>,
     /// UTF-16 high surrogate whose low surrogate has not been read.
     surrogate: Option<u16>,
@@ -28,7 +28,7 @@ impl Decoder {
             }
             None => {
                 self.pending.extend_from_slice(chunk);
-                // Three bytes distinguish a UTF-8 bom from everything else.
+                // Three bytes distinguish a UTF-8 byte order mark from everything else.
                 if self.pending.len() >= 3 {
                     self.detect_encoding();
                 } else {
@@ -39,7 +39,7 @@ impl Decoder {
         &self.text
     }
 
-    /// Returns the rest of the text at the end of the file.
+    /// Returns the remaining text at the end of the file.
     pub fn finish(&mut self) -> &[u8] {
         self.text.clear();
         if self.encoding.is_none() {
@@ -57,7 +57,7 @@ impl Decoder {
             [0xef, 0xbb, 0xbf, ..] => (Encoding::Utf8, 3),
             [0xff, 0xfe, ..] => (Encoding::Utf16 { big_endian: false }, 2),
             [0xfe, 0xff, ..] => (Encoding::Utf16 { big_endian: true }, 2),
-            // Without a bom: BVH begins with ASCII, so one byte of the first pair is zero.
+            // Without a byte order mark: BVH begins with ASCII, so one byte of the first pair is zero.
             [1..=255, 0, ..] => (Encoding::Utf16 { big_endian: false }, 0),
             [0, 1..=255, ..] => (Encoding::Utf16 { big_endian: true }, 0),
             _ => (Encoding::Utf8, 0),

@@ -54,7 +54,7 @@ impl Feet {
             return Err(DetectError::NoMotion);
         }
         let foot = |side| {
-            let tip = skeleton.roles.get(LegRoles::of(side).tip);
+            let tip = skeleton.roles.get(LegRoles::for_side(side).tip);
             Some((skeleton.heel(side)?, skeleton.toe(side)?, tip))
         };
         let (Some(left), Some(right), Some(leg)) = (foot(Side::Left), foot(Side::Right), skeleton.leg) else {

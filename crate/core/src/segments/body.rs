@@ -75,7 +75,7 @@ impl Body {
         }
     }
 
-    /// Adds at max `max` joints of the chain between two roles, from the upper end.
+    /// Adds at most `max` joints of the chain between two roles, from the upper end.
     fn add_chain(&mut self, clip: &Clip, skeleton: &Skeleton, from: Role, to: Role, max: usize) {
         let (bottom, top) = (skeleton.roles.get(from), skeleton.roles.get(to));
         self.missing.extend(

@@ -117,7 +117,7 @@ fn table(report: &mut Report, generated: &Generated) {
                 Tolerance::REPORTED.map(|tolerance| generated.tally(variant, tolerance));
             let near_range = generated.tally_near_range(variant);
             let values = [one.precision(), one.recall(), one.f1(), half.f1(), inside.f1(), near_range.f1()];
-            let mut row = vec![variant.name.to_owned(), one.total.to_string(), one.found.to_string()];
+            let mut row = vec![variant.name.to_owned(), one.total.to_string(), one.detected.to_string()];
             row.extend(values.map(two_decimals));
             row
         })

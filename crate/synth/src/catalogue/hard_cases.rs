@@ -174,7 +174,7 @@ fn hop_throughout(actor: &mut Actor, seconds: f64) {
     actor.hop_on(Left, count, 0.36);
 }
 
-/// Swims in the air: arm and leg strokes with the body horizontal.
+/// Swims in the air: swimming movements of arms and legs with the body horizontal.
 fn afloat(actor: &mut Actor, seconds: f64) {
     let (start, scale) = (actor.now(), actor.scale);
     let end = seconds + 3.0;

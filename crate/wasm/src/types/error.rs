@@ -9,11 +9,11 @@ pub enum ArgumentError {
     MissingPart(String),
     /// The detection method does not label this part.
     UnlabelledPart(String),
-    /// Neither `left` nor `right`.
+    /// A side other than `left` and `right`.
     Side(String),
-    /// Not the name of a role.
+    /// An unknown role.
     Role(String),
-    /// Not the index of a joint of the clip.
+    /// A joint index beyond the joints of the clip.
     Joint(usize),
     /// A name that the core does not accept, with its reason.
     Name(String),

@@ -29,7 +29,7 @@ const BLOCK: usize = 128;
 
 type Lanes = [f32; LANES];
 
-/// AffinityGraph of the affinities of samples. Its matrix A is multiplied but never stored.
+/// Graph of the affinities of samples. Its matrix A is multiplied but never stored.
 pub(crate) struct AffinityGraph<'a> {
     kernel: Kernel,
     /// Factor of the coordinates.

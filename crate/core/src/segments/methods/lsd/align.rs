@@ -1,4 +1,4 @@
-//! Shapes: joint positions up to translation and rotation, and the min-squares distance of two
+//! Shapes: joint positions up to translation and rotation, and the least-squares distance of two
 //! shapes.
 
 use nalgebra::{Matrix3, Vector3};

@@ -1,6 +1,6 @@
 //! Turning points (patent, section 4.2).
 
-/// Returns the indices at which a curve turns by at min_change `min_change`, with both of its ends.
+/// Returns the indices at which a curve turns by at least `min_change`, and both of its ends.
 ///
 /// Smaller changes in between are ignored; of equal values the first counts.
 pub(crate) fn turning_points(values: &[f64], min_change: f64) -> Vec<usize> {
