@@ -164,18 +164,18 @@ function paintPlantNumbers(
 ) {
   const { view, theme } = scene;
   const visible = plantsWithin(scene.plants, lane.side, view);
-  // Early exit: no number needs less.
+  // Early exit: the shortest number already needs more space.
   if (0.6 * visible.length * minNumberWidth > laneWidth) return;
   ctx.font = font(10, 600);
   ctx.textAlign = "center";
   const centerY = lane.y + lane.height / 2;
-  const hasRoom = (plant: Plant) =>
+  const fits = (plant: Plant) =>
     toX(view, plant.end, laneWidth) - toX(view, plant.start, laneWidth) >=
     ctx.measureText(String(plant.number)).width + 20;
-  // Few numbers would look like gaps in the count: most are drawn, or none.
-  if (visible.filter(hasRoom).length < 0.6 * visible.length) return;
+  // Few numbers would look like missing plants, so either most are drawn or none.
+  if (visible.filter(fits).length < 0.6 * visible.length) return;
   for (const plant of visible) {
-    if (!hasRoom(plant)) continue;
+    if (!fits(plant)) continue;
     const from = Math.max(0, toX(view, plant.start, laneWidth));
     const to = Math.min(laneWidth, toX(view, plant.end, laneWidth));
     const width = ctx.measureText(String(plant.number)).width + 8;

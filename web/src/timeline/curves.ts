@@ -92,7 +92,7 @@ function traceFrames(
 
 /**
  * Adds the band between the column maxima and the column minima to the path. Filling it takes half
- * the time of stroking a line that goes up and down in every column.
+ * the time of drawing a line that goes up and down in every column.
  */
 function traceColumns(
   ctx: CanvasRenderingContext2D,

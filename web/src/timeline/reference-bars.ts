@@ -26,7 +26,7 @@ function labelIntervals(labels: Int8Array): LabelIntervals {
   return result;
 }
 
-/** Draws the plants of the reference as outlines, to tell them from detected plants. */
+/** Draws the plants of the reference as outlines, unlike detected plants. */
 export function paintReference(
   ctx: CanvasRenderingContext2D,
   { view, theme }: Scene,

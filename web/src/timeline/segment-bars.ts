@@ -78,7 +78,7 @@ function addBarPath(
   ctx.roundRect(from, y, width, height, Math.min(radius, width / 2));
 }
 
-/** Strokes the outline of a bar. */
+/** Draws the outline of a bar. */
 function paintOutline(
   ctx: CanvasRenderingContext2D,
   color: string,
