@@ -166,11 +166,11 @@ impl Actor<'_> {
                 self.planner.place_foot(dragged, end, dragged_placement, &drag);
                 free = end;
             }
-            let lurch =
+            let dragging_posture =
                 |pitch, lean| Posture { trunk: [pitch, 0.0, lean], pelvis: [4.0, 0.0, -0.7 * lean], ..limp };
             let lean = if stepping == plantigrade::foot::Side::Left { 8.0 } else { -8.0 };
-            self.set_posture(strike - 0.1, &lurch(8.0, -0.3 * lean));
-            self.set_posture(strike + 0.4, &lurch(14.0, lean));
+            self.set_posture(strike - 0.1, &dragging_posture(8.0, -0.3 * lean));
+            self.set_posture(strike + 0.4, &dragging_posture(14.0, lean));
         }
     }
 }
