@@ -2,6 +2,7 @@ import { type Plant, plantsWithin } from "../model/plants";
 import { toX } from "../model/time-view";
 import type { Track } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 import type { Bars } from "./layout";
 import { font, type Scene } from "./scene";
 import { forEachVisible } from "./visible-intervals";
@@ -63,9 +64,7 @@ export function paintBar(
     height - 1.5,
     Math.min(2.5, width / 2),
   );
-  ctx.lineWidth = 1.5;
-  ctx.strokeStyle = theme[lane.side];
-  ctx.stroke();
+  drawPath(ctx, theme[lane.side], 1.5);
 }
 
 /** Draws the intervals of one part of one foot, with their confidence, edits and numbers. */
@@ -129,11 +128,9 @@ function paintSelection(
   const from = toX(view, selected.start, laneWidth);
   const to = Math.max(from + 3, toX(view, selected.end, laneWidth) - 1);
   const [top, height] = [lane.y - 1.5, lane.height + 3];
-  ctx.strokeStyle = theme.text;
-  ctx.lineWidth = 1.5;
   ctx.beginPath();
   ctx.roundRect(from - 1.5, top, to - from + 3, height, 4);
-  ctx.stroke();
+  drawPath(ctx, theme.text, 1.5);
   ctx.fillStyle = theme.text;
   ctx.beginPath();
   for (const x of [from - 4, to]) ctx.roundRect(x, top, 4, height, 2);

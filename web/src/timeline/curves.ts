@@ -1,5 +1,6 @@
 import { toX } from "../model/time-view";
 import { niceCeiling } from "../util/axis-steps";
+import { drawPath } from "../util/draw-path";
 import { minMaxColumns } from "../util/min-max-pyramid";
 import type { Curves } from "./layout";
 import type { Scene } from "./scene";
@@ -53,10 +54,8 @@ export function paintCurves(
     ctx.beginPath();
     if (showsFrames) {
       traceFrames(ctx, scene, lane[side][lane.kind], laneWidth, bottom, scale);
-      ctx.strokeStyle = theme[side];
-      ctx.lineWidth = lineWidth;
       ctx.lineJoin = "round";
-      ctx.stroke();
+      drawPath(ctx, theme[side], lineWidth);
     } else {
       const { [lane.kind]: values, summaries } = lane[side];
       minMaxColumns(
