@@ -13,7 +13,7 @@ const minNumberWidth = 20;
 /** Cache of `editedIntervalsOf`. */
 const editedIntervals = new WeakMap<Track, Uint32Array>();
 
-/** Draws a contact interval: a horizontal line with a stop at each end. */
+/** Draws a contact interval: a horizontal line with a vertical line at each end. */
 export function paintBracket(
   ctx: CanvasRenderingContext2D,
   color: string,
@@ -137,7 +137,7 @@ function paintSelection(
   ctx.fill();
 }
 
-/** Draws several merged intervals, translucent to differ from one interval of the same length. */
+/** Draws several merged intervals; they are translucent, unlike a single interval. */
 export function paintMerged(
   ctx: CanvasRenderingContext2D,
   color: string,

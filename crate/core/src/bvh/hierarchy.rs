@@ -209,7 +209,7 @@ impl Hierarchy {
             return Err(unexpected("a number", line, text, at));
         };
         self.decimals.record(number.mark, line, text, at);
-        let joint = *self.open.last().expect("an OFFSET stands in a joint");
+        let joint = *self.open.last().expect("OFFSET is read within a joint");
         if axis == 0 && std::mem::replace(&mut self.offset_seen[joint], true) {
             let message = format!("{} has a second OFFSET; the last one is used.", self.joints[joint].name);
             self.notice(Code::Offset, line, text, at, message);
@@ -227,7 +227,7 @@ impl Hierarchy {
         text: &[u8],
         at: usize,
     ) -> Result<usize, Error> {
-        let joint = *self.open.last().expect("CHANNELS stand in a joint");
+        let joint = *self.open.last().expect("CHANNELS is read within a joint");
         if is_keyword(word) {
             let listed = self.joints[joint].channels.len();
             if listed != declared {

@@ -160,13 +160,13 @@ fn can_be_cancelled() {
     let cancelled = segment(&clip, &skeleton, params, &mut |_| Err(Cancelled));
     assert_eq!(cancelled, Err(SegmentError::Cancelled));
     let mut last = 0.0;
-    let mut rises = true;
+    let mut is_ascending = true;
     let result = segment(&clip, &skeleton, params, &mut |fraction| {
-        rises &= (last..=1.0).contains(&fraction);
+        is_ascending &= (last..=1.0).contains(&fraction);
         last = fraction;
         Ok(())
     });
-    assert!(result.is_ok() && rises && last > 0.5);
+    assert!(result.is_ok() && is_ascending && last > 0.5);
 }
 
 #[test]
