@@ -35,7 +35,7 @@ type EngineCall<Call extends (...args: never[]) => unknown> = (
 
 /** The calls of the clip worker, and `cancel`. */
 export type ClipEngine = { [Name in keyof SimpleCalls]: EngineCall<SimpleCalls[Name]> } & {
-  /** Starts the worker ahead of the first call. */
+  /** Starts the worker before the first call. */
   start(): void;
   open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
   override(overrides: Overrides): Promise<Opened>;
@@ -258,7 +258,7 @@ export function createEngine(
         "clip",
         async (calls, worker, report) => {
           const answer = calls.segment(options, report);
-          // Calls that need a segmentation wait for this one. Restoring the previous one meanwhile
+          // Calls that need a segmentation wait for this one. Restoring the previous one during it
           // would end after it and replace it.
           worker.segmented ??= answer.then(
             ({ ok }) => (ok ? undefined : restoreSegmentation(calls)),

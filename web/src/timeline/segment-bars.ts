@@ -136,7 +136,7 @@ function paintTransitions(
   }
 }
 
-/** Draws the icon of the kind and the name or number of a segment, as far as they fit. */
+/** Draws the icon of the kind and the name or number of a segment, if they fit. */
 function paintSegmentText(
   ctx: CanvasRenderingContext2D,
   { view, theme, segmentation }: Scene,

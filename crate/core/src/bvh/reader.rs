@@ -132,7 +132,7 @@ impl Section {
         }
     }
 
-    /// Reads a line that ends with the file, perhaps within a word.
+    /// Reads a line that ends with the file, possibly within a word.
     fn last_line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
         match self {
             Section::Motion { rows, .. } => rows.last_line(line, text),

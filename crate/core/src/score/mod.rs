@@ -39,8 +39,8 @@ impl AddAssign for Tally {
 /// Returns the lenient accuracy of one foot's labels.
 ///
 /// A boundary between frames k − 1 and k is at k − ½. Every label within `fuzzy` / 2 seconds of a
-/// boundary is correct. Frames with unknown reference do not count and have no boundaries, nor have
-/// the ends of the clip.
+/// boundary is correct. Frames with unknown reference do not count and have no boundaries; the ends
+/// of the clip are not boundaries.
 ///
 /// # Panics
 /// If `labels` and `truth` differ in length.

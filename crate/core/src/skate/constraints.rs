@@ -176,7 +176,7 @@ impl Stance<'_> {
         self.rotations[frame] * self.leg.foot[frame] * self.heel
     }
 
-    /// Moves each hold horizontally so that the heel, on which the foot stands in between, stays at
+    /// Moves each hold horizontally so that the heel, which bears weight in between, remains at
     /// the position of the previous hold.
     fn align_holds(&self, holds: &mut [Hold]) {
         let up_direction = up_vector(self.up);
