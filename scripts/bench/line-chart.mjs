@@ -46,12 +46,13 @@ export function lineChart({ title, x, y, series }) {
   series.forEach(({ label, points }, index) => {
     const colour = COLOURS[index % COLOURS.length];
     const positions = points.map((point) => [xAxis.at(point[0]), yAxis.at(point[1])]);
-    const path = `<polyline points="${positions.join(" ")}" fill="none" stroke="${colour}" stroke-width="2"/>`;
+    const lineStyle = `stroke="${colour}" stroke-width="2"`;
+    const path = `<polyline points="${positions.join(" ")}" fill="none" ${lineStyle}/>`;
     const dots = positions.map(
       ([cx, cy]) => `<circle cx="${cx}" cy="${cy}" r="3" fill="${colour}"/>`,
     );
     const legendY = TOP + 16 + 18 * index;
-    const legendLine = `<line x1="${LEFT + 12}" y1="${legendY - 4}" x2="${LEFT + 30}" y2="${legendY - 4}" stroke="${colour}" stroke-width="2"/>`;
+    const legendLine = `<line x1="${LEFT + 12}" y1="${legendY - 4}" x2="${LEFT + 30}" y2="${legendY - 4}" ${lineStyle}/>`;
     parts.push(path, ...dots, legendLine, text(label, [LEFT + 36, legendY], "start"));
   });
   const size = `width="${WIDTH}" height="${HEIGHT}" viewBox="0 0 ${WIDTH} ${HEIGHT}"`;

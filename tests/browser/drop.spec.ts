@@ -20,7 +20,7 @@ test("highlights the page while files are dragged over it", async ({ app }) => {
   await expect(highlight(app)).toBeHidden();
 });
 
-test("keeps the highlight while files move between elements", async ({ app }) => {
+test("does not remove the highlight while files move between elements", async ({ app }) => {
   await app.openStartPage();
   const files = await app.transfer(good("plain"));
   await dispatchDrag(app, "dragenter", "main")(files);

@@ -114,7 +114,7 @@ test("edits plants by buttons and fields", async ({ app, page }) => {
   expect(await saved(app)).toEqual(added);
 });
 
-test("keeps edits when the method or the clip changes and after a reload", async ({
+test("preserves edits when the method or the clip changes and after a reload", async ({
   app,
   page,
 }) => {
@@ -162,7 +162,7 @@ test("adopts reference labels as edits", async ({ app }) => {
   await expect(app.panel.getByRole("row", { name: /^0.0 s/ })).toContainText("100.0");
 });
 
-test("reports full storage and keeps edits until the page is closed", async ({ app, page }) => {
+test("reports full storage and preserves edits until the page is closed", async ({ app, page }) => {
   await app.page.addInitScript(() => {
     Storage.prototype.setItem = () => {
       throw new DOMException("full", "QuotaExceededError");

@@ -7,7 +7,7 @@ test("reads the lists of valid and invalid files", () => {
 });
 
 for (const { name, location, message } of invalidFiles) {
-  test(`reports ${name} and keeps the open clip`, async ({ app, page }) => {
+  test(`reports ${name} and leaves the clip open`, async ({ app, page }) => {
     await app.openFile(good("plain"));
     await app.drop(bad(name));
     await expect(app.alert.getByRole("heading")).toHaveText(`${name}.bvh could not be opened`);

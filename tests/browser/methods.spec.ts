@@ -48,7 +48,7 @@ test("shows threshold sliders for methods with thresholds", async ({ app, page }
   await expect.poll(async () => (await app.result("Left")).percent).toBe(before);
 });
 
-test("cancels a slow detection and keeps the previous labels", async ({ app, page }) => {
+test("cancels a slow detection and restores the previous labels", async ({ app, page }) => {
   await app.openFile(repeated(sample("limp-to-run"), 14));
   const before = await app.result("Left");
   const menu = page.getByRole("combobox", { name: "Method" });

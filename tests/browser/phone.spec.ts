@@ -74,7 +74,7 @@ function hitHeight(element: Element) {
   return { name: element.getAttribute("aria-label") ?? element.textContent, height };
 }
 
-test("keeps the size of the playback buttons for a long clip", async ({ app }) => {
+test("does not shrink the playback buttons for a long clip", async ({ app }) => {
   await app.openFile(repeated(sample("curved-walk"), 50));
   await app.page.keyboard.press("End");
   const box = await app.timeline.getByRole("button", { name: "Play" }).boundingBox();
@@ -116,7 +116,7 @@ test("hides foot status while the panel is expanded", async ({ app, page }) => {
   await expect(pill).toBeVisible();
 });
 
-test("keeps a usable 3D view on a short screen", async ({ app, page }) => {
+test("has a usable 3D view on a short screen", async ({ app, page }) => {
   await page.setViewportSize({ width: 375, height: 667 });
   await app.openSample("ballet");
   const stage = await app.stage.boundingBox();

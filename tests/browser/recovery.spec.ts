@@ -6,7 +6,7 @@ import { readLabels } from "./labels";
 
 const spans = async (app: App) => readLabels(await app.save("Labels")).left.contact;
 
-test("replaces the worker after a trap and keeps edits", async ({ app, page }) => {
+test("replaces the worker after a trap and preserves edits", async ({ app, page }) => {
   // In the first worker, measuring gait traps.
   await page.addInitScript(() => {
     const Real = globalThis.Worker;

@@ -157,7 +157,7 @@ test("steps through cuts, loops and renames segments by key", async ({ app, page
   await expect(app.dialog).toContainText("Previous, next cut");
 });
 
-test("keeps a segment name on the bar, in files and across methods", async ({ app, page }) => {
+test("shows a segment name on the bar, in files and with other methods", async ({ app, page }) => {
   await app.openSample("limp-to-run");
   await app.tab("Segment");
   const before = await app.tracks.screenshot();
@@ -270,7 +270,7 @@ test("rejects segments of another clip", async ({ app }) => {
   await expect(app.alert).toContainText("316");
 });
 
-test("cancels a slow segmentation at once and keeps the previous one", async ({ app }) => {
+test("cancels a slow segmentation immediately and restores the previous one", async ({ app }) => {
   await app.openFile(repeated(sample("limp-to-run"), 14));
   const before = await app.segments();
   await name(app, 1).fill("first");

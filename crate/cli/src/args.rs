@@ -38,7 +38,7 @@ pub enum Command {
     Segment(SegmentArgs),
     /// Measure gait: cadence, stance and swing, step length and width, symmetry
     Gait(GaitArgs),
-    /// Compare detected labels with truth
+    /// Compare detected labels with ground truth
     Score(ScoreArgs),
     /// Remove foot skate
     Clean(CleanArgs),
@@ -53,17 +53,17 @@ pub struct ReadArgs {
     #[arg(required = true, value_name = "PATH")]
     pub paths: Vec<PathBuf>,
     /// Frame rate; overrides the frame time of the file
-    #[arg(long, value_name = "HZ", value_parser = positive)]
+    #[arg(long, value_name = "HZ", value_parser = parse_positive)]
     pub fps: Option<f64>,
     /// Up axis: x, y or z; a leading - reverses it [default: detected from the motion]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
     /// Joint of a role, such as left_ankle=LFoot; an empty name means no joint. May be repeated
     /// [default: detected from names and shape; info --format json lists the roles]
-    #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = joint)]
+    #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = parse_joint)]
     pub joints: Vec<(Role, String)>,
     /// Metres per file unit [default: detected from the length of the legs]
-    #[arg(long, value_name = "METRES", value_parser = positive)]
+    #[arg(long, value_name = "METRES", value_parser = parse_positive)]
     pub unit: Option<f64>,
     /// Replace invalid numbers by the value of the previous frame
     #[arg(long)]
@@ -180,7 +180,7 @@ pub struct DetectionParamArgs {
     /// Speed threshold of the methods speed, dual and min-speed, in metres per second
     #[arg(long, value_name = "M/S", default_value_t = plants::Params::default().speed)]
     pub speed: f64,
-    /// Compare all pairs of frames of long clips too: slow, and labels hardly ever differ
+    /// Compare all pairs of frames in long clips too; slow, and labels rarely change
     #[arg(long)]
     pub exact: bool,
 }
@@ -205,10 +205,10 @@ impl DetectionParamArgs {
 #[derive(ClapArgs)]
 #[group(id = "segments")]
 pub struct SegmentationParamArgs {
-    /// Number of dimensions that are not residual [default: 1 for mvu, 2 for pca-tail]
+    /// Number of dimensions excluded from the residual [default: 1 for mvu, 2 for pca-tail]
     #[arg(long, value_name = "D")]
     pub dims: Option<usize>,
-    /// Residual of mvu: absolute sum of the remaining dimensions, or their ratio to all
+    /// Residual of mvu: sum over the remaining dimensions (absolute), or its ratio to the total
     #[arg(long, value_name = "absolute|ratio", default_value_t)]
     pub residual: Residual,
     /// Template pose of lsd: the mean pose, the T-pose, or a frame number (from 0)
@@ -233,8 +233,8 @@ impl SegmentationParamArgs {
     }
 }
 
-/// Returns a parser of the names of a registry. `descriptions` has the help text of each item, if the
-/// items should be explained.
+/// Returns a parser of the names of a registry. `description` returns the help text of an item; `None`
+/// lists the names only.
 fn one_of<T>(
     items: &'static [T],
     name: fn(T) -> &'static str,
@@ -325,7 +325,7 @@ pub enum GaitFormat {
 }
 
 /// Parses a role and the name of its joint, which may be empty.
-fn joint(text: &str) -> Result<(Role, String), String> {
+fn parse_joint(text: &str) -> Result<(Role, String), String> {
     let (role, name) = text.split_once('=').ok_or("expected ROLE=NAME")?;
     let roles = || Role::ALL.map(Role::name).join(", ");
     let role =
@@ -333,7 +333,7 @@ fn joint(text: &str) -> Result<(Role, String), String> {
     Ok((role, name.to_owned()))
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+fn parse_positive(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
         _ => Err("must be a number greater than 0".into()),

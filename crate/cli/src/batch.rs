@@ -39,11 +39,11 @@ impl Batch<'_> {
                 });
                 Ok(failures)
             }
-            Some(folder) => self.run_into(folder, &inputs, compute),
+            Some(folder) => self.run_to_folder(folder, &inputs, compute),
         }
     }
 
-    fn run_into<R: AsRef<[u8]>>(
+    fn run_to_folder<R: AsRef<[u8]>>(
         &self,
         folder: &Path,
         inputs: &[Input],
@@ -72,10 +72,10 @@ impl Batch<'_> {
 
     /// Checks that no two inputs have the same output file.
     fn check_output_names(&self, inputs: &[Input]) -> Result<(), UsageError> {
-        let mut owners: BTreeMap<PathBuf, &Input> = BTreeMap::new();
+        let mut input_by_output: BTreeMap<PathBuf, &Input> = BTreeMap::new();
         for input in inputs {
             let output = self.output_name(input);
-            if let Some(other) = owners.insert(output.clone(), input) {
+            if let Some(other) = input_by_output.insert(output.clone(), input) {
                 let (first, second) = (other.path.clone(), input.path.clone());
                 return Err(UsageError::OutputConflict { first, second, output });
             }

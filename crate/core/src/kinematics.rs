@@ -49,7 +49,7 @@ impl<'a> Kinematics<'a> {
     /// A clip without motion has one frame: its rest pose, with all rotations zero.
     ///
     /// # Panics
-    /// If there is no such frame.
+    /// If `frame` is not a frame of the clip.
     pub fn pose(&mut self, frame: usize) -> &[Vector3<f64>] {
         let row = if frame == 0 && self.clip.frame_count() == 0 { &[][..] } else { self.clip.row(frame) };
         for &index in &self.needed {
@@ -57,7 +57,7 @@ impl<'a> Kinematics<'a> {
             let is_added = joint.parent.is_some() && self.clip.position_rule() == PositionRule::Add;
             let mut position = joint.offset;
             let mut rotation = Matrix3::identity();
-            // A rest pose has no values: its joints keep their offset and the identity rotation.
+            // A rest pose has no values: its joints have their offset and the identity rotation.
             let values = row.get(self.clip.channel_range(index)).unwrap_or_default();
             for (channel, value) in joint.channels.iter().zip(values) {
                 match channel {
@@ -86,7 +86,7 @@ impl<'a> Kinematics<'a> {
 /// Multiplies `rotation` from the right by a rotation of `angle` radians about `axis`.
 fn rotate_about(rotation: &mut Matrix3<f64>, axis: Axis, angle: f64) {
     let (sin, cos) = angle.sin_cos();
-    // The column of the axis itself stays; the two others rotate in their plane.
+    // The column of the axis does not change; the two others rotate in their plane.
     let (a, b) = match axis {
         Axis::X => (1, 2),
         Axis::Y => (2, 0),
@@ -161,7 +161,7 @@ mod tests {
         let order = vec![Channel::Rotation(Z), Channel::Rotation(X)];
         let clip = arm(order, vec![90.0, 90.0]);
         let tip = tracks(&clip, &[2])[0][0];
-        // X first rotates the tip to +Z of the elbow; Z then leaves it there.
+        // X first rotates the tip to +Z of the elbow; Z then does not move it.
         assert!((tip - Vector3::new(10.0, 9.0, 11.0)).norm() < 1e-12, "{tip}");
     }
 

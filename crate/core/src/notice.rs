@@ -1,4 +1,4 @@
-//! Notices: what the reader or a method had to assume, repair or doubt.
+//! Notices: assumptions, repairs and warnings of the reader and the methods.
 
 use std::fmt;
 
@@ -33,7 +33,7 @@ pub enum Code {
     ChannelCount,
     /// Several joints share a name.
     DuplicateName,
-    /// The file holds more than one skeleton.
+    /// The file contains more than one skeleton.
     SeveralRoots,
     /// Position channels are added to the offsets instead of replacing them.
     AddedPositions,
@@ -95,7 +95,7 @@ impl Code {
     }
 }
 
-/// One thing a user should know about a clip or a result.
+/// Information for the user about a clip or a result.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Notice {
     /// Subject.
@@ -103,7 +103,7 @@ pub struct Notice {
     /// Location in the file, if any.
     #[serde(flatten)]
     pub location: Option<Location>,
-    /// What was found and what was done, in one sentence.
+    /// Finding and action taken, in one sentence.
     pub text: String,
 }
 

@@ -50,7 +50,7 @@ macro_rules! registry {
                 self.entry().name
             }
 
-            /// Returns the name for people.
+            /// Returns the display name.
             pub fn title(self) -> &'static str {
                 self.entry().title
             }

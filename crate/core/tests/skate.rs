@@ -77,24 +77,24 @@ fn clean_generated(noise: impl Fn(usize, &ClipSpec) -> Noise) -> Figures {
         let (acceleration, knee, joint) = roughness(&before, &after, &skeleton);
         let (slides, errors) = slides_and_errors(&cleaned, &truth.clip, &skeleton, &contacts);
         println!(
-            "{}: {} of {} held, worst slide {:.2} -> {:.3} mm, error {:.1} mm, acceleration x {acceleration:.2} ({joint}), knee x {knee:.2}",
+            "{}: {} of {} constrained, worst slide {:.2} -> {:.3} mm, error {:.1} mm, acceleration x {acceleration:.2} ({joint}), knee x {knee:.2}",
             spec.name,
-            cleaned.held_count(),
+            cleaned.constrained_count(),
             cleaned.plants.len(),
             1e3 * max(cleaned.plants.iter().map(|plant| plant.before)),
             1e3 * max(slides.clone()),
             1e3 * mean(&errors),
         );
         figures.before.extend(cleaned.plants.iter().map(|plant| plant.before));
-        figures.held += cleaned.held_count();
+        figures.constrained += cleaned.constrained_count();
         figures.slides.extend(slides);
         figures.errors.extend(errors);
         figures.acceleration = figures.acceleration.max(acceleration);
         figures.knee = figures.knee.max(knee);
     }
     println!(
-        "{} of {} held, slide {:.2} (worst {:.2}) -> worst {:.3} mm, error {:.2} mm, acceleration x {:.2}, knee x {:.2}",
-        figures.held,
+        "{} of {} constrained, slide {:.2} (worst {:.2}) -> worst {:.3} mm, error {:.2} mm, acceleration x {:.2}, knee x {:.2}",
+        figures.constrained,
         figures.before.len(),
         1e3 * mean(&figures.before),
         1e3 * max(figures.before.clone()),
@@ -110,7 +110,7 @@ fn clean_generated(noise: impl Fn(usize, &ClipSpec) -> Noise) -> Figures {
 #[derive(Default)]
 struct Figures {
     before: Vec<f64>,
-    held: usize,
+    constrained: usize,
     slides: Vec<f64>,
     errors: Vec<f64>,
     acceleration: f64,
@@ -126,7 +126,7 @@ fn cleaned_feet_are_at_their_true_positions() {
     };
     let figures = clean_generated(level);
     assert!(max(figures.before.clone()) >= 0.015, "slides of up to 15 mm");
-    assert_eq!(figures.held, figures.before.len());
+    assert_eq!(figures.constrained, figures.before.len());
     assert!(max(figures.slides) <= 0.001);
     assert!(mean(&figures.errors) <= 0.005);
     assert!(figures.acceleration <= 1.2);
@@ -134,11 +134,11 @@ fn cleaned_feet_are_at_their_true_positions() {
 }
 
 #[test]
-fn jittering_feet_are_held() {
+fn jittering_feet_are_constrained() {
     let figures = clean_generated(|_, spec| spec.character.noise);
-    assert_eq!(figures.held, figures.before.len());
+    assert_eq!(figures.constrained, figures.before.len());
     assert!(max(figures.slides) <= 0.001);
-    // The feet are held, but the hips still jitter, and the knees compensate.
+    // The feet are constrained, but the hips still jitter, and the knees compensate.
     assert!(figures.acceleration <= 3.0 && figures.knee <= 2.2);
 }
 
@@ -164,9 +164,9 @@ fn stairs_keep_their_heights_and_treadmills_their_motion() {
         let moves =
             cleaned.plants.iter().filter(|plant| plant.skip_reason == Some(SkipReason::MovesTooFar)).count();
         println!(
-            "{}: {} of {} held, {moves} not held, error {:.2} mm, worst {:.2}",
+            "{}: {} of {} constrained, {moves} not constrained, error {:.2} mm, worst {:.2}",
             spec.name,
-            cleaned.held_count(),
+            cleaned.constrained_count(),
             cleaned.plants.len(),
             1e3 * mean(&errors),
             1e3 * max(errors.clone())

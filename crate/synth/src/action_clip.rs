@@ -44,7 +44,7 @@ const RATE: usize = 120;
 /// Standing time before the clip begins, in seconds.
 const LEAD_IN: f64 = 1.0;
 
-/// Time at the start and the end of an action with hardly any movement, in seconds.
+/// Time at the start and the end of an action with almost no movement, in seconds.
 const QUIET: f64 = 0.25;
 
 /// Generates the clip of `sequence` at 120 Hz, planned as one motion. `seed` determines the

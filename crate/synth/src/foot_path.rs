@@ -3,8 +3,10 @@
 use plantigrade::foot::Side;
 
 use crate::character::{Proportions, lateral_sign};
-use crate::math::{Keyframe, Track, bump, ease_in_out, smooth_step};
-use crate::math::{Rot, Vec3, forward, heading_rotation, leftward, lerp, rotation_about};
+use crate::math::{
+    Keyframe, Rot, Track, Vec3, bump, ease_in_out, forward, heading_rotation, leftward, lerp, rotation_about,
+    smooth_step,
+};
 use crate::plan::{FootPlan, Placement, Stance, Step, stances};
 
 /// Pose of a foot, in metres and radians.
@@ -20,8 +22,8 @@ pub struct FootPose {
     pub bend: f64,
     /// Outward rotation of the knee in addition to that implied by foot and pelvis.
     pub turnout: f64,
-    /// 0 while the foot stands, rising to 1 away from the ground. Corrections of the pose are
-    /// weighted with it.
+    /// Weight of corrections of the pose: 0 while the foot stands, rising to 1 away from the
+    /// ground.
     pub freedom: f64,
 }
 
@@ -50,10 +52,10 @@ const SOFT_FLOOR: f64 = 0.012;
 
 /// Time after toe-off and before foot strike in which a swinging foot follows its path closely, in
 /// seconds.
-const NEAR_GROUND: f64 = 0.1;
+const NEAR_GROUND_TIME: f64 = 0.1;
 
-/// The same for the shortest stances.
-const NEAR_SPRINT: f64 = 0.03;
+/// Minimum of this time, for the shortest stances, in seconds.
+const MIN_NEAR_GROUND_TIME: f64 = 0.03;
 
 /// Path of one foot.
 pub struct FootPath<'a> {
@@ -128,15 +130,15 @@ impl<'a> FootPath<'a> {
     }
 
     fn swing(&self, step: &Step, from: &Stance) -> Swing {
-        let (landing, swing_path, off) = (&step.landing, &step.swing_path, step.toe_off());
+        let (landing, swing_path, toe_off) = (&step.landing, &step.swing_path, step.toe_off());
         let rest = from.landing.rest;
         let lift_rate = slope(2.0 * (step.lift.pitch - rest), from.toe_off - from.heel_off);
         let landing_rate = slope(2.0 * (landing.rest - landing.pitch), landing.settle);
         let key =
             |time, value, slope: Option<f64>| Keyframe { time, value: [value], slope: slope.map(|s| [s]) };
-        let start = key(off, step.lift.pitch, Some(lift_rate));
+        let start = key(toe_off, step.lift.pitch, Some(lift_rate));
         let end = key(step.strike, landing.pitch, Some(landing_rate));
-        let middle = key(off + swing_path.pitch_at * step.swing, swing_path.pitch, None);
+        let middle = key(toe_off + swing_path.pitch_at * step.swing, swing_path.pitch, None);
         let pitch = Track::from_keyframes([start, middle, end]);
         if swing_path.grounded {
             return Swing { bend: pitch.clone(), pitch };
@@ -144,8 +146,8 @@ impl<'a> FootPath<'a> {
         let short = step.swing.min(0.6);
         let toes_up = landing.pitch > 0.0;
         let bend = Track::from_keyframes([
-            key(off, step.lift.pitch.max(0.0), Some(lift_rate.max(0.0))),
-            key(off + 0.4 * short, 0.0, None),
+            key(toe_off, step.lift.pitch.max(0.0), Some(lift_rate.max(0.0))),
+            key(toe_off + 0.4 * short, 0.0, None),
             key(step.strike - 0.4 * short, 0.0, None),
             key(step.strike, landing.pitch.max(0.0), Some(if toes_up { landing_rate } else { 0.0 })),
         ]);
@@ -164,21 +166,21 @@ impl<'a> FootPath<'a> {
         let u = progress(time, step.toe_off(), step.strike);
         let start = self.pivoted(from, from.toe_off);
         let (start_anchor, start_point) = self.ball(&start);
-        let on_heel = step.landing.pitch < 0.0;
+        let lands_on_heel = step.landing.pitch < 0.0;
         let (end_anchor, end_point) =
-            if on_heel { self.heel(&step.placement) } else { self.ball(&step.placement) };
+            if lands_on_heel { self.heel(&step.placement) } else { self.ball(&step.placement) };
         let along = ease_in_out(u, swing_path.ramps.0, swing_path.ramps.1);
         let shift = smooth_step(u);
         let heading = lerp(start.heading, step.placement.heading, shift);
-        let aside = leftward(lerp(start.heading, step.placement.heading, 0.5))
+        let sideways = leftward(lerp(start.heading, step.placement.heading, 0.5))
             * lateral_sign(self.side)
             * swing_path.detour;
-        let mut point = start_point.lerp(&end_point, along) + aside * bump(u, 0.5);
+        let mut point = start_point.lerp(&end_point, along) + sideways * bump(u, 0.5);
         point.y = lerp(start_point.y, end_point.y, shift) + swing_path.clearance * bump(u, swing_path.peak);
         let pitch = swing.pitch.at(time)[0].to_radians();
         let bend = swing.bend.at(time)[0].to_radians();
-        let leaving = (time - step.toe_off()) / near_ground(from);
-        let landing = (step.strike - time) / near_ground(to);
+        let leaving = (time - step.toe_off()) / near_ground_time(from);
+        let landing = (step.strike - time) / near_ground_time(to);
         let freedom = if swing_path.grounded { 0.0 } else { smooth_step(leaving.min(landing)) };
         self.anchored(start_anchor.lerp(&end_anchor, shift), point, heading, pitch, bend, freedom)
     }
@@ -219,13 +221,13 @@ impl<'a> FootPath<'a> {
     }
 }
 
-/// Returns the bound time near the ground of a stance, in seconds; shorter for sprints, because the
-/// leg could not follow for longer.
-fn near_ground(stance: &Stance) -> f64 {
+/// Returns the time before and after a stance in which the foot follows its path, in seconds;
+/// shorter for sprints, in which the leg cannot follow longer.
+fn near_ground_time(stance: &Stance) -> f64 {
     match stance.toe_off - stance.strike {
         // A sliding foot has a stance of zero length.
-        length if length < 1e-6 => NEAR_GROUND,
-        length => (length - NEAR_GROUND).clamp(NEAR_SPRINT, NEAR_GROUND),
+        length if length < 1e-6 => NEAR_GROUND_TIME,
+        length => (length - NEAR_GROUND_TIME).clamp(MIN_NEAR_GROUND_TIME, NEAR_GROUND_TIME),
     }
 }
 

@@ -18,7 +18,7 @@ and index.json (the list of clips), to DIR.
                  long: one long mix of everyday motion at 120 Hz
   --frames N     length of the long clip in frames (default 14400: two minutes)
   --seed N       seed of the variation of steps and noise, an integer (default 0)
-  --noise LEVEL  factor on the foot noise: 1 as recorded, 0 none (default 1)
+  --noise LEVEL  factor on the foot noise: 1 is the recorded level, 0 is no noise (default 1)
   --out DIR      folder to write to (default samples)";
 
 struct Options {

@@ -82,10 +82,11 @@ impl Figure<'_> {
         let extension = |pose: usize| {
             let at = self.pose(start + pose * step);
             let distance = |a, b| at(a).zip(at(b)).map_or(0.0, |(a, b)| (a - b).norm());
-            let rise = at(Role::LeftAnkle).zip(at(Role::RightAnkle)).map_or(0.0, |(a, b)| a.y.max(b.y));
+            let foot_height =
+                at(Role::LeftAnkle).zip(at(Role::RightAnkle)).map_or(0.0, |(a, b)| a.y.max(b.y));
             distance(Role::LeftAnkle, Role::RightAnkle)
                 + 0.5 * distance(Role::LeftHand, Role::RightHand)
-                + rise
+                + foot_height
         };
         (0..POSES).map(extension).sum()
     }

@@ -73,7 +73,7 @@ impl WasmDetection {
         self.core().ground_height * self.metres_per_unit
     }
 
-    /// Assumptions and doubts of the detector.
+    /// Assumptions and warnings of the detector.
     ///
     /// # Errors
     /// Only if the conversion to JavaScript fails.

@@ -54,8 +54,8 @@ impl WasmDetection {
         let evidence = self.evidence_of(part)?;
         let mut series = vec![f32::NAN; self.foot(part, side)?.planted.len()];
         let count = evidence.frames.len();
-        let own = &values(evidence)[parse_side(side)? as usize * count..][..count];
-        for (&frame, &value) in evidence.frames.iter().zip(own) {
+        let foot_values = &values(evidence)[parse_side(side)? as usize * count..][..count];
+        for (&frame, &value) in evidence.frames.iter().zip(foot_values) {
             series[frame] = value;
         }
         Ok(series)

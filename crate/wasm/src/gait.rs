@@ -74,19 +74,19 @@ pub struct MeanSd {
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct SymmetryInfo {
-    /// Of stance times.
+    /// Symmetry of stance times.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stance: Option<f64>,
-    /// Of swing times.
+    /// Symmetry of swing times.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub swing: Option<f64>,
-    /// Of step times.
+    /// Symmetry of step times.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step_time: Option<f64>,
-    /// Of step lengths.
+    /// Symmetry of step lengths.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step_length: Option<f64>,

@@ -9,7 +9,7 @@ use plantigrade::skeleton::Skeleton;
 const CHUNK: usize = 1024;
 
 /// Joint positions of all poses, written to JavaScript memory in chunks: wasm memory never shrinks,
-/// so that a copy of all poses there would occupy it for good.
+/// so a copy of all poses would occupy it permanently.
 pub(crate) fn all(skeleton: &Skeleton, clip: &Clip) -> Float32Array {
     let (poses, width) = (kinematics::pose_count(clip), clip.joints().len() * 3);
     let all = Float32Array::new_with_length((poses * width) as u32);

@@ -218,9 +218,9 @@ impl WasmSegmentAnnotation {
 pub struct CutScore {
     /// Tolerance, in seconds.
     pub within: f64,
-    /// Fraction of the found cuts that are annotated.
+    /// Fraction of the detected cuts that are annotated.
     pub precision: f64,
-    /// Fraction of the annotated cuts that were found.
+    /// Fraction of the annotated cuts that were detected.
     pub recall: f64,
     /// Harmonic mean of precision and recall.
     pub f1: f64,

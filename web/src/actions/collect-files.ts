@@ -1,4 +1,4 @@
-/** Collects the files of a drop: walks folders, unpacks archives, and tells clips from labels. */
+/** Collects the files of a drop: reads folders, unpacks archives, and separates clips from labels. */
 
 import { zipWorkers } from "../engine";
 import { detectFileKind } from "../model/file-kind";

@@ -28,7 +28,7 @@ it("ignores Shift unless a binding requires it", () => {
 it("lists every command in the key overlay", () => {
   const shown = keyTable.flatMap(({ rows }) => rows.map(({ help }) => help));
   for (const { help } of commands) expect(shown).toContain(help);
-  expect(keyTable[0]?.rows[1]).toEqual({ help: "One frame back, ahead", keys: ["←", "→"] });
+  expect(keyTable[0]?.rows[1]).toEqual({ help: "Previous, next frame", keys: ["←", "→"] });
   expect(keyTable[0]?.rows[2]?.keys).toEqual(["Shift", "←", "→"]);
 });
 

@@ -85,16 +85,16 @@ const list = [
   {
     id: "frame-back",
     group: "Play",
-    label: "One frame back",
-    help: "One frame back, ahead",
+    label: "Previous frame",
+    help: "Previous, next frame",
     keys: [{ key: "arrowleft" }],
     run: () => stepFrame(-1),
   },
   {
     id: "frame-ahead",
     group: "Play",
-    label: "One frame ahead",
-    help: "One frame back, ahead",
+    label: "Next frame",
+    help: "Previous, next frame",
     keys: [{ key: "arrowright" }],
     run: () => stepFrame(1),
   },
@@ -407,7 +407,7 @@ export function commandOf(id: CommandId): Command {
 
 export const isEnabled = ({ enabled = hasClip }: Command) => enabled();
 
-/** Returns the command that a key press means, whether or not it is enabled. */
+/** Returns the command bound to a key press, whether or not it is enabled. */
 export function commandForKey(event: Pick<KeyboardEvent, "key" | "shiftKey">, mod: boolean) {
   const key = event.key.toLowerCase();
   const matches = (shift: boolean) =>
@@ -416,7 +416,7 @@ export function commandForKey(event: Pick<KeyboardEvent, "key" | "shiftKey">, mo
         (binding) => binding.key === key && !!binding.mod === mod && !!binding.shift === shift,
       ),
     );
-  // Shift is part of some characters, so that it matters only where a binding asks for it.
+  // Some characters are typed with Shift, so Shift is compared only if a binding requires it.
   return matches(event.shiftKey) ?? (mod ? undefined : matches(false));
 }
 

@@ -30,7 +30,7 @@ describe("comparing", () => {
     expect(activeTab.value).toBe("score");
   });
 
-  it("reports invalid labels and keeps the previous ones", async () => {
+  it("reports invalid labels and leaves the previous ones unchanged", async () => {
     await compareWith("truth.json", labels(720));
     await compareWith("short.json", labels(7));
     expect(errorReport.value?.failure.message).toContain("7 frames");

@@ -17,7 +17,7 @@ const maxReferenceBytes = 2 ** 27;
 
 /** Reads reference labels or segments of the open clip, and compares with them. */
 export async function compareWith(name: string, data: Blob): Promise<void> {
-  const open = session.value;
+  const clipSession = session.value;
   if (!openClip.value) {
     reportOpenFailure(name, {
       message: "There is no open clip to compare these labels with.",
@@ -32,7 +32,7 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
     return;
   }
   try {
-    const compared = await open.run("compare", () => engine.compare(data, name));
+    const compared = await clipSession.run("compare", () => engine.compare(data, name));
     if (!compared) return;
     if (!compared.ok) {
       reportOpenFailure(name, compared.failure);
@@ -40,15 +40,15 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
     }
     batch(() => {
       if ("segments" in compared) {
-        open.referenceSegments.value = compared.segments;
+        clipSession.referenceSegments.value = compared.segments;
         activeTab.value = "segment";
       } else {
-        open.reference.value = compared.annotation;
+        clipSession.reference.value = compared.annotation;
         activeTab.value = "score";
       }
       announcement.value = `Compared with ${name}`;
     });
-    await ("segments" in compared ? updateCutScores(open) : updateScores(open));
+    await ("segments" in compared ? updateCutScores(clipSession) : updateScores(clipSession));
   } catch (error) {
     reportOpenFailure(name, { message: messageOf(error) });
   }
@@ -70,39 +70,39 @@ export async function compareWithTruth(): Promise<void> {
 
 /** Removes the reference labels. */
 export function removeReference() {
-  const open = session.value;
+  const clipSession = session.value;
   batch(() => {
-    open.reference.value = null;
-    open.scorePart.value = null;
-    open.scores.value = [];
-    open.drop("score");
+    clipSession.reference.value = null;
+    clipSession.scorePart.value = null;
+    clipSession.scores.value = [];
+    clipSession.drop("score");
     if (activeTab.value === "score") activeTab.value = "labels";
   });
 }
 
 /** Computes the agreement with the reference labels again; without labels or reference it is empty. */
-export async function updateScores(open: ClipSession): Promise<void> {
-  const isComparable = open.detection.value && open.reference.value;
-  const scores = await open.run("score", async () => (isComparable ? engine.score() : []));
-  if (scores) open.scores.value = scores;
+export async function updateScores(clipSession: ClipSession): Promise<void> {
+  const isComparable = clipSession.detection.value && clipSession.reference.value;
+  const scores = await clipSession.run("score", async () => (isComparable ? engine.score() : []));
+  if (scores) clipSession.scores.value = scores;
 }
 
 /** Computes the agreement with the reference segments again. */
-export async function updateCutScores(open: ClipSession): Promise<void> {
-  const isComparable = open.segmentation.value && open.referenceSegments.value;
-  const scores = await open.run("cut score", async () =>
+export async function updateCutScores(clipSession: ClipSession): Promise<void> {
+  const isComparable = clipSession.segmentation.value && clipSession.referenceSegments.value;
+  const scores = await clipSession.run("cut score", async () =>
     isComparable ? engine.scoreSegments() : [],
   );
-  if (scores) open.cutScores.value = scores;
+  if (scores) clipSession.cutScores.value = scores;
 }
 
 /** Removes the reference segments. */
 export function removeReferenceSegments() {
-  const open = session.value;
+  const clipSession = session.value;
   batch(() => {
-    open.referenceSegments.value = null;
-    open.cutScores.value = [];
-    open.drop("cut score");
+    clipSession.referenceSegments.value = null;
+    clipSession.cutScores.value = [];
+    clipSession.drop("cut score");
   });
 }
 

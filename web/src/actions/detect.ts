@@ -29,10 +29,10 @@ export const detecting = job.busy;
 
 /** Detects the plants of the open clip. */
 export async function runDetection(options: DetectOptions = detectOptions.value): Promise<void> {
-  const open = session.value;
-  if (!open.clip.value) return;
+  const clipSession = session.value;
+  if (!clipSession.clip.value) return;
   try {
-    const detected = await open.run("detect", () =>
+    const detected = await clipSession.run("detect", () =>
       job.run(
         async (callOptions) => {
           // Requested together, so that the worker need not wait for the page.
@@ -40,25 +40,25 @@ export async function runDetection(options: DetectOptions = detectOptions.value)
           const [detected] = await Promise.all([engine.detect(options, callOptions), listed]);
           return detected;
         },
-        () => revertOptions(open),
+        () => revertOptions(clipSession),
       ),
     );
     if (!detected) return;
     batch(() => {
-      open.detection.value = detected.ok ? detected.detection : null;
-      open.detectFailure.value = detected.ok ? null : detected.failure;
-      followSelection(open);
+      clipSession.detection.value = detected.ok ? detected.detection : null;
+      clipSession.detectFailure.value = detected.ok ? null : detected.failure;
+      followSelection(clipSession);
       // The looped plant may have moved.
-      if (open.loop.value === "plant") {
-        open.loop.value = "clip";
-        open.loopRegion.value = null;
+      if (clipSession.loop.value === "plant") {
+        clipSession.loop.value = "clip";
+        clipSession.loopRegion.value = null;
       }
     });
-    await updateScores(open);
+    await updateScores(clipSession);
   } catch (error) {
     batch(() => {
-      open.detection.value = null;
-      open.detectFailure.value = {
+      clipSession.detection.value = null;
+      clipSession.detectFailure.value = {
         message: messageOf(error),
         hint: "Change a setting to try again.",
       };
@@ -67,12 +67,12 @@ export async function runDetection(options: DetectOptions = detectOptions.value)
 }
 
 /** After the user stopped a detection, restores the options of the labels that are shown. */
-function revertOptions(open: ClipSession) {
+function revertOptions(clipSession: ClipSession) {
   batch(() => {
-    const detection = open.detection.value;
+    const detection = clipSession.detection.value;
     if (detection) detectOptions.value = detection.options;
     else
-      open.detectFailure.value = {
+      clipSession.detectFailure.value = {
         message: "it was cancelled",
         hint: "Change a setting to try again.",
       };
@@ -89,17 +89,17 @@ export function setDetectOptions(change: Partial<DetectOptions>) {
 
 const overrideLatest = latestOnly(async (overrides: Overrides) => {
   const action = "read with these settings";
-  const open = session.value;
-  const name = open.source?.name ?? "";
+  const clipSession = session.value;
+  const name = clipSession.source?.name ?? "";
   job.stopIfSlow();
   stopSegmenting();
   try {
-    const opened = await open.run("override", () => engine.override(overrides));
+    const opened = await clipSession.run("override", () => engine.override(overrides));
     if (!opened) return;
-    if (opened.ok) open.clip.value = opened.clip;
+    if (opened.ok) clipSession.clip.value = opened.clip;
     else errorReport.value = { name, action, failure: opened.failure };
     await runDetection();
-    if (!open.signal.aborted) await runSegmentation();
+    if (!clipSession.signal.aborted) await runSegmentation();
   } catch (error) {
     reportFailure(action, name, error);
   }
@@ -107,8 +107,8 @@ const overrideLatest = latestOnly(async (overrides: Overrides) => {
 
 /** Replaces the overrides and applies them. */
 export function setOverrides(next: Overrides) {
-  const open = session.value;
-  if (open.isPreview) return;
-  open.overrides.value = next;
+  const clipSession = session.value;
+  if (clipSession.isPreview) return;
+  clipSession.overrides.value = next;
   overrideLatest(next);
 }

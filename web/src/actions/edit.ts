@@ -67,21 +67,22 @@ function isEdited({ intervals, edited }: Track, { start }: FrameRange): boolean 
 }
 
 /** Gives the clip edits from storage or from a shared page; this cannot be undone. */
-export function initEdits(open: ClipSession, stored: readonly Edit[]): Promise<void> {
-  open.edits.value = stored;
-  return stored.length ? applyEdits(open) : Promise.resolve();
+export function initEdits(clipSession: ClipSession, stored: readonly Edit[]): Promise<void> {
+  clipSession.edits.value = stored;
+  return stored.length ? applyEdits(clipSession) : Promise.resolve();
 }
 
 function commit(next: readonly Edit[], message: string, range?: FrameRange): Promise<void> {
-  const open = session.value;
+  const clipSession = session.value;
   batch(() => {
-    open.undoStack.value = [...open.undoStack.value, open.edits.value];
-    open.redoStack.value = [];
-    open.edits.value = next;
-    if (range && open.selected.value) open.selected.value = { ...open.selected.value, ...range };
+    clipSession.undoStack.value = [...clipSession.undoStack.value, clipSession.edits.value];
+    clipSession.redoStack.value = [];
+    clipSession.edits.value = next;
+    if (range && clipSession.selected.value)
+      clipSession.selected.value = { ...clipSession.selected.value, ...range };
     announcement.value = message;
   });
-  return applyEdits(open);
+  return applyEdits(clipSession);
 }
 
 export const undo = () => swap(session.value.undoStack, session.value.redoStack, "Undone");
@@ -90,31 +91,31 @@ export const redo = () => swap(session.value.redoStack, session.value.undoStack,
 type EditStack = Signal<readonly (readonly Edit[])[]>;
 
 function swap(from: EditStack, to: EditStack, message: string) {
-  const open = session.value;
+  const clipSession = session.value;
   const next = from.value.at(-1);
   if (!next) return;
   batch(() => {
     from.value = from.value.slice(0, -1);
-    to.value = [...to.value, open.edits.value];
-    open.edits.value = next;
+    to.value = [...to.value, clipSession.edits.value];
+    clipSession.edits.value = next;
     announcement.value = message;
   });
-  void applyEdits(open);
+  void applyEdits(clipSession);
 }
 
 /** Applies the edits to the labels. */
-async function applyEdits(open: ClipSession): Promise<void> {
+async function applyEdits(clipSession: ClipSession): Promise<void> {
   try {
-    const parts = await open.run("edit", () => engine.edit([...open.edits.value]));
+    const parts = await clipSession.run("edit", () => engine.edit([...clipSession.edits.value]));
     if (!parts) return;
     batch(() => {
-      const before = open.detection.value;
-      if (before) open.detection.value = withParts(before, parts);
-      followSelection(open);
+      const before = clipSession.detection.value;
+      if (before) clipSession.detection.value = withParts(before, parts);
+      followSelection(clipSession);
     });
-    await updateScores(open);
+    await updateScores(clipSession);
   } catch (error) {
-    reportFailure("edited", open.source?.name ?? "", error);
+    reportFailure("edited", clipSession.source?.name ?? "", error);
   }
 }
 
@@ -133,17 +134,17 @@ function withParts(before: Detection, parts: EditedParts): Detection {
 }
 
 /** Selects the plant that now overlaps most with the selected one. */
-export function followSelection(open: ClipSession) {
-  const plantRef = open.selected.value;
-  const tracks = plantRef && open.detection.value?.parts[plantRef.part];
+export function followSelection(clipSession: ClipSession) {
+  const plantRef = clipSession.selected.value;
+  const tracks = plantRef && clipSession.detection.value?.parts[plantRef.part];
   if (!plantRef || !tracks) {
-    open.selected.value = null;
+    clipSession.selected.value = null;
     return;
   }
   const { side, part } = plantRef;
   const { intervals } = tracks[side];
-  const track = { side, part, intervals, frames: open.clip.value?.frames ?? 0 };
-  open.selected.value = matchingPlantRef(track, plantRef) ?? null;
+  const track = { side, part, intervals, frames: clipSession.clip.value?.frames ?? 0 };
+  clipSession.selected.value = matchingPlantRef(track, plantRef) ?? null;
 }
 
 export function select(plantRef: PlantRef | undefined) {
@@ -254,8 +255,8 @@ export function addForLastSide() {
 
 /** Replaces the edits by those that give the labels of the reference. */
 export async function adoptReference(): Promise<void> {
-  const open = session.value;
-  const reference = await open.run("reference edits", () => engine.referenceEdits());
+  const clipSession = session.value;
+  const reference = await clipSession.run("reference edits", () => engine.referenceEdits());
   if (reference?.length) await commit(reference, "Labels replaced by those of the reference");
 }
 

@@ -13,29 +13,32 @@ export function chooseEvidencePart(part: Part) {
   chosenPart.value = part;
 }
 
-const request = latestOnly(async ({ part, open }: { part: Part; open: ClipSession }) => {
-  const tracks = open.detection.value?.parts[part];
-  if (!tracks || open.signal.aborted) return;
-  try {
-    const answer = await open.run("evidence", () =>
-      engine.evidence(part, heightSpeedRange(tracks)),
-    );
-    // While a slider moves, the worker may already have the next labels; those are on their way.
-    if (answer) open.evidence.value = answer;
-  } catch (error) {
-    if (!(error instanceof Cancelled)) reportFailure("explained", open.source?.name ?? "", error);
-  }
-});
+const request = latestOnly(
+  async ({ part, clipSession }: { part: Part; clipSession: ClipSession }) => {
+    const tracks = clipSession.detection.value?.parts[part];
+    if (!tracks || clipSession.signal.aborted) return;
+    try {
+      const answer = await clipSession.run("evidence", () =>
+        engine.evidence(part, heightSpeedRange(tracks)),
+      );
+      // May belong to newer labels, which the page is about to receive, while a slider moves.
+      if (answer) clipSession.evidence.value = answer;
+    } catch (error) {
+      if (!(error instanceof Cancelled))
+        reportFailure("explained", clipSession.source?.name ?? "", error);
+    }
+  },
+);
 
-/** Keeps the evidence up to date with the labels until the returned function is called. */
+/** Updates the evidence when the labels change, until the returned function is called. */
 export function trackEvidence(): () => void {
   const stop = effect(() => {
-    const open = session.value;
+    const clipSession = session.value;
     const part = evidencePart.value;
-    if (!open.detection.value || !part) {
-      open.drop("evidence");
-      open.evidence.value = null;
-    } else request({ part, open });
+    if (!clipSession.detection.value || !part) {
+      clipSession.drop("evidence");
+      clipSession.evidence.value = null;
+    } else request({ part, clipSession });
   });
   return () => {
     stop();

@@ -9,7 +9,7 @@ import { plantFormats } from "../store/settings";
 import { stemOf } from "../util/file-names";
 import { download } from "./download";
 
-/** Downloads the labels. Default format: the first one. */
+/** Downloads the labels, by default in the first format. */
 export async function exportLabels(format = plantFormats.value[0]): Promise<void> {
   if (!openClip.value || !detection.value || !format) return;
   await downloadAs(format, () => engine.save(format.name));

@@ -12,30 +12,30 @@ import { download } from "./download";
 
 /** Removes the foot skate of the open clip and shows the result. */
 export async function cleanClip(): Promise<void> {
-  const open = session.value;
+  const clipSession = session.value;
   const [before, detection, overrides] = [
-    open.clip.value,
-    open.detection.value,
-    open.overrides.value,
+    clipSession.clip.value,
+    clipSession.detection.value,
+    clipSession.overrides.value,
   ];
-  if (!before || !detection || open.cleaning.value) return;
-  open.cleaning.value = true;
+  if (!before || !detection || clipSession.cleaning.value) return;
+  clipSession.cleaning.value = true;
   try {
-    const cleaned = await open.run("clean", () =>
+    const cleaned = await clipSession.run("clean", () =>
       runJob({ title: "Removing foot skate from" }, new AbortController(), (options) =>
         engine.clean(options),
       ),
     );
-    // Labels that changed meanwhile need another clean-up.
-    if (!cleaned || open.detection.value !== detection) return;
+    // Labels that have changed since the start need another clean-up.
+    if (!cleaned || clipSession.detection.value !== detection) return;
     batch(() => {
-      open.cleanUp.value = { clip: before, detection, overrides, cleaned, view: "both" };
+      clipSession.cleanUp.value = { clip: before, detection, overrides, cleaned, view: "both" };
       announcement.value = "Foot skate removed; the original is shown as a ghost";
     });
   } catch (error) {
     if (!(error instanceof Cancelled)) reportFailure("cleaned", before.name, error);
   } finally {
-    open.cleaning.value = false;
+    clipSession.cleaning.value = false;
   }
 }
 

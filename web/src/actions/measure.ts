@@ -10,29 +10,30 @@ import { activeTab } from "../store/view";
 /** Measures the open clip whenever its labels change and the clip tab is open. */
 export function startMeasuring() {
   effect(() => {
-    const open = session.value;
-    if (!open.isPreview && open.detection.value && activeTab.value === "clip") {
-      void measure(open);
+    const clipSession = session.value;
+    if (!clipSession.isPreview && clipSession.detection.value && activeTab.value === "clip") {
+      void measure(clipSession);
       return;
     }
-    open.drop("measure");
-    open.gait.value = undefined;
-    open.slides.value = [];
+    clipSession.drop("measure");
+    clipSession.gait.value = undefined;
+    clipSession.slides.value = [];
   });
 }
 
-async function measure(open: ClipSession) {
+async function measure(clipSession: ClipSession) {
   try {
-    const measured = await open.run("measure", () =>
+    const measured = await clipSession.run("measure", () =>
       runJob({ title: "Measuring" }, new AbortController(), (options) =>
         Promise.all([engine.gait(options), engine.skate(options)]),
       ),
     );
     if (!measured) return;
     batch(() => {
-      [open.gait.value, open.slides.value] = measured;
+      [clipSession.gait.value, clipSession.slides.value] = measured;
     });
   } catch (error) {
-    if (!(error instanceof Cancelled)) reportFailure("measured", open.source?.name ?? "", error);
+    if (!(error instanceof Cancelled))
+      reportFailure("measured", clipSession.source?.name ?? "", error);
   }
 }

@@ -1,4 +1,4 @@
-/** Opening what the address or a shared page asks for, or the preview of the start page. */
+/** Opening the clip of the address or of a shared page, or the preview of the start page. */
 
 import { engine } from "../engine";
 import { type Link, parseHash } from "../model/link";
@@ -42,11 +42,11 @@ async function followLink({ origin, view: text }: Link): Promise<boolean> {
   return origin.kind === "url" ? openUrl(origin.url, { view }) : openSample(origin.name, { view });
 }
 
-/** Plays a sample behind the start page. */
+/** Plays a sample as the background of the start page. */
 async function startPreview(): Promise<void> {
   if (!previewSample) return;
   const signal = openingSignal();
-  // Behind the table it would only compete with the batch for the processor.
+  // Hidden by the table, it would only take processor time from the batch.
   const isUnwanted = () => signal.aborted || tableVisible.value;
   await firstInteraction;
   if (isUnwanted()) return;

@@ -32,7 +32,7 @@ describe("opening", () => {
     expect(timeView.value).toEqual({ start: 0, end: 720 });
   });
 
-  it("reports the failure and keeps the open clip", async () => {
+  it("reports the failure and leaves the clip open", async () => {
     await openFiles({ files: [file("walk.bvh")] });
     await openFiles({ files: [file("bad.bvh")] });
     expect(phase.value).toBe("error");
@@ -109,7 +109,7 @@ describe("detection", () => {
     setDetectOptions({ method: "robust" });
   });
 
-  it("keeps labels and settings when it is stopped", async () => {
+  it("leaves labels and settings unchanged when it is stopped", async () => {
     await openFiles({ files: [file("walk.bvh")] });
     setDetectOptions({ method: "njw" });
     expect(detecting.value).toBe(true);

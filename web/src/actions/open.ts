@@ -37,7 +37,7 @@ function beginOpening(name: string, stage: Opening["stage"]): AbortSignal {
   return controller.signal;
 }
 
-/** Cancels the opening; the clip that was open stays open. */
+/** Cancels the opening; the previous clip remains open. */
 export function cancelOpening() {
   controller.abort();
   controller = new AbortController();
@@ -61,7 +61,7 @@ export async function openSource(
     return false;
   }
   const signal = beginOpening(name, "read");
-  // The worker would otherwise finish them first.
+  // The worker would otherwise finish the pending calls first.
   stopClipJobs();
   try {
     const onProgress = (fraction: number) => {
@@ -95,7 +95,7 @@ export async function openSource(
   }
 }
 
-/** Applies the overrides that a link or a shared page asks for. */
+/** Applies the overrides of a link or a shared page. */
 async function applyOverrides(clip: Clip, source: Source): Promise<Clip> {
   const overrides = overridesOf(source.view ?? {});
   if (!Object.keys(overrides).length) return clip;
@@ -173,7 +173,7 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
       ...(truthUrl ? { truthUrl } : {}),
       origin,
     });
-    // The address of a followed link is kept.
+    // The address of a followed link does not change.
     if (opened && !more.view) setAddress(formatHash({ origin, view: "" }));
     return opened;
   }

@@ -20,17 +20,18 @@ const keyOf = (hash: string) => `plantigrade:clip:${hash}`;
 
 /** Restores the stored edits and names of the open clip. */
 export async function restorePersisted(): Promise<void> {
-  const open = session.value;
-  const hash = await open.run("hash", () => engine.hash().catch(() => undefined));
-  if (open.signal.aborted || open.isPreview) return;
-  const shared = open.source?.shared;
+  const clipSession = session.value;
+  const hash = await clipSession.run("hash", () => engine.hash().catch(() => undefined));
+  if (clipSession.signal.aborted || clipSession.isPreview) return;
+  const shared = clipSession.source?.shared;
   // Each share of a clip is stored separately.
   const key = hash && keyOf(hash) + (shared ? `:${shared.id}` : "");
   const stored = (key && read(key)) || shared;
   // Changes made before the hash was known take precedence.
-  if (stored && !open.edits.value.length) await initEdits(open, stored.edits);
-  if (stored && !open.segmentNames.value.length) open.segmentNames.value = stored.names;
-  if (key) open.storageKey.value = key;
+  if (stored && !clipSession.edits.value.length) await initEdits(clipSession, stored.edits);
+  if (stored && !clipSession.segmentNames.value.length)
+    clipSession.segmentNames.value = stored.names;
+  if (key) clipSession.storageKey.value = key;
 }
 
 /** Returns the stored edits and names of the file with a hash. */
@@ -53,19 +54,19 @@ export function startPersisting() {
   effect(() => persist(session.value));
 }
 
-function persist(open: ClipSession) {
-  const key = open.storageKey.value;
-  const [edits, names] = [open.edits.value, open.segmentNames.value];
+function persist(clipSession: ClipSession) {
+  const key = clipSession.storageKey.value;
+  const [edits, names] = [clipSession.edits.value, clipSession.segmentNames.value];
   if (!key) return;
-  const stored: StoredClip = { version: 1, name: open.source?.name ?? "", edits, names };
+  const stored: StoredClip = { version: 1, name: clipSession.source?.name ?? "", edits, names };
   try {
-    if (edits.length || names.length || open.source?.shared)
+    if (edits.length || names.length || clipSession.source?.shared)
       localStorage.setItem(key, JSON.stringify(stored));
     else localStorage.removeItem(key);
-    open.persistError.value = "";
+    clipSession.persistError.value = "";
   } catch (error) {
     const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
-    open.persistError.value = isFull
+    clipSession.persistError.value = isFull
       ? "The storage of this browser is full: edits last until the page is closed. Save the labels."
       : "This browser does not store data for this page: edits last until it is closed. Save the labels.";
   }

@@ -77,5 +77,5 @@ function listSamples(): Sample[] {
 
 export const samples: readonly Sample[] = listSamples();
 
-/** The sample behind the start page: a long one, so that it rarely repeats. */
+/** The sample on the start page: a long clip, so that it rarely repeats. */
 export const previewSample = samples.find(({ name }) => name === "limp-to-run") ?? samples[0];

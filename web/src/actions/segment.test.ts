@@ -45,7 +45,7 @@ it("runs when a clip is opened, also without feet", async () => {
   expect(starts()).toEqual([0, 240, 480]);
 });
 
-it("runs again when a setting changes, and keeps names of the same actions", async () => {
+it("runs again when a setting changes, and preserves names of the same actions", async () => {
   setSegmentName(first(), "walk");
   setSegmentOptions({ method: "longer" });
   await vi.waitFor(() => expect(starts()).toEqual([0, 360]));
@@ -69,7 +69,7 @@ it("continues to loop the segment of the same action, otherwise the clip", async
   expect(loopedRange.value).toBeNull();
 });
 
-it("keeps segments and settings when it is stopped", async () => {
+it("leaves segments and settings unchanged when it is stopped", async () => {
   setSegmentOptions({ method: "mvu" });
   await vi.waitFor(() => expect(jobs.value[0]?.fraction).toBe(0.5));
   expect(phase.value).toBe("ready");

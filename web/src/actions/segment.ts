@@ -28,10 +28,10 @@ async function listMethodsAndFormats() {
 export async function runSegmentation(
   options: SegmentOptions = segmentOptions.value,
 ): Promise<void> {
-  const open = session.value;
-  if (!open.clip.value?.frames) return;
+  const clipSession = session.value;
+  if (!clipSession.clip.value?.frames) return;
   try {
-    const segmented = await open.run("segment", () =>
+    const segmented = await clipSession.run("segment", () =>
       job.run(
         async (callOptions) => {
           // Requested together, so that the worker need not wait for the page.
@@ -39,20 +39,20 @@ export async function runSegmentation(
           const [segmented] = await Promise.all([engine.segment(options, callOptions), listed]);
           return segmented;
         },
-        () => revertOptions(open),
+        () => revertOptions(clipSession),
       ),
     );
     if (!segmented) return;
     batch(() => {
-      open.segmentation.value = segmented.ok ? segmented.segmentation : null;
-      open.segmentFailure.value = segmented.ok ? null : segmented.failure;
-      moveLoop(open);
+      clipSession.segmentation.value = segmented.ok ? segmented.segmentation : null;
+      clipSession.segmentFailure.value = segmented.ok ? null : segmented.failure;
+      moveLoop(clipSession);
     });
-    await updateCutScores(open);
+    await updateCutScores(clipSession);
   } catch (error) {
     batch(() => {
-      open.segmentation.value = null;
-      open.segmentFailure.value = {
+      clipSession.segmentation.value = null;
+      clipSession.segmentFailure.value = {
         message: messageOf(error),
         hint: "Change a setting to try again.",
       };
@@ -64,12 +64,12 @@ export async function runSegmentation(
 export const stopSegmenting = job.stop;
 
 /** After the user stopped a segmentation, restores the options of the one that is shown. */
-function revertOptions(open: ClipSession) {
+function revertOptions(clipSession: ClipSession) {
   batch(() => {
-    const segmentation = open.segmentation.value;
+    const segmentation = clipSession.segmentation.value;
     if (segmentation) segmentOptions.value = segmentation.options;
     else
-      open.segmentFailure.value = {
+      clipSession.segmentFailure.value = {
         message: "it was cancelled",
         hint: "Choose a method to try again.",
       };
@@ -77,8 +77,8 @@ function revertOptions(open: ClipSession) {
 }
 
 /** Moves a segment loop to the segment of the same action, or ends it. */
-function moveLoop(open: ClipSession) {
-  const { loop, loopRegion, segmentation } = open;
+function moveLoop(clipSession: ClipSession) {
+  const { loop, loopRegion, segmentation } = clipSession;
   if (loop.value !== "segment" || !loopRegion.value) return;
   const same = matchingSegment(segmentation.value?.segments ?? [], loopRegion.value);
   loopRegion.value = same ?? null;

@@ -11,7 +11,7 @@ import { type ErrorReport, errorReport } from "../store/errors";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";
 
-/** The last failure; the clip that was open stays open. */
+/** The last failure; the previous clip remains open. */
 export function ErrorCard() {
   const error = errorReport.value;
   /** The report that was copied last. */

@@ -4,7 +4,7 @@ import { embedded } from "../store/embedded";
 export function MadeWith() {
   const text = "Made with Plantigrade";
   const { home = "" } = embedded ?? {};
-  // The page may have been tampered with: only web addresses become links.
+  // The page may have been modified by others: only web addresses become links.
   if (!/^https?:/.test(home)) return <span class="credit muted">{text}</span>;
   return (
     <a class="credit link" href={home} target="_blank" rel="noreferrer">

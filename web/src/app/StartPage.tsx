@@ -3,7 +3,7 @@ import { pickFiles } from "../actions/pick-files";
 import { type Sample, samples } from "../actions/samples";
 import { maxFileBytes } from "../model/limits";
 
-/** The page without a clip. A sample plays behind it; files can be dropped anywhere. */
+/** The page without a clip. A sample plays in the background; files can be dropped anywhere. */
 export function StartPage() {
   return (
     <section class="start-page" aria-label="Open a clip">

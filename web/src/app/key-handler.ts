@@ -13,7 +13,7 @@ function belongsToControl(event: KeyboardEvent): boolean {
   return /^( |Enter)$/.test(event.key) && target.closest("button, a, summary") !== null;
 }
 
-/** True if the key is typed into a text field, which has an undo of its own. */
+/** True if the key is typed into a text field, which has its own undo. */
 function isTyping(event: KeyboardEvent): boolean {
   return event.target instanceof Element && event.target.matches("input[type=text], textarea");
 }

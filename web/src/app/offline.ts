@@ -21,7 +21,7 @@ async function register() {
 
 /** Offers a reload if a newer version than this page has been published. */
 async function notifyIfOutdated() {
-  // On the first visit there is no older version.
+  // The first visit has no older version.
   if (!navigator.serviceWorker.controller) return;
   const currentScript = document
     .querySelector<HTMLScriptElement>("script[type=module]")

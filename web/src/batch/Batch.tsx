@@ -15,7 +15,7 @@ const visibleRows = computed(() =>
   sortRows(filterRows(batchRows.value, query.value), order.value.key, order.value.direction),
 );
 
-/** The table of all clips of a drop, updated while they are processed. */
+/** The table of all clips that were dropped together, updated while they are processed. */
 export function Batch() {
   const section = useRef<HTMLElement>(null);
   useEffect(() => section.current?.focus(), []);

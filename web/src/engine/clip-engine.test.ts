@@ -113,7 +113,7 @@ test("restores the open clip in a new worker once, before other calls", async ()
   expect(log).toEqual([...restored, ...restored, "save walk", "save walk"]);
 });
 
-test("keeps the open clip if another file cannot be read", async () => {
+test("leaves the clip open if another file cannot be read", async () => {
   const { log, engine } = fakeEngine();
   await engine.open(file, "walk");
   const slow = engine.open(file, "slow");

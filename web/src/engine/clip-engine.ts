@@ -20,7 +20,7 @@ export interface OpenOptions {
 
 type Calls = Omit<CallsOf<ClipApi>, "startWasm">;
 
-/** Calls that change what a replaced worker has to restore, and are written out below. */
+/** Calls that change the state to restore in a new worker; they are implemented individually. */
 type StatefulCall = "open" | "override" | "detect" | "segment" | "compare" | "edit";
 type SimpleCalls = Omit<Calls, StatefulCall>;
 
@@ -35,7 +35,7 @@ type EngineCall<Call extends (...args: never[]) => unknown> = (
 
 /** The calls of the clip worker, and `cancel`. */
 export type ClipEngine = { [Name in keyof SimpleCalls]: EngineCall<SimpleCalls[Name]> } & {
-  /** Starts the worker ahead of the first call. */
+  /** Starts the worker before the first call. */
   start(): void;
   open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
   override(overrides: Overrides): Promise<Opened>;
@@ -47,7 +47,7 @@ export type ClipEngine = { [Name in keyof SimpleCalls]: EngineCall<SimpleCalls[N
   cancel(): void;
 };
 
-/** What a call requires of a worker: nothing, the open clip, or also its segmentation. */
+/** State that a call requires in the worker: none, the open clip, or also its segmentation. */
 type Requirement = "worker" | "clip" | "segmentation";
 
 /** For each call, its requirement and its number of arguments without the progress callback. */
@@ -87,7 +87,7 @@ interface ReferenceFile {
   name: string;
 }
 
-/** What a new worker needs to restore the open clip. */
+/** Data from which a new worker restores the open clip. */
 interface RestorePoint {
   file: Blob;
   name: string;
@@ -258,7 +258,7 @@ export function createEngine(
         "clip",
         async (calls, worker, report) => {
           const answer = calls.segment(options, report);
-          // Calls that need a segmentation wait for this one. Restoring the previous one meanwhile
+          // Calls that need a segmentation wait for this one. Restoring the previous one during it
           // would end after it and replace it.
           worker.segmented ??= answer.then(
             ({ ok }) => (ok ? undefined : restoreSegmentation(calls)),

@@ -1,4 +1,4 @@
-/** Starts the workers, each from a file of its own. */
+/** Starts the workers, each from a separate file. */
 
 export const startClipWorker = () =>
   new Worker(new URL("../workers/clip.worker.ts", import.meta.url), { type: "module" });

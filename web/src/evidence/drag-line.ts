@@ -15,7 +15,7 @@ export function createDragLine(plot: uPlot, host: HTMLElement) {
     event.stopPropagation();
     if (event.type === "pointerdown") {
       handle.setPointerCapture(event.pointerId);
-      // The keyboard alternative is the slider, so the handle is not focusable; the plot keeps its keys.
+      // The keyboard alternative is the slider, so the handle is not focusable; keys still reach the plot.
       event.preventDefault();
       host.focus({ preventScroll: true });
     }

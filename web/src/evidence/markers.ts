@@ -3,6 +3,7 @@ import { sides } from "../model/evidence";
 import type { Side } from "../model/types";
 import type { PointedFrame } from "../store/evidence";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 import type { PlotData, PlotSpec } from "./plot-data";
 
 /** Width of the margin around the plot for markers at its edge, in pixels. */
@@ -103,8 +104,6 @@ function paintTrail(
   playheadFrame: number,
   positionOf: (frame: number) => Position | undefined,
 ) {
-  ctx.strokeStyle = color;
-  ctx.lineWidth = 1.25;
   ctx.lineJoin = "round";
   ctx.globalAlpha = 0.8;
   ctx.beginPath();
@@ -116,7 +115,7 @@ function paintTrail(
     const position = positionOf(trailFrame);
     if (position) ctx.lineTo(position.x, position.y);
   }
-  ctx.stroke();
+  drawPath(ctx, color, 1.25);
   ctx.globalAlpha = 1;
 }
 
@@ -145,14 +144,10 @@ function paintPointed(
   isNearest: boolean,
 ) {
   if (isNearest) fillCircle(ctx, x, y, 4, theme[side]);
-  ctx.strokeStyle = theme.background;
-  ctx.lineWidth = 4;
   ctx.beginPath();
   ctx.arc(x, y, isNearest ? 7 : 5, 0, 7);
-  ctx.stroke();
-  ctx.strokeStyle = theme.accent;
-  ctx.lineWidth = 2;
-  ctx.stroke();
+  drawPath(ctx, theme.background, 4);
+  drawPath(ctx, theme.accent, 2);
 }
 
 function fillCircle(

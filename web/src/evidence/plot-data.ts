@@ -1,6 +1,7 @@
 import type uPlot from "uplot";
 import type { FootFrame } from "../model/evidence";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 
 /** Contents of a plot, and the positions of samples in it. */
 export interface PlotData {
@@ -54,8 +55,6 @@ export function paintLine(
   const ratio = devicePixelRatio;
   const position = Math.round(plot.valToPos(value, axis, true));
   ctx.save();
-  ctx.strokeStyle = color;
-  ctx.lineWidth = 1.5 * ratio;
   ctx.setLineDash(isDashed ? [4 * ratio, 3 * ratio] : []);
   ctx.beginPath();
   if (axis === "x") {
@@ -65,7 +64,7 @@ export function paintLine(
     ctx.moveTo(bbox.left, position);
     ctx.lineTo(bbox.left + bbox.width, position);
   }
-  ctx.stroke();
+  drawPath(ctx, color, 1.5 * ratio);
   ctx.restore();
 }
 

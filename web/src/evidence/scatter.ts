@@ -3,6 +3,7 @@ import { type FootFrame, heightSpeedRange, sides } from "../model/evidence";
 import { formatValue } from "../model/explanation";
 import type { Evidence, Tracks } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 import { contour } from "./contour";
 import { type PlotData, type PlotSpec, paintLine, paintText } from "./plot-data";
 
@@ -112,8 +113,6 @@ function decisionBoundary({ clustering }: Evidence): Float32Array {
 /** Draws the decision boundary. */
 function paintBoundary(plot: uPlot, theme: CanvasTheme, contourLines: Float32Array) {
   const { ctx } = plot;
-  ctx.strokeStyle = theme.accent;
-  ctx.lineWidth = 2 * devicePixelRatio;
   ctx.lineCap = "round";
   ctx.beginPath();
   for (let i = 0; i < contourLines.length; i += 4) {
@@ -122,7 +121,7 @@ function paintBoundary(plot: uPlot, theme: CanvasTheme, contourLines: Float32Arr
     ctx.moveTo(x(0), y(1));
     ctx.lineTo(x(2), y(3));
   }
-  ctx.stroke();
+  drawPath(ctx, theme.accent, 2 * devicePixelRatio);
 }
 
 /** Draws the thresholds of height and speed. */

@@ -3,7 +3,7 @@
 import type { SegmentName } from "./segments";
 import type { DetectOptions, Edit, SegmentOptions } from "./types";
 
-/** What to compute for each file of a batch. */
+/** Computation requested for each file of a batch. */
 export interface BatchRequest {
   detect: DetectOptions;
   segment: SegmentOptions;

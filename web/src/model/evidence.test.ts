@@ -9,8 +9,8 @@ const evidence = {
   norms: Float32Array.of(0.1, 0.3, 0.9),
   variances: Float32Array.of(0, 0.01, 0.2),
   feet: {
-    left: { norms: Float32Array.of(0.1, 0.9, 0.3), roots: new Float32Array(3) },
-    right: { norms: Float32Array.of(0.2, Number.NaN, 0.6), roots: new Float32Array(3) },
+    left: { norms: Float32Array.of(0.1, 0.9, 0.3), values: new Float32Array(3) },
+    right: { norms: Float32Array.of(0.2, Number.NaN, 0.6), values: new Float32Array(3) },
   },
 } as unknown as Clustering;
 

@@ -21,7 +21,7 @@ export function heightSpeedRange({ left, right }: Tracks) {
   return { height: top("height"), speed: top("speed") };
 }
 
-/** Returns the fractional rank of a norm among the sorted norms, by linear interpolation. */
+/** Returns the fractional rank of a norm in the sorted norms, by linear interpolation. */
 export function rankOfNorm({ ranks, norms }: Clustering, norm: number): number {
   const after = firstIndexWhere(norms.length, (i) => (norms[i] as number) >= norm);
   return interpolate(norms, ranks, after, norm);

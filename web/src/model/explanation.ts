@@ -1,6 +1,6 @@
 import type { Clustering, Edit, Evidence, Side, Tracks } from "./types";
 
-/** Everything that determines the label of a foot in a frame. */
+/** All data that determine the label of a foot in a frame. */
 export interface ExplanationInput {
   evidence: Evidence;
   tracks: Tracks;
@@ -82,7 +82,7 @@ function unitOf({ hasField, plantedMedian }: Clustering): number {
 /** Name of the decision value. */
 const valueName = ({ hasField }: Clustering) => (hasField ? "√degree" : "u");
 
-/** Formats a value with three significant digits or so, and a typographic minus. */
+/** Formats a value with about three significant digits and a typographic minus. */
 export function formatValue(value: number): string {
   return value.toFixed(Math.abs(value) < 10 ? 2 : 1).replace("-", "−");
 }

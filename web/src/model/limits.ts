@@ -1,7 +1,7 @@
 import { formatBytes } from "../util/format";
 import type { Failure } from "./types";
 
-/** Maximum file size, checked before reading; a worker has room for a few times that. */
+/** Maximum file size, checked before reading; a worker needs a few times as much memory. */
 export const maxFileBytes = 2 ** 30;
 
 /** Returns the failure of opening a file above the limit. */

@@ -26,7 +26,7 @@ export function principalPart(parts: Partial<Record<Part, unknown>>): Part | und
   return (["contact", "toe", "heel"] as const).find((part) => parts[part]);
 }
 
-/** Returns what belongs to the principal part. */
+/** Returns the entry of the principal part. */
 export function principalTracks<T>(parts: Partial<Record<Part, T>>): T | undefined {
   const part = principalPart(parts);
   return part && parts[part];
@@ -64,7 +64,7 @@ function mean(values: Float32Array, start: number, end: number): number {
   return end > start ? sum / (end - start) : 0;
 }
 
-/** Returns the plant that contains a frame; that which started later if both feet are planted. */
+/** Returns the plant that contains a frame; if both feet are planted, the one that started later. */
 export function plantAt(plants: readonly Plant[], frame: number, side?: Side): Plant | undefined {
   // Plants of one foot do not overlap: only the last one that has started can contain the frame.
   const pending = { left: side !== "right", right: side !== "left" };

@@ -36,7 +36,7 @@ it("replaces the content of blocks only", () => {
   expect(fillBlocks(filled, { clip: "", title: "Plantigrade" }).join("")).toBe(page);
 });
 
-it("keeps hostile names inside their blocks", () => {
+it("escapes names that contain HTML", () => {
   for (const name of hostileNames) {
     const filled = fillBlocks(page, {
       title: titleText(name),

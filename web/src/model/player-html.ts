@@ -1,5 +1,5 @@
 /**
- * The single-file page: the player, and blocks of inert text that contain what it plays. The app
+ * The single-file page: the player, and blocks of inert text that contain its data. The app
  * fills the blocks; the player reads them.
  */
 

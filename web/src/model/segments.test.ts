@@ -18,7 +18,7 @@ function segmentsEndingAt(...ends: number[]): Segment[] {
 const namesOf = (segments: readonly Segment[], names: readonly SegmentName[]) =>
   nameSegments(segments, names).map(({ name }) => name);
 
-it("keeps names where segments overlap by more than half, and only there", () => {
+it("preserves names of segments that overlap by more than half, and no others", () => {
   const names = renameSegment(
     renameSegment([], { start: 0, end: 100 }, "walk"),
     { start: 100, end: 180 },

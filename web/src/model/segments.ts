@@ -18,8 +18,8 @@ export interface SegmentName {
 }
 
 /**
- * Returns the overlap of two ranges as a fraction of the longer one. Above one half they are taken
- * for the same action; at most one segment of a segmentation can be that.
+ * Returns the overlap of two ranges as a fraction of the longer one. Above one half, both count as
+ * the same action; at most one segment of a segmentation exceeds that.
  */
 function overlap(a: FrameRange, b: FrameRange): number {
   const common = Math.min(a.end, b.end) - Math.max(a.start, b.start);

@@ -13,7 +13,7 @@ export interface Source {
   origin?: Origin;
   /** True if values that are not numbers were replaced by those of the previous frame. */
   lenient?: boolean;
-  /** View and settings that a link or a shared page asks for. */
+  /** View and settings of a link or a shared page. */
   view?: ViewState;
   /** Edits and names in a shared page; `id` distinguishes several shares of one clip. */
   shared?: { id: string; edits: readonly Edit[]; names: readonly SegmentName[] };

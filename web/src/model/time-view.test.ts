@@ -27,7 +27,7 @@ it("converts between frames and pixels", () => {
 });
 
 describe("moveEdge", () => {
-  it("keeps the other edge", () => {
+  it("does not move the other edge", () => {
     expect(moveEdge(view, "start", 50, 1000)).toEqual({ start: 50, end: 300 });
     expect(moveEdge(view, "end", 2000, 1000)).toEqual({ start: 100, end: 1000 });
   });

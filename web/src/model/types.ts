@@ -114,7 +114,7 @@ export interface Evidence {
 export interface Clustering extends EvidenceInfo {
   /** Number of samples. */
   count: number;
-  /** Ranks among the sorted norms at which they are given: evenly spaced, and the knee. */
+  /** Ranks, in the sorted norms, of the given norms: evenly spaced, and the knee. */
   ranks: Float32Array;
   /** Norm at each of these ranks. */
   norms: Float32Array;

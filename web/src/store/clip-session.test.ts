@@ -15,14 +15,14 @@ function deferred<T>() {
 }
 
 describe("run", () => {
-  it("returns answers and errors while the clip is open", async () => {
+  it("returns results and errors while the clip is open", async () => {
     const open = newSession();
     expect(await open.run("detect", async () => 1)).toBe(1);
     const failing = open.run("detect", () => Promise.reject(new Error("no")));
     await expect(failing).rejects.toThrow("no");
   });
 
-  it("drops answers and errors once another clip is open", async () => {
+  it("drops results and errors once another clip is open", async () => {
     const before = newSession();
     openSession(before);
     const [answer, failure] = [deferred<number>(), deferred<number>()];
@@ -36,7 +36,7 @@ describe("run", () => {
     expect(before.signal.aborted).toBe(true);
   });
 
-  it("drops answers of calls that a newer one replaces, or that are dropped", async () => {
+  it("drops results of calls that a newer one replaces, or that are dropped", async () => {
     const open = newSession();
     const [first, second] = [deferred<number>(), deferred<number>()];
     const older = open.run("edit", () => first.promise);

@@ -1,4 +1,4 @@
-/** The open clip: one value that holds everything that belongs to it. */
+/** The open clip and all state that belongs to it. */
 
 import { batch, type Signal, signal } from "@preact/signals";
 import type { FrameRange, PlantRef } from "../model/edits";
@@ -26,7 +26,7 @@ import type {
 
 export type Loop = "off" | "clip" | "plant" | "segment";
 
-/** Which version of a cleaned clip the viewer shows. */
+/** Version of a cleaned clip that the viewer shows. */
 export type CleanedView = "before" | "after" | "both";
 
 /** A clean-up and the clip, labels and overrides from which it was computed. */
@@ -55,8 +55,8 @@ interface Start {
 }
 
 /**
- * Everything that belongs to one open clip. Opening another clip replaces the session as a whole:
- * nothing is reset by hand, and answers that were requested by an older session are dropped.
+ * State of one open clip. Opening another clip replaces the session as a whole:
+ * no field has to be reset, and results requested by an older session are dropped.
  */
 export class ClipSession {
   readonly source: Source | null;
@@ -163,7 +163,7 @@ export class ClipSession {
     }
   }
 
-  /** Drops the answer of the pending call with that name. */
+  /** Drops the result of the pending call with that name. */
   drop(name: string) {
     this.newest.delete(name);
   }

@@ -1,4 +1,4 @@
-/** The first interaction, for which decorative work waits: starting to draw takes a while. */
+/** The first interaction. The preview starts only then, because starting to draw is slow. */
 
 const events = ["pointermove", "pointerdown", "keydown", "wheel", "dragenter"] as const;
 

@@ -3,7 +3,7 @@ import { errorReport } from "./errors";
 import { jobs, opening } from "./jobs";
 import { openClip, segmentation } from "./session";
 
-/** The state of the page as a whole. */
+/** The state of the page. */
 export const phase = computed(() => {
   if (errorReport.value) return "error";
   if (opening.value) return "loading";

@@ -12,7 +12,7 @@ export const playhead = sessionField((open) => open.playhead);
 /** The part of the clip that the timeline shows. */
 export const timeView = sessionField((open) => open.timeView);
 
-/** What playback repeats. */
+/** Range that playback repeats. */
 export const loop = sessionField((open) => open.loop);
 
 /** Frames of the looped plant or segment, half-open. */

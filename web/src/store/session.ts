@@ -10,26 +10,26 @@ export const source = computed(() => session.value.source);
 /** True while the clip is the decorative preview of the start page. */
 export const isPreview = computed(() => session.value.isPreview);
 
-export const clip = sessionField((open) => open.clip);
-export const overrides = sessionField((open) => open.overrides);
-export const detection = sessionField((open) => open.detection);
-export const detectFailure = sessionField((open) => open.detectFailure);
-export const segmentation = sessionField((open) => open.segmentation);
-export const segmentFailure = sessionField((open) => open.segmentFailure);
-export const segmentNames = sessionField((open) => open.segmentNames);
-export const renamedSegment = sessionField((open) => open.renamedSegment);
-export const edits = sessionField((open) => open.edits);
-export const selected = sessionField((open) => open.selected);
-export const dragPreview = sessionField((open) => open.dragPreview);
-export const persistError = sessionField((open) => open.persistError);
-export const reference = sessionField((open) => open.reference);
-export const scores = sessionField((open) => open.scores);
-export const scorePart = sessionField((open) => open.scorePart);
-export const referenceSegments = sessionField((open) => open.referenceSegments);
-export const cutScores = sessionField((open) => open.cutScores);
-export const cleaning = sessionField((open) => open.cleaning);
-export const slides = sessionField((open) => open.slides);
-export const gait = sessionField((open) => open.gait);
+export const clip = sessionField((clipSession) => clipSession.clip);
+export const overrides = sessionField((clipSession) => clipSession.overrides);
+export const detection = sessionField((clipSession) => clipSession.detection);
+export const detectFailure = sessionField((clipSession) => clipSession.detectFailure);
+export const segmentation = sessionField((clipSession) => clipSession.segmentation);
+export const segmentFailure = sessionField((clipSession) => clipSession.segmentFailure);
+export const segmentNames = sessionField((clipSession) => clipSession.segmentNames);
+export const renamedSegment = sessionField((clipSession) => clipSession.renamedSegment);
+export const edits = sessionField((clipSession) => clipSession.edits);
+export const selected = sessionField((clipSession) => clipSession.selected);
+export const dragPreview = sessionField((clipSession) => clipSession.dragPreview);
+export const persistError = sessionField((clipSession) => clipSession.persistError);
+export const reference = sessionField((clipSession) => clipSession.reference);
+export const scores = sessionField((clipSession) => clipSession.scores);
+export const scorePart = sessionField((clipSession) => clipSession.scorePart);
+export const referenceSegments = sessionField((clipSession) => clipSession.referenceSegments);
+export const cutScores = sessionField((clipSession) => clipSession.cutScores);
+export const cleaning = sessionField((clipSession) => clipSession.cleaning);
+export const slides = sessionField((clipSession) => clipSession.slides);
+export const gait = sessionField((clipSession) => clipSession.gait);
 
 /** The clip that the user opened; null on the start page. */
 export const openClip = computed(() => (isPreview.value ? null : clip.value));
@@ -60,17 +60,17 @@ export const notices = computed(() => [
 
 /** The clean-up, as long as clip, labels and overrides are those from which it was computed. */
 const cleanUp = computed(() => {
-  const open = session.value;
-  const made = open.cleanUp.value;
+  const clipSession = session.value;
+  const made = clipSession.cleanUp.value;
   const isCurrent =
-    made?.clip === open.clip.value &&
-    made?.detection === open.detection.value &&
-    made?.overrides === open.overrides.value;
+    made?.clip === clipSession.clip.value &&
+    made?.detection === clipSession.detection.value &&
+    made?.overrides === clipSession.overrides.value;
   return isCurrent ? made : null;
 });
 
 /** The clip without foot skate; null until it is computed. */
 export const cleaned = computed(() => cleanUp.value?.cleaned ?? null);
 
-/** Which version of the clip the viewer shows. */
+/** Version of the clip that the viewer shows. */
 export const cleanedView = computed(() => cleanUp.value?.view ?? "before");

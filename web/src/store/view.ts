@@ -1,4 +1,4 @@
-/** What the page shows: camera, tabs, dialogs and announcements. */
+/** View state of the page: camera, tabs, dialogs and announcements. */
 
 import { signal } from "@preact/signals";
 import type { CameraPose, CameraView } from "../model/view-state";
@@ -16,7 +16,7 @@ export interface StageHandle {
 /** The 3D stage; null until it is created or if the browser has no WebGL. */
 export const stageHandle = signal<StageHandle | null>(null);
 
-/** The side from which the camera was last asked to look. */
+/** The preset view that was requested last. */
 export const cameraView = signal<CameraView>("perspective");
 
 /** Number of camera requests; repeating a request turns the camera back. */
@@ -34,7 +34,7 @@ export const followCamera = signal(true);
 /** True if the paths of toes and hips are drawn. */
 export const trailsVisible = signal(false);
 
-/** Number of requests to frame everything; the viewer answers each one. */
+/** Number of requests to frame everything; the viewer responds to each change. */
 export const frameAllRequests = signal(0);
 
 export const activeTab = signal<Tab>("detect");

@@ -1,4 +1,4 @@
-/** Replacement of `engine` for tests: answers from a generated walk, without workers and wasm. */
+/** Replacement of `engine` for tests: returns data of a generated walk, without workers and wasm. */
 
 import { Cancelled, type ClipEngine } from "../engine/clip-engine";
 import type { Annotation, Clip, Detection, SegmentAnnotation, Tracks } from "../model/types";

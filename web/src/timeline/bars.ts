@@ -2,6 +2,7 @@ import { type Plant, plantsWithin } from "../model/plants";
 import { toX } from "../model/time-view";
 import type { Track } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 import type { Bars } from "./layout";
 import { font, type Scene } from "./scene";
 import { forEachVisible } from "./visible-intervals";
@@ -12,7 +13,7 @@ const minNumberWidth = 20;
 /** Cache of `editedIntervalsOf`. */
 const editedIntervals = new WeakMap<Track, Uint32Array>();
 
-/** Draws a contact interval: a horizontal line with a stop at each end. */
+/** Draws a contact interval: a horizontal line with a vertical line at each end. */
 export function paintBracket(
   ctx: CanvasRenderingContext2D,
   color: string,
@@ -63,9 +64,7 @@ export function paintBar(
     height - 1.5,
     Math.min(2.5, width / 2),
   );
-  ctx.lineWidth = 1.5;
-  ctx.strokeStyle = theme[lane.side];
-  ctx.stroke();
+  drawPath(ctx, theme[lane.side], 1.5);
 }
 
 /** Draws the intervals of one part of one foot, with their confidence, edits and numbers. */
@@ -129,18 +128,16 @@ function paintSelection(
   const from = toX(view, selected.start, laneWidth);
   const to = Math.max(from + 3, toX(view, selected.end, laneWidth) - 1);
   const [top, height] = [lane.y - 1.5, lane.height + 3];
-  ctx.strokeStyle = theme.text;
-  ctx.lineWidth = 1.5;
   ctx.beginPath();
   ctx.roundRect(from - 1.5, top, to - from + 3, height, 4);
-  ctx.stroke();
+  drawPath(ctx, theme.text, 1.5);
   ctx.fillStyle = theme.text;
   ctx.beginPath();
   for (const x of [from - 4, to]) ctx.roundRect(x, top, 4, height, 2);
   ctx.fill();
 }
 
-/** Draws several merged intervals, translucent to differ from one interval of the same length. */
+/** Draws several merged intervals; they are translucent, unlike a single interval. */
 export function paintMerged(
   ctx: CanvasRenderingContext2D,
   color: string,
@@ -164,18 +161,18 @@ function paintPlantNumbers(
 ) {
   const { view, theme } = scene;
   const visible = plantsWithin(scene.plants, lane.side, view);
-  // Early exit: no number needs less.
+  // Early exit: the shortest number already needs more space.
   if (0.6 * visible.length * minNumberWidth > laneWidth) return;
   ctx.font = font(10, 600);
   ctx.textAlign = "center";
   const centerY = lane.y + lane.height / 2;
-  const hasRoom = (plant: Plant) =>
+  const fits = (plant: Plant) =>
     toX(view, plant.end, laneWidth) - toX(view, plant.start, laneWidth) >=
     ctx.measureText(String(plant.number)).width + 20;
-  // Few numbers would look like gaps in the count: most are drawn, or none.
-  if (visible.filter(hasRoom).length < 0.6 * visible.length) return;
+  // Few numbers would look like missing plants, so either most are drawn or none.
+  if (visible.filter(fits).length < 0.6 * visible.length) return;
   for (const plant of visible) {
-    if (!hasRoom(plant)) continue;
+    if (!fits(plant)) continue;
     const from = Math.max(0, toX(view, plant.start, laneWidth));
     const to = Math.min(laneWidth, toX(view, plant.end, laneWidth));
     const width = ctx.measureText(String(plant.number)).width + 8;

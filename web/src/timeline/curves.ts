@@ -1,5 +1,6 @@
 import { toX } from "../model/time-view";
 import { niceCeiling } from "../util/axis-steps";
+import { drawPath } from "../util/draw-path";
 import { minMaxColumns } from "../util/min-max-pyramid";
 import type { Curves } from "./layout";
 import type { Scene } from "./scene";
@@ -53,10 +54,8 @@ export function paintCurves(
     ctx.beginPath();
     if (showsFrames) {
       traceFrames(ctx, scene, lane[side][lane.kind], laneWidth, bottom, scale);
-      ctx.strokeStyle = theme[side];
-      ctx.lineWidth = lineWidth;
       ctx.lineJoin = "round";
-      ctx.stroke();
+      drawPath(ctx, theme[side], lineWidth);
     } else {
       const { [lane.kind]: values, summaries } = lane[side];
       minMaxColumns(
@@ -92,7 +91,7 @@ function traceFrames(
 
 /**
  * Adds the band between the column maxima and the column minima to the path. Filling it takes half
- * the time of stroking a line that goes up and down in every column.
+ * the time of drawing a line that goes up and down in every column.
  */
 function traceColumns(
   ctx: CanvasRenderingContext2D,

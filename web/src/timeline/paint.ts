@@ -1,5 +1,6 @@
 import { toX } from "../model/time-view";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 import { paintBar, paintBars, paintBracket, paintMerged } from "./bars";
 import { paintCompanion } from "./companion-bars";
 import { curveText, paintCurves, scaleText } from "./curves";
@@ -132,11 +133,9 @@ function paintMinimap(ctx: CanvasRenderingContext2D, scene: Scene, laneWidth: nu
   ctx.fillRect(0, y, from, height);
   ctx.fillRect(to, y, laneWidth - to, height);
   ctx.globalAlpha = 1;
-  ctx.strokeStyle = theme.text;
-  ctx.lineWidth = 1.5;
   ctx.beginPath();
   ctx.roundRect(from + 0.75, y + 0.75, Math.max(3, to - from - 1.5), height - 1.5, 3);
-  ctx.stroke();
+  drawPath(ctx, theme.text, 1.5);
   ctx.fillStyle = theme.text;
   for (const x of [from, to - 4]) {
     ctx.beginPath();

@@ -1,5 +1,6 @@
 import { rangesWhere } from "../model/intervals";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 import type { ReferenceBars } from "./layout";
 import type { Scene } from "./scene";
 import { truncateText } from "./text";
@@ -26,7 +27,7 @@ function labelIntervals(labels: Int8Array): LabelIntervals {
   return result;
 }
 
-/** Draws the plants of the reference as outlines, to tell them from detected plants. */
+/** Draws the plants of the reference as outlines, unlike detected plants. */
 export function paintReference(
   ctx: CanvasRenderingContext2D,
   { view, theme }: Scene,
@@ -41,13 +42,11 @@ export function paintReference(
   ctx.fillStyle = theme.unknown;
   forEachInterval(unknown, (x, width) => ctx.fillRect(x, lane.y + 2, width, lane.height - 4));
   ctx.fillStyle = theme.tint[lane.side];
-  ctx.strokeStyle = theme[lane.side];
-  ctx.lineWidth = 1;
   forEachInterval(planted, (x, width) => {
     ctx.beginPath();
     ctx.roundRect(x + 0.5, lane.y + 0.5, Math.max(1, width - 1), lane.height - 1, 2);
     ctx.fill();
-    ctx.stroke();
+    drawPath(ctx, theme[lane.side], 1);
   });
 }
 

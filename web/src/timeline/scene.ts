@@ -6,7 +6,7 @@ import type { SegmentAnnotation, Segmentation, Tracks } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import type { Layout } from "./layout";
 
-/** Everything that the timeline canvas shows. */
+/** All data that the timeline canvas shows. */
 export interface Scene {
   layout: Layout;
   theme: CanvasTheme;

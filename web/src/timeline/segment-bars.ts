@@ -3,6 +3,7 @@ import { type NamedSegment, segmentIndexAt } from "../model/segments";
 import { toX } from "../model/time-view";
 import type { Segment } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
+import { drawPath } from "../util/draw-path";
 import type { SegmentLane } from "./layout";
 import type { Scene } from "./scene";
 import { textWidth, truncateText } from "./text";
@@ -78,7 +79,7 @@ function addBarPath(
   ctx.roundRect(from, y, width, height, Math.min(radius, width / 2));
 }
 
-/** Strokes the outline of a bar. */
+/** Draws the outline of a bar. */
 function paintOutline(
   ctx: CanvasRenderingContext2D,
   color: string,
@@ -91,9 +92,7 @@ function paintOutline(
   if (width < 2) return;
   ctx.beginPath();
   ctx.roundRect(from + 0.5, y + 0.5, width, height - 1, Math.min(2.5, width / 2));
-  ctx.lineWidth = 1;
-  ctx.strokeStyle = color;
-  ctx.stroke();
+  drawPath(ctx, color, 1);
 }
 
 /** Draws a dotted line for periodic segments, a solid line for aperiodic ones, nothing otherwise. */
@@ -137,7 +136,7 @@ function paintTransitions(
   }
 }
 
-/** Draws the icon of the kind and the name or number of a segment, as far as they fit. */
+/** Draws the icon of the kind and the name or number of a segment, if they fit. */
 function paintSegmentText(
   ctx: CanvasRenderingContext2D,
   { view, theme, segmentation }: Scene,
@@ -161,12 +160,11 @@ function paintSegmentText(
   if (end <= x) return;
   const centerY = lane.y + lane.height / 2 + (segment.kind === "action" ? 0.5 : -1);
   ctx.fillStyle = color;
-  ctx.strokeStyle = color;
   const text = segment.name || numberText(segment.number);
   // The text has priority over the icon, since the line shows the kind as well.
   const wantedWidth = Math.min(textWidth(ctx, theme, text, textSize), 24);
   if (segment.kind !== "action" && end - x >= 15 + wantedWidth) {
-    paintKindIcon(ctx, segment.kind, x, centerY);
+    paintKindIcon(ctx, segment.kind, color, x, centerY);
     x += 15;
   }
   const truncated = truncateText(ctx, theme, text, end - x, textSize);
@@ -175,8 +173,13 @@ function paintSegmentText(
 }
 
 /** Draws a loop for periodic and an arrow for aperiodic segments, 10 pixels wide. */
-function paintKindIcon(ctx: CanvasRenderingContext2D, kind: Segment["kind"], x: number, y: number) {
-  ctx.lineWidth = 1.3;
+function paintKindIcon(
+  ctx: CanvasRenderingContext2D,
+  kind: Segment["kind"],
+  color: string,
+  x: number,
+  y: number,
+) {
   ctx.beginPath();
   if (kind === "periodic") {
     ctx.arc(x + 4.5, y, 3.6, -0.9, 4.6);
@@ -190,7 +193,7 @@ function paintKindIcon(ctx: CanvasRenderingContext2D, kind: Segment["kind"], x: 
     ctx.lineTo(x + 9, y);
     ctx.lineTo(x + 6, y + 3);
   }
-  ctx.stroke();
+  drawPath(ctx, color, 1.3);
 }
 
 /** Draws the motifs with the numbers of their classes. */

@@ -1,6 +1,7 @@
 import { toX } from "../model/time-view";
 import type { Curve } from "../model/types";
 import { firstIndexWhere } from "../util/binary-search";
+import { drawPath } from "../util/draw-path";
 import { quantile } from "../util/min-max-pyramid";
 import type { SegmentLane } from "./layout";
 import type { Scene } from "./scene";
@@ -56,15 +57,11 @@ export function paintSegmentationCurve(
   if (curve.threshold.length) {
     addCurvePath(ctx, scene, curve.frames, curve.threshold, laneWidth, bottom, scale, minimum);
     ctx.setLineDash(dashedLine);
-    ctx.strokeStyle = theme.accent;
-    ctx.lineWidth = 1.25;
-    ctx.stroke();
+    drawPath(ctx, theme.accent, 1.25);
     ctx.setLineDash(solidLine);
   }
   addCurvePath(ctx, scene, curve.frames, curve.values, laneWidth, bottom, scale, minimum);
-  ctx.strokeStyle = theme.text;
-  ctx.lineWidth = 1.5;
-  ctx.stroke();
+  drawPath(ctx, theme.text, 1.5);
   paintExtrema(ctx, scene, curve, laneWidth, bottom, scale, minimum);
   ctx.restore();
 }
@@ -144,8 +141,6 @@ function paintExtrema(
   if (meanSpacing < 5) return;
   const radius = meanSpacing < 12 ? 1.75 : 2.5;
   ctx.fillStyle = theme.accent;
-  ctx.strokeStyle = theme.lane;
-  ctx.lineWidth = 1;
   for (const index of extrema) {
     const frame = frames[index] as number;
     if (frame < view.start || frame > view.end) continue;
@@ -153,6 +148,6 @@ function paintExtrema(
     ctx.beginPath();
     ctx.arc(toX(view, frame, laneWidth), y, radius, 0, 7);
     ctx.fill();
-    ctx.stroke();
+    drawPath(ctx, theme.lane, 1);
   }
 }

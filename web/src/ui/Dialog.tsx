@@ -23,7 +23,7 @@ export function Dialog({ title, children }: { title: string; children: Component
     <dialog
       ref={element}
       aria-labelledby="dialog-title"
-      // Escape fires cancel before close: shortcuts of the page must work again at once.
+      // Escape fires cancel before close: shortcuts of the page must work again immediately.
       onCancel={close}
       onClose={close}
       // A press on the backdrop targets the dialog element itself.

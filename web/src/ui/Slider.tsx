@@ -56,7 +56,7 @@ export function Slider({
         max={max}
         step={step}
         value={position}
-        // Fraction of the track left of the thumb; only Firefox can style it without help.
+        // Fraction of the track left of the thumb; only Firefox can style it directly.
         ref={(input) => {
           input?.style.setProperty("--fraction", String((position - min) / (max - min)));
         }}

@@ -1,4 +1,5 @@
 import type { Side } from "../model/types";
+import { drawPath } from "../util/draw-path";
 
 /** Colours of the style sheet and fill patterns for drawing on a canvas. */
 export interface CanvasTheme {
@@ -77,14 +78,12 @@ function createPattern(
 /** Returns a pattern of diagonal lines, or the plain colour without a canvas. */
 function createHatch(ctx: CanvasRenderingContext2D, color: string, pixelRatio: number) {
   const pattern = createPattern(ctx, 6, pixelRatio, (tileCtx) => {
-    tileCtx.strokeStyle = color;
-    tileCtx.lineWidth = 1.6;
     tileCtx.beginPath();
     for (const x of [-6, 0, 6]) {
       tileCtx.moveTo(x - 1, 7);
       tileCtx.lineTo(x + 7, -1);
     }
-    tileCtx.stroke();
+    drawPath(tileCtx, color, 1.6);
   });
   return pattern ?? color;
 }

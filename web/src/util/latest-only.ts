@@ -1,5 +1,5 @@
 /**
- * Limits an async function to one call at a time. Of the calls made meanwhile, only the newest
+ * Limits an async function to one call at a time. Of the calls made during a call, only the newest
  * runs afterwards, so that a slider does not fill a queue.
  */
 export function latestOnly<T>(run: (value: T) => Promise<void>): (value: T) => void {

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { mapConcurrent } from "./map-concurrent";
 
-it("runs a limited number of calls at a time and keeps the order", async () => {
+it("runs a limited number of calls at a time and preserves the order", async () => {
   const finish: (() => void)[] = [];
   let running = 0;
   let maxRunning = 0;

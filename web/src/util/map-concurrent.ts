@@ -1,4 +1,4 @@
-/** Maximum number of concurrent calls; starting more at once would block the page. */
+/** Maximum number of concurrent calls; starting more would block the page. */
 const maxConcurrent = 32;
 
 /** Maps items by an async function, several at a time. The results have the order of the items. */

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { extremesOf, minMaxColumns, quantile } from "./min-max-pyramid";
 
-it("keeps every peak and trough of many frames", () => {
+it("preserves every peak and trough of many frames", () => {
   const values = Float32Array.from({ length: 1000 }, (_, i) =>
     i === 437 ? 9 : i === 611 ? -9 : 0,
   );

@@ -119,7 +119,7 @@ export class Bones {
       for (let axis = 0; axis < 3; axis++) {
         this.restDirections[3 * k + axis] = difference(axis) / length;
       }
-      // Width is proportional to length, which keeps fingers thin; feet are wider to show their light.
+      // Width is proportional to length, so fingers are thin; feet are wider to show their highlight.
       const width = Math.min((this.footLight[joint] ? 0.2 : 0.12) * length, 0.026 * size);
       this.width[k] = width;
       this.radius[parent] = Math.max(this.radius[parent] ?? 0, 0.62 * width);
@@ -134,7 +134,7 @@ export class Bones {
     );
     for (const mesh of [this.bones, this.joints]) {
       mesh.frustumCulled = false;
-      // Only used for sorting. Set here, or three.js computes it from all instances.
+      // Only used for sorting. Without it, three.js would compute it from all instances.
       mesh.boundingSphere = new Sphere();
       mesh.geometry.setAttribute(
         "aGlow",

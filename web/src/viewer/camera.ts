@@ -49,7 +49,7 @@ const presetAngles = {
 export class Camera {
   readonly camera = new PerspectiveCamera(fov, 1, 0.05, 200);
   readonly controls: CameraControls;
-  /** True on the start page, where the character is off-centre to leave room for the text. */
+  /** True on the start page, where the character is off-centre to leave space for the text. */
   isPreview = false;
   /** True until the user moves the camera; only then does resizing frame the character again. */
   private isFramed = true;

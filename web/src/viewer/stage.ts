@@ -263,7 +263,7 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Moves the character off-centre on the start page, to leave room for the text. */
+  /** Moves the character off-centre on the start page, to leave space for the text. */
   setPreview(isPreview: boolean) {
     this.camera.isPreview = isPreview;
     this.resize();

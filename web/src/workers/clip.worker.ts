@@ -215,7 +215,7 @@ const api = {
   /** Removes foot skate; the result can be saved until the labels change. */
   async clean(): Promise<CleanedClip> {
     const open = current();
-    if (!open.detection) throw new Error("There are no labels to clean by.");
+    if (!open.detection) throw new Error("The clean-up requires labels.");
     discardCleaned(open);
     const cleaned = open.clip.clean(open.detection);
     open.cleaned = cleaned;
@@ -227,7 +227,7 @@ const api = {
   /** Returns the cleaned clip as a BVH file. */
   async saveCleaned(): Promise<Blob> {
     const open = current();
-    if (!open.detection) throw new Error("There are no labels to clean by.");
+    if (!open.detection) throw new Error("The clean-up requires labels.");
     open.cleaned ??= open.clip.clean(open.detection);
     return new Blob([open.cleaned.bvh() as Uint8Array<ArrayBuffer>], { type: "text/plain" });
   },

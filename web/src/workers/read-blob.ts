@@ -1,4 +1,4 @@
-/** Reads a file in chunks, without keeping all of it in memory. */
+/** Reads a file in chunks, without loading all of it into memory. */
 
 const CHUNK_BYTES = 1 << 20;
 

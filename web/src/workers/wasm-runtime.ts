@@ -1,4 +1,4 @@
-/** What the workers share: starting the wasm module, reading a clip, reporting failures. */
+/** Functions shared by the workers: starting the wasm module, reading a clip, reporting failures. */
 
 import type { Failure, OnProgress } from "../model/types";
 import init, { type WasmClip, WasmReader } from "../wasm/plantigrade";

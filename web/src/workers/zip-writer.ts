@@ -1,6 +1,6 @@
 import { strToU8, Zip, ZipDeflate } from "fflate";
 
-/** Writes a zip archive. Files are compressed when they are added, so that texts do not pile up. */
+/** Writes a zip archive. Files are compressed when they are added, so that uncompressed texts do not accumulate. */
 export class ZipWriter {
   private readonly chunks: Uint8Array<ArrayBuffer>[] = [];
   private readonly zip = new Zip((error, chunk) => {

@@ -88,6 +88,6 @@ fn summary(cleaned: &Cleaned) -> String {
     format!(
         "{} plants, {} corrected; slide: mean {mean:.1} → {mean_after:.1} mm, maximum {max:.1} → {max_after:.1} mm",
         cleaned.plants.len(),
-        cleaned.held_count(),
+        cleaned.constrained_count(),
     )
 }

@@ -15,19 +15,19 @@ use crate::input::{self, Input, LoadedClip};
 /// Detects plants in all inputs. Returns the number of inputs that failed.
 pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
-    let still = args.still.as_deref().map(|path| load_still(path, args)).transpose();
-    let still = still.map_err(UsageError::Still)?;
+    let standing = args.still.as_deref().map(|path| load_standing(path, args)).transpose();
+    let standing = standing.map_err(UsageError::Still)?;
     let batch = Batch {
         read: &args.read,
         write: &args.write,
         extension: args.format.extension(),
         options: format!("{params:?} {:?}", args.still),
     };
-    batch.run(|input, loaded| detect(input, loaded, params, still.as_ref(), args))
+    batch.run(|input, loaded| detect(input, loaded, params, standing.as_ref(), args))
 }
 
 /// Loads the feet of the standing clip that is clustered together with the inputs.
-fn load_still(path: &Path, args: &DetectArgs) -> Result<Feet, InputError> {
+fn load_standing(path: &Path, args: &DetectArgs) -> Result<Feet, InputError> {
     let input = Input { path: path.into(), stem: PathBuf::new() };
     let loaded = input::load(&input, &args.read)?;
     let clip = &loaded.parsed.clip;
@@ -43,7 +43,7 @@ pub fn detect_all(
     input: &Input,
     loaded: &LoadedClip,
     params: ValidParams,
-    still: Option<&Feet>,
+    standing: Option<&Feet>,
 ) -> Result<Vec<DetectedSkeleton>, InputError> {
     let clip = &loaded.parsed.clip;
     let mut detected: Vec<DetectedSkeleton> = Vec::new();
@@ -51,8 +51,8 @@ pub fn detect_all(
     for skeleton in Skeleton::all(clip, &loaded.overrides) {
         match Feet::new(clip, &skeleton) {
             Ok(feet) => {
-                let detection = match still {
-                    Some(still) => plants::detect_with_standing(&feet, still, params),
+                let detection = match standing {
+                    Some(standing) => plants::detect_with_standing(&feet, standing, params),
                     None => plants::detect(&feet, params),
                 };
                 detected.push((skeleton, feet, detection));
@@ -71,11 +71,11 @@ fn detect(
     input: &Input,
     loaded: &LoadedClip,
     params: ValidParams,
-    still: Option<&Feet>,
+    standing: Option<&Feet>,
     args: &DetectArgs,
 ) -> Result<Vec<u8>, InputError> {
     let Parsed { clip, notices } = &loaded.parsed;
-    let detected = detect_all(input, loaded, params, still)?;
+    let detected = detect_all(input, loaded, params, standing)?;
     Ok(args.format.write(&PlantExport {
         source: loaded.source(input),
         clip,

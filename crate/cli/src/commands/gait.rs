@@ -67,14 +67,15 @@ fn measure(input: &Input, args: &GaitArgs) -> Result<Vec<Record>, InputError> {
 fn csv(records: &[Record]) -> String {
     let mut table = csv::Writer::from_writer(Vec::new());
     let columns = Gait::default().columns().into_iter().map(|(name, _)| name);
-    let head = ["clip", "root", "frames", "rate_hz", "method"].map(String::from);
-    let rows = std::iter::once(head.into_iter().chain(columns).collect()).chain(records.iter().map(row));
+    let clip_columns = ["clip", "root", "frames", "rate_hz", "method"].map(String::from);
+    let rows =
+        std::iter::once(clip_columns.into_iter().chain(columns).collect()).chain(records.iter().map(row));
     rows.for_each(|row: Vec<String>| table.write_record(row).expect("rows of equal length"));
     String::from_utf8(table.into_inner().expect("a table in memory")).expect("a table of text")
 }
 
 fn row(record: &Record) -> Vec<String> {
-    let head = [
+    let clip_values = [
         record.path.clone(),
         record.root.clone().unwrap_or_default(),
         record.frames.to_string(),
@@ -83,7 +84,7 @@ fn row(record: &Record) -> Vec<String> {
     ];
     let values = record.gait.columns().into_iter();
     let values = values.map(|(_, value)| value.map_or_else(String::new, |value| rounded(value).to_string()));
-    head.into_iter().chain(values).collect()
+    clip_values.into_iter().chain(values).collect()
 }
 
 /// Rounds to six decimals, which is beyond the accuracy of any clip.

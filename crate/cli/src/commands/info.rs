@@ -85,7 +85,7 @@ fn text(info: &Info) -> String {
     line("space", format!("{} up, {:.6} m per unit{unit}", info.up, info.metres_per_unit));
     line("joints", info.joints.to_string());
     for side in Side::BOTH {
-        let leg = LegRoles::of(side);
+        let leg = LegRoles::for_side(side);
         let joints =
             [leg.ankle, leg.toe, leg.tip].map(|role| info.roles[role.name()].as_deref().unwrap_or("-"));
         line(side.name(), format!("ankle {}, toe {}, tip {}", joints[0], joints[1], joints[2]));

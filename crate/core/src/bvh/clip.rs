@@ -143,7 +143,7 @@ impl Clip {
     /// Returns the same skeleton with a range of the frames.
     ///
     /// # Panics
-    /// If there are no such frames.
+    /// If the range exceeds the frames of the clip.
     pub fn slice(&self, frames: std::ops::Range<usize>) -> Clip {
         let width = self.channel_count();
         let values = self.values[frames.start * width..frames.end * width].to_vec();
@@ -198,7 +198,7 @@ impl Clip {
     /// Returns the channel values of one frame, in joint order.
     ///
     /// # Panics
-    /// If there is no such frame.
+    /// If `frame` is not a frame of the clip.
     pub fn row(&self, frame: usize) -> &[f64] {
         let width = self.channel_count();
         &self.values[frame * width..(frame + 1) * width]

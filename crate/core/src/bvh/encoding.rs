@@ -1,4 +1,4 @@
-//! Conversion of UTF-8 and UTF-16, with or without byte order mark, to UTF-8 bytes.
+//! Conversion of UTF-8 and UTF-16, with or without a byte order mark, to UTF-8 bytes.
 
 /// Decodes a file in chunks of any size.
 #[derive(Debug, Default)]
@@ -39,7 +39,7 @@ impl Decoder {
         &self.text
     }
 
-    /// Returns the rest of the text at the end of the file.
+    /// Returns the remaining text at the end of the file.
     pub fn finish(&mut self) -> &[u8] {
         self.text.clear();
         if self.encoding.is_none() {

@@ -12,12 +12,12 @@ pub enum ErrorKind {
     /// The file is not BVH; it looks like another format.
     #[error("this is not a BVH file: it looks like {0}")]
     NotBvh(&'static str),
-    /// The file has one thing where the format requires another.
+    /// The file contains an unexpected token.
     #[error("expected {expected}, found {found:?}")]
     Unexpected {
-        /// What the format requires.
+        /// Tokens that the format allows.
         expected: &'static str,
-        /// What the file has.
+        /// Text in the file.
         found: String,
     },
     /// A channel is neither a position nor a rotation.
@@ -35,14 +35,14 @@ pub enum ErrorKind {
     /// A value of the motion is not a number.
     #[error("expected a number, found {found:?} (frame {frame}, channel {channel})")]
     BadValue {
-        /// What the file has.
+        /// Text in the file.
         found: String,
         /// Frame, from 0.
         frame: usize,
         /// Joint and channel, as in `LeftFoot Zrotation`.
         channel: String,
     },
-    /// Lines do not form whole frames.
+    /// Lines do not form complete frames.
     #[error("a frame has {expected} numbers, but the lines from here have {found} (frame {frame})")]
     RaggedRow {
         /// Number of channels.
@@ -70,7 +70,7 @@ pub enum ErrorKind {
 }
 
 impl ErrorKind {
-    /// Returns what the owner of the file can do about it.
+    /// Returns advice on how to fix the file.
     pub fn hint(&self) -> &'static str {
         match self {
             ErrorKind::Empty => {

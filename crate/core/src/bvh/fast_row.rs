@@ -1,4 +1,4 @@
-//! Fast reader of ordinary rows, which are nearly all rows of nearly all files.
+//! Fast reader of rows of plain numbers, the most common kind of row.
 
 use crate::bvh::number::EXACT_POWERS;
 
@@ -6,8 +6,8 @@ use crate::bvh::number::EXACT_POWERS;
 ///
 /// Accepts a line of numbers without exponents and commas, as many as there are `values`, each with
 /// no more digits than a double represents exactly. Returns `None` for any other line and for a
-/// line whose end has not been read; `values` are then unspecified and the general reader has to
-/// decide. Sets `points` at the first decimal point.
+/// line whose end has not been read; `values` are then unspecified, and the general reader must be
+/// used. Sets `points` at the first decimal point.
 pub(crate) fn read_row(text: &[u8], values: &mut [f64], points: &mut bool) -> Option<usize> {
     let mut cursor = Cursor { text, at: 0, byte: *text.first()? };
     for value in values {

@@ -171,7 +171,7 @@ impl Hierarchy {
             Expect::Body if is("JOINT") => self.expect = Expect::Name(JointKind::Joint),
             Expect::Body if is("End") => {
                 self.push(JointKind::EndSite, END_SITE.into(), line, text, at)?;
-                // Between `End` and the brace is `Site`, or a name that nothing uses.
+                // The text between `End` and the brace is `Site` or an unused name.
                 let rest = &text[at..];
                 return Ok(rest.iter().position(|&byte| byte == b'{').unwrap_or(rest.len()));
             }
@@ -209,7 +209,7 @@ impl Hierarchy {
             return Err(unexpected("a number", line, text, at));
         };
         self.decimals.record(number.mark, line, text, at);
-        let joint = *self.open.last().expect("an OFFSET stands in a joint");
+        let joint = *self.open.last().expect("OFFSET is read within a joint");
         if axis == 0 && std::mem::replace(&mut self.offset_seen[joint], true) {
             let message = format!("{} has a second OFFSET; the last one is used.", self.joints[joint].name);
             self.notice(Code::Offset, line, text, at, message);
@@ -227,7 +227,7 @@ impl Hierarchy {
         text: &[u8],
         at: usize,
     ) -> Result<usize, Error> {
-        let joint = *self.open.last().expect("CHANNELS stand in a joint");
+        let joint = *self.open.last().expect("CHANNELS is read within a joint");
         if is_keyword(word) {
             let listed = self.joints[joint].channels.len();
             if listed != declared {
@@ -244,7 +244,7 @@ impl Hierarchy {
             let name = String::from_utf8_lossy(word).into_owned();
             return Err(Error::at(ErrorKind::UnknownChannel(name), line, text, at));
         };
-        // A joint with channels moves and is no end site, whatever its keyword.
+        // A joint with channels is not an end site, even if its keyword is `End Site`.
         if self.joints[joint].kind == JointKind::EndSite {
             self.joints[joint].kind = JointKind::Joint;
         }
@@ -262,7 +262,7 @@ fn unexpected(expected: &'static str, line: usize, text: &[u8], at: usize) -> Er
     Error::at(ErrorKind::Unexpected { expected, found }, line, text, at)
 }
 
-/// Returns the bytes up to the next blank or brace; a brace is a word by itself.
+/// Returns the bytes up to the next blank or brace; a brace is a separate word.
 fn word_or_brace(bytes: &[u8]) -> &[u8] {
     let is_brace = |byte: &u8| matches!(byte, b'{' | b'}');
     if bytes.first().is_some_and(is_brace) {

@@ -16,7 +16,7 @@ pub(crate) struct Lines {
 impl Lines {
     /// Returns the next line that ends within `text`, with its number, and advances `text` past it.
     ///
-    /// If there is none, pass `text` to [`carry`](Lines::carry).
+    /// If it returns `None`, pass `text` to [`carry`](Lines::carry).
     pub fn next<'a, 't: 'a>(&'a mut self, text: &mut &'t [u8]) -> Option<(usize, &'a [u8])> {
         if self.after_cr && !text.is_empty() {
             self.after_cr = false;
@@ -42,7 +42,7 @@ impl Lines {
         Some((self.count, &self.joined))
     }
 
-    /// Keeps the beginning of a line for the next chunk.
+    /// Stores the beginning of a line until the next chunk.
     ///
     /// # Errors
     /// The number of the line if it is longer than `limit` bytes.

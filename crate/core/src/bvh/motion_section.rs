@@ -111,7 +111,7 @@ impl MotionSection {
         self.row(line, text, at)
     }
 
-    /// Reserves memory for the stated number of frames, as far as the file can contain them.
+    /// Reserves memory for the stated number of frames, limited to those that fit into the file.
     /// Growing step by step would need twice the memory.
     fn reserve_frames(&mut self) {
         let stated = self.header.declared.unwrap_or(0).saturating_mul(self.row.len());

@@ -132,7 +132,7 @@ impl Section {
         }
     }
 
-    /// Reads a line that ends with the file, perhaps within a word.
+    /// Reads a line that ends with the file, possibly within a word.
     fn last_line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
         match self {
             Section::Motion { rows, .. } => rows.last_line(line, text),
@@ -183,7 +183,7 @@ fn clip_notices(clip: &Clip) -> Vec<Notice> {
     let mut notices = Vec::new();
     let roots: Vec<&str> = clip.roots().map(|root| clip.joints()[root].name.as_str()).collect();
     if roots.len() > 1 {
-        let text = format!("The file holds {} skeletons: {}.", roots.len(), roots.join(", "));
+        let text = format!("The file contains {} skeletons: {}.", roots.len(), roots.join(", "));
         notices.push(Notice::new(Code::SeveralRoots, text));
     }
     let mut names: Vec<&str> = clip

@@ -269,7 +269,7 @@ fn any_clip() -> impl Strategy<Value = Clip> {
     let joints = prop::collection::vec(joint, 1..8).prop_map(|drafts| {
         let mut joints: Vec<Joint> = Vec::new();
         for (name, offset, channels, up, is_end) in drafts {
-            // The parent is the previous joint or an ancestor of it; without one the joint is a root.
+            // The parent is the previous joint or one of its ancestors; a joint without a parent is a root.
             let mut above = Vec::new();
             let mut next = joints.len().checked_sub(1);
             while let Some(index) = next {

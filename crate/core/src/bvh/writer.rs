@@ -28,8 +28,8 @@ pub fn write(clip: &Clip) -> String {
 
 /// Appends the shortest decimal that reads back as `value`, without an exponent.
 ///
-/// The text is the one of `Display`. zmij finds it in a third of the time, but writes some numbers
-/// with an exponent, which not all programs read, and rounds ties to even.
+/// The text equals that of `Display`. The crate zmij takes a third of the time, but it writes some
+/// numbers with an exponent, which not all programs read, and rounds ties to even.
 fn write_number(value: f64, text: &mut String) {
     let mut buffer = zmij::Buffer::new();
     let digits = buffer.format(value);

@@ -7,7 +7,7 @@
 //! from foot off to the next strike. Foot strike and foot off are the ends of contact rather than
 //! extremes of a marker's track (Zeni, Richards and Higginson, Gait & Posture 27(4), 2008).
 //!
-//! Only complete strides count, so nothing that the clip cuts off is measured. A stride counts if
+//! Only complete strides count; strides cut off by the clip are not measured. A stride counts if
 //! the other foot steps once in between, if it takes at most [`MAX_STRIDE_TIME`] and if it moves
 //! the foot by at least [`MIN_STRIDE_LENGTH`]. Standing, turning on the spot, hopping and jumping
 //! contain no such stride. Neither does a treadmill clip, in which feet strike where they struck
@@ -81,7 +81,7 @@ pub struct Gait {
 impl Gait {
     /// Returns the measures of a detection, by its principal part.
     ///
-    /// Cadence, lengths and widths hardly depend on the exact frames of foot strike and foot off.
+    /// Cadence, lengths and widths depend little on the exact frames of foot strike and foot off.
     /// Stance, swing, double support and flight do: they are as accurate as the labels. For labels
     /// that a person corrected, use [`Gait::measure`].
     pub fn from_detection(feet: &Feet, detection: &Detection) -> Gait {

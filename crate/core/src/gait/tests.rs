@@ -40,7 +40,7 @@ impl Walk {
             let mut foot = FootTracks { ankle: Vec::new(), toe: Vec::new(), tip: None };
             for frame in 0..frames {
                 let side_phase = if side == Side::Left { 0.0 } else { self.phase };
-                // The half frame keeps strikes between frames.
+                // The half frame places strikes between frames.
                 let time = (frame as f64 + 0.5) / self.rate / STRIDE - side_phase - 0.2;
                 let (count, phase_in_stride) = (time.floor(), time - time.floor());
                 let stance = self.stance[side as usize];

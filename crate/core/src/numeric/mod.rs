@@ -1,4 +1,4 @@
-//! Numerical helpers that know nothing about motion.
+//! Numerical helpers, independent of motion data.
 
 pub(crate) mod interpolate;
 pub(crate) mod sort;

@@ -1,4 +1,4 @@
-//! Annotations: labels that a person or a measurement holds true.
+//! Annotations: labels assigned by a person or a measurement and taken as true.
 
 use crate::foot::{Part, Side};
 use crate::plants::Edit;

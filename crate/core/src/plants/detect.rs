@@ -25,8 +25,8 @@ pub fn detect_once(mut feet: Feet, params: ValidParams) -> Detection {
     run_with_summary(summary, &feet, None, params, None)
 }
 
-/// Detects like [`detect`] and clusters the samples of a standing clip of the same character along,
-/// which helps if the whole clip is small movement (paper, section 3.5).
+/// Detects like [`detect`], and clusters the samples together with those of a standing clip of the
+/// same character, which helps if the entire clip has little movement (paper, section 3.5).
 ///
 /// Methods that do not use the samples of the paper ignore the standing clip.
 pub fn detect_with_standing(feet: &Feet, standing: &Feet, params: ValidParams) -> Detection {

@@ -15,7 +15,7 @@ pub struct Detection {
     pub parts: Vec<PartLabels>,
     /// Height of the ground along the up axis, in file units.
     pub ground_height: f64,
-    /// Assumptions and doubts.
+    /// Assumptions and warnings.
     pub notices: Vec<Notice>,
     /// Edits that were applied; empty in the result of a method.
     pub edits: Vec<Edit>,

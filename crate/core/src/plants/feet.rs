@@ -5,7 +5,7 @@ use crate::foot::Side;
 use crate::kinematics::{self, Track};
 use crate::skeleton::{LegRoles, Role, Skeleton, Up};
 
-/// Tracks of both feet with the measures that make them comparable.
+/// Tracks of both feet, with up axis, leg length and units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feet {
     /// Tracks of the left foot and of the right foot.
@@ -29,7 +29,7 @@ pub struct FootTracks {
     pub ankle: Track,
     /// Track of the toe base, or of the joint that replaces it.
     pub toe: Track,
-    /// Track of the end of the foot, if there is one ahead of the toe.
+    /// Track of the tip of the foot, if the skeleton has one in front of the toe.
     pub tip: Option<Track>,
 }
 
@@ -37,7 +37,7 @@ pub struct FootTracks {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DetectError {
     /// The clip is a rest pose.
-    #[error("the clip has no motion, so there are no plants to detect")]
+    #[error("the clip has no motion in which plants could be detected")]
     NoMotion,
     /// The ankles are unknown.
     #[error("no pair of feet was found; name the joints of both ankles")]
@@ -54,7 +54,7 @@ impl Feet {
             return Err(DetectError::NoMotion);
         }
         let foot = |side| {
-            let tip = skeleton.roles.get(LegRoles::of(side).tip);
+            let tip = skeleton.roles.get(LegRoles::for_side(side).tip);
             Some((skeleton.heel(side)?, skeleton.toe(side)?, tip))
         };
         let (Some(left), Some(right), Some(leg)) = (foot(Side::Left), foot(Side::Right), skeleton.leg) else {

@@ -10,7 +10,7 @@ pub struct PartLabels {
     pub part: Part,
     /// Labels of the left foot and of the right foot.
     pub feet: [FootLabels; 2],
-    /// Evidence of the clustering; `None` if nothing was clustered.
+    /// Evidence of the clustering; `None` if the part was not clustered.
     pub evidence: Option<Evidence>,
 }
 

@@ -50,7 +50,7 @@ pub struct Disagreement {
     pub start: usize,
     /// First frame after the range.
     pub end: usize,
-    /// Whether the detection misses contact or has extra contact.
+    /// Kind: the detection misses contact or has extra contact.
     pub kind: DisagreementKind,
 }
 

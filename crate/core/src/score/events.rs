@@ -13,7 +13,7 @@ pub struct Events {
     /// Detected plants that match a true plant.
     pub matched: usize,
     /// Detected plants.
-    pub found: usize,
+    pub detected: usize,
     /// True plants.
     pub total: usize,
     /// Onset errors of matched plants with a known onset: detected minus true, in seconds.
@@ -52,29 +52,29 @@ pub fn events(labels: &[bool], truth: &[Option<bool>], frame_time: f64) -> Event
     assert_eq!(labels.len(), truth.len(), "labels and truth must have the same length");
     let true_plants = runs(truth.len(), |frame| truth[frame] == Some(true));
     let is_known = |plant: &Range<usize>| 2 * truth[plant.clone()].iter().flatten().count() > plant.len();
-    let mut found = runs(labels.len(), |frame| labels[frame]);
+    let mut detected = runs(labels.len(), |frame| labels[frame]);
     let mut events = Events {
         total: true_plants.len(),
-        found: found.iter().filter(|plant| is_known(plant)).count(),
+        detected: detected.iter().filter(|plant| is_known(plant)).count(),
         ..Events::default()
     };
     for plant in true_plants {
         let overlap =
             |other: &Range<usize>| plant.end.min(other.end).saturating_sub(plant.start.max(other.start));
-        let Some(best) = (0..found.len()).max_by_key(|&index| overlap(&found[index])) else { break };
+        let Some(best) = (0..detected.len()).max_by_key(|&index| overlap(&detected[index])) else { break };
         // Unknown frames do not count towards the length of a plant.
-        let other = found[best].clone();
+        let other = detected[best].clone();
         let known = truth[other.clone()].iter().flatten().count();
         if 2 * overlap(&other) < plant.len().max(known) || overlap(&other) == 0 {
             continue;
         }
         if !is_known(&other) {
-            events.found += 1;
+            events.detected += 1;
         }
-        found.remove(best);
+        detected.remove(best);
         events.matched += 1;
         let edge_known = |outside: Option<usize>| outside.and_then(|frame| *truth.get(frame)?) == Some(false);
-        let error_s = |found: usize, true_frame: usize| (found as f64 - true_frame as f64) * frame_time;
+        let error_s = |detected: usize, true_frame: usize| (detected as f64 - true_frame as f64) * frame_time;
         if edge_known(plant.start.checked_sub(1)) {
             events.onset_errors.push(error_s(other.start, plant.start));
         }
@@ -89,7 +89,7 @@ impl Events {
     /// Returns precision, recall, F1 and edge errors.
     pub fn score(&self) -> EventScore {
         let fraction = |total: usize| if total == 0 { 1.0 } else { self.matched as f64 / total as f64 };
-        let (precision, recall) = (fraction(self.found), fraction(self.total));
+        let (precision, recall) = (fraction(self.detected), fraction(self.total));
         let absolute = |errors: &[f64]| errors.iter().map(|error| error.abs()).collect::<Vec<_>>();
         EventScore {
             precision,
@@ -106,7 +106,7 @@ impl Events {
 impl AddAssign for Events {
     fn add_assign(&mut self, other: Events) {
         self.matched += other.matched;
-        self.found += other.found;
+        self.detected += other.detected;
         self.total += other.total;
         self.onset_errors.extend(other.onset_errors);
         self.offset_errors.extend(other.offset_errors);
@@ -121,16 +121,16 @@ fn runs(frames: usize, planted: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
 mod tests {
     use super::*;
 
-    fn score(found: &str, truth: &str) -> Events {
+    fn score(detected: &str, truth: &str) -> Events {
         let truth: Vec<_> = truth.chars().map(|c| (c != '?').then_some(c == '#')).collect();
-        let labels: Vec<bool> = found.chars().map(|c| c == '#').collect();
+        let labels: Vec<bool> = detected.chars().map(|c| c == '#').collect();
         events(&labels, &truth, 0.01)
     }
 
     #[test]
     fn plants_match_if_they_overlap_by_half() {
         let events = score("..###....#######", "..####......####");
-        assert_eq!((events.matched, events.found, events.total), (2, 2, 2));
+        assert_eq!((events.matched, events.detected, events.total), (2, 2, 2));
         assert_eq!(events.onset_errors, [0.0, -0.03]);
         // The second plant ends with the clip, so its end is unknown.
         assert_eq!(events.offset_errors, [-0.01]);
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn unknown_frames_do_not_count() {
         let events = score("####....####", "????....##??");
-        assert_eq!((events.matched, events.found, events.total), (1, 1, 1));
+        assert_eq!((events.matched, events.detected, events.total), (1, 1, 1));
         assert_eq!((events.onset_errors.len(), events.offset_errors.len()), (1, 0));
         assert_eq!(score("####....", "........").score().precision, 0.0);
     }

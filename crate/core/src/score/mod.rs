@@ -17,7 +17,7 @@ pub type Truth = Vec<Option<bool>>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Labels that agree with the reference or are within a fuzzy period.
-    pub right: usize,
+    pub correct: usize,
     /// Labels whose reference is known.
     pub total: usize,
 }
@@ -25,13 +25,13 @@ pub struct Tally {
 impl Tally {
     /// Returns the fraction of correct labels, from 0 to 1; 1 if none is known.
     pub fn accuracy(self) -> f64 {
-        if self.total == 0 { 1.0 } else { self.right as f64 / self.total as f64 }
+        if self.total == 0 { 1.0 } else { self.correct as f64 / self.total as f64 }
     }
 }
 
 impl AddAssign for Tally {
     fn add_assign(&mut self, other: Tally) {
-        self.right += other.right;
+        self.correct += other.correct;
         self.total += other.total;
     }
 }
@@ -39,8 +39,8 @@ impl AddAssign for Tally {
 /// Returns the lenient accuracy of one foot's labels.
 ///
 /// A boundary between frames k − 1 and k is at k − ½. Every label within `fuzzy` / 2 seconds of a
-/// boundary is correct. Frames with unknown reference do not count and have no boundaries, nor have
-/// the ends of the clip.
+/// boundary is correct. Frames with unknown reference do not count and have no boundaries; the ends
+/// of the clip are not boundaries.
 ///
 /// # Panics
 /// If `labels` and `truth` differ in length.
@@ -61,7 +61,7 @@ pub fn lenient(labels: &[bool], truth: &[Option<bool>], frame_time: f64, fuzzy: 
     for ((label, truth), tolerated) in labels.iter().zip(truth).zip(tolerated) {
         if let Some(truth) = truth {
             tally.total += 1;
-            tally.right += usize::from(tolerated || label == truth);
+            tally.correct += usize::from(tolerated || label == truth);
         }
     }
     tally
@@ -139,22 +139,22 @@ mod tests {
     #[test]
     fn boundaries_are_tolerated_by_time() {
         let truth = truth("....####....");
-        let found = labels("......######");
+        let detected = labels("......######");
         // Boundaries are at 3.5 and 7.5; frames 4, 5 and 8 to 11 are wrong.
-        assert_eq!(lenient(&found, &truth, 0.1, 0.0), Tally { right: 6, total: 12 });
-        assert_eq!(lenient(&found, &truth, 0.1, 0.1), Tally { right: 8, total: 12 });
-        assert_eq!(lenient(&found, &truth, 0.1, 0.3), Tally { right: 10, total: 12 });
+        assert_eq!(lenient(&detected, &truth, 0.1, 0.0), Tally { correct: 6, total: 12 });
+        assert_eq!(lenient(&detected, &truth, 0.1, 0.1), Tally { correct: 8, total: 12 });
+        assert_eq!(lenient(&detected, &truth, 0.1, 0.3), Tally { correct: 10, total: 12 });
     }
 
     #[test]
     fn strict_moves_boundaries_but_counts_missed_plants() {
         let late = truth("....####....");
-        assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.4), Tally { right: 12, total: 12 });
-        assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.2), Tally { right: 10, total: 12 });
+        assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.4), Tally { correct: 12, total: 12 });
+        assert_eq!(strict(&labels("......####.."), &late, 0.1, 0.2), Tally { correct: 10, total: 12 });
         let missed = labels("............");
-        assert_eq!(lenient(&missed, &late, 0.1, 0.4).right, 12);
+        assert_eq!(lenient(&missed, &late, 0.1, 0.4).correct, 12);
         // Each boundary moves at most to the middle of the plant, which is not enough to remove it.
-        assert_eq!(strict(&missed, &late, 0.1, 0.2), Tally { right: 10, total: 12 });
+        assert_eq!(strict(&missed, &late, 0.1, 0.2), Tally { correct: 10, total: 12 });
     }
 
     proptest! {
@@ -167,18 +167,18 @@ mod tests {
             for score in [lenient, strict] {
                 let less = score(&labels, &truth, 0.02, fuzzy);
                 let more = score(&labels, &truth, 0.02, fuzzy + 0.1);
-                prop_assert!(less.right <= more.right && less.total == more.total);
+                prop_assert!(less.correct <= more.correct && less.total == more.total);
             }
             let plain = lenient(&labels, &truth, 0.02, 0.0);
             prop_assert_eq!(strict(&labels, &truth, 0.02, 0.0), plain);
-            prop_assert!(strict(&labels, &truth, 0.02, fuzzy).right >= plain.right);
+            prop_assert!(strict(&labels, &truth, 0.02, fuzzy).correct >= plain.correct);
         }
     }
 
     #[test]
     fn unknown_frames_do_not_count() {
         let truth = truth("?#.?");
-        assert_eq!(lenient(&labels("...."), &truth, 0.1, 0.0), Tally { right: 1, total: 2 });
+        assert_eq!(lenient(&labels("...."), &truth, 0.1, 0.0), Tally { correct: 1, total: 2 });
         assert_eq!(Tally::default().accuracy(), 1.0);
     }
 

@@ -6,7 +6,7 @@ use crate::segments::progress::Cancelled;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SegmentError {
     /// The clip is a rest pose.
-    #[error("the clip has no motion, so there is nothing to segment")]
+    #[error("the clip has no motion to segment")]
     NoMotion,
     /// Too few of the joints that the method measures are known.
     #[error(

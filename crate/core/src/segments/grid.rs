@@ -33,7 +33,7 @@ impl SampleGrid {
 
     /// Returns the number of samples.
     pub fn count(&self) -> usize {
-        // The margin keeps the last sample for frame times such as 0.0083333.
+        // The margin includes the last sample for frame times such as 0.0083333.
         ((self.last - self.first) as f64 / self.step + 1e-2) as usize + 1
     }
 

@@ -1,4 +1,4 @@
-//! Values of parameters that have names.
+//! Parameters with named values.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,10 +6,10 @@ use std::str::FromStr;
 /// Definition of the residual: a function of the eigenvalues beyond the first d.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Residual {
-    /// Their sum, which increases with the variation of the motion.
+    /// Sum of these eigenvalues, which increases with the variation of the motion.
     #[default]
     Absolute,
-    /// Their fraction of the sum of all eigenvalues, as published; nearly constant.
+    /// Fraction of the sum of all eigenvalues, as published; almost constant.
     Ratio,
 }
 
@@ -72,10 +72,10 @@ impl FromStr for Template {
 /// Value of an option that cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum OptionError {
-    /// Not a [`Residual`].
+    /// The value is not a [`Residual`].
     #[error("the residual must be absolute or ratio, not {0:?}")]
     Residual(String),
-    /// Not a [`Template`].
+    /// The value is not a [`Template`].
     #[error("the template must be mean, tpose or a frame number, not {0:?}")]
     Template(String),
 }

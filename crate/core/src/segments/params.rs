@@ -8,7 +8,7 @@ use crate::segments::{Residual, Template};
 pub struct Params {
     /// Segmentation method; default [`Method::Auto`].
     pub method: Method,
-    /// d: number of dimensions before the rest is residual, for [`Method::Mvu`] (default 1) and
+    /// d: number of dimensions excluded from the residual, for [`Method::Mvu`] (default 1) and
     /// [`Method::PcaTail`] (default 2).
     pub dims: Option<usize>,
     /// Definition of the residual, for [`Method::Mvu`].

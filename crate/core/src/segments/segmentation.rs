@@ -39,7 +39,7 @@ impl Segmentation {
 /// completed fraction, from 0 to 1, and may cancel. A clip too short to cut is one segment.
 ///
 /// # Errors
-/// If there is no motion, too few joints are known, or it was cancelled.
+/// If the clip has no motion, too few joints are known, or `progress` cancels.
 pub fn segment(
     clip: &Clip,
     skeleton: &Skeleton,

@@ -34,7 +34,7 @@ impl Default for Options {
     }
 }
 
-/// A clip with its planted feet held still, and the result for each plant.
+/// A clip with its planted feet constrained, and the result for each plant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cleaned {
     /// Same hierarchy with new values.
@@ -52,18 +52,18 @@ pub struct CleanedPlant {
     pub side: Side,
     /// Frames in which heel or toe is planted.
     pub frames: Range<usize>,
-    /// Position at which the foot is held, in file units and axes: its toe, or its heel if the toe
-    /// is never planted. `None` if it is not held.
+    /// Position to which the foot is constrained, in file units and axes: its toe, or its heel if
+    /// the toe is never planted. `None` if the plant is not constrained.
     pub position: Option<Vector3<f64>>,
     /// Slide before the clean-up, in metres; see [`crate::skate::Slide::distance`].
     pub before: f64,
     /// Slide after the clean-up, in metres.
     pub after: f64,
-    /// Reason why the plant is not held, if it is not.
+    /// Reason why the plant is not constrained, if it is not.
     pub skip_reason: Option<SkipReason>,
 }
 
-/// Reason why a plant is not held.
+/// Reason why a plant is not constrained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SkipReason {
     /// The foot moves too far for a planted foot, as on a treadmill.
@@ -79,14 +79,14 @@ impl fmt::Display for SkipReason {
         f.write_str(match self {
             SkipReason::MovesTooFar => "the foot moves too far for a planted foot",
             SkipReason::NoLeg => "the leg has no hip joint or knee that can rotate",
-            SkipReason::OutOfReach => "the leg does not reach or the foot rotates too far",
+            SkipReason::OutOfReach => "the leg is too short or the foot rotates too far",
         })
     }
 }
 
 impl Cleaned {
-    /// Returns the number of plants that are held.
-    pub fn held_count(&self) -> usize {
+    /// Returns the number of plants that are constrained.
+    pub fn constrained_count(&self) -> usize {
         self.plants.iter().filter(|plant| plant.skip_reason.is_none()).count()
     }
 }
@@ -97,21 +97,21 @@ const HIP_SMOOTHING: f64 = 0.09;
 const LOWERING_TIME: f64 = 0.6;
 /// Half-width of the window that smooths an ankle, in seconds.
 const ANKLE_SMOOTHING: f64 = 0.1;
-/// Maximum slide of a plant that counts as held, in metres.
-const HELD_TOLERANCE: f64 = 0.001;
+/// Maximum slide of a plant that counts as constrained, in metres.
+const CONSTRAINT_TOLERANCE: f64 = 0.001;
 /// Movements smaller than this count as zero, in leg lengths.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Holds every planted foot still. Only the rotations of legs and feet and the position of the hips
+/// Constrains every planted foot to one position. Only the rotations of legs and feet and the position of the hips
 /// change.
 ///
-/// Heel and toe are held as labelled: the foot rolls over its heel, is flat, and rolls over its
-/// toe. If only toes are labelled (the method of the paper), the toe is held and the foot rotates
+/// Heel and toe are constrained as labelled: the foot rolls over its heel, is flat, and rolls over its
+/// toe. If only toes are labelled (the method of the paper), the toe is constrained and the foot rotates
 /// as before. If only contact is labelled, the pitch of the foot determines the part. The time is
 /// proportional to the number of frames.
 ///
 /// # Errors
-/// Those of [`measure`](crate::skate::measure).
+/// The errors of [`measure`](crate::skate::measure).
 pub fn clean(
     clip: &Clip,
     skeleton: &Skeleton,
@@ -159,7 +159,7 @@ fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> C
         Planted {
             phases: phases.next().unwrap_or_default(),
             plants: plants.next().unwrap_or_default(),
-            is_held: skip_reason.iter().map(Option::is_none).collect(),
+            is_constrained: skip_reason.iter().map(Option::is_none).collect(),
             heel: heels[side as usize],
         }
     });
@@ -168,11 +168,11 @@ fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> C
     let mut hip_offset = vec![Vector3::zeros(); clip.frame_count()];
     let translating_joint = translating_joint(clip, skeleton, legs.each_ref().map(|leg| leg.joints));
     if translating_joint.is_some() {
-        let held_frames = planted.each_ref().map(Planted::held_frames);
+        let constrained_frames = planted.each_ref().map(Planted::constrained_frames);
         hip_offset = root::hip_offset(
             &legs,
             &corrections,
-            &held_frames,
+            &constrained_frames,
             &settings,
             [frames(HIP_SMOOTHING), frames(LOWERING_TIME)],
         );
@@ -210,14 +210,15 @@ fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> C
             position,
             before: before.distance,
             after: after.distance,
-            skip_reason: skip_reason.or((after.distance > HELD_TOLERANCE).then_some(SkipReason::OutOfReach)),
+            skip_reason: skip_reason
+                .or((after.distance > CONSTRAINT_TOLERANCE).then_some(SkipReason::OutOfReach)),
         })
         .collect();
     notices.extend(notice(&plants));
     Cleaned { clip: cleaned, plants, notices }
 }
 
-/// Returns a notice about plants that are not held.
+/// Returns a notice about plants that are not constrained.
 fn notice(plants: &[CleanedPlant]) -> Option<Notice> {
     if plants.is_empty() {
         let text = "No foot is planted; the clip is unchanged.";
@@ -228,7 +229,7 @@ fn notice(plants: &[CleanedPlant]) -> Option<Notice> {
         (count > 0).then(|| format!("{count} because {reason}"))
     });
     let reasons: Vec<String> = reasons.into_iter().flatten().collect();
-    let text = || format!("Of {} plants some are not held still: {}.", plants.len(), reasons.join(", "));
+    let text = || format!("Some of {} plants are not corrected: {}.", plants.len(), reasons.join(", "));
     (!reasons.is_empty()).then(|| Notice::new(Code::Unconstrained, text()))
 }
 
@@ -256,13 +257,15 @@ fn translating_joint(clip: &Clip, skeleton: &Skeleton, legs: [Joints; 2]) -> Opt
 }
 
 impl Planted {
-    /// Returns true for each frame in which the foot is held.
-    fn held_frames(&self) -> Vec<bool> {
-        let mut held = vec![false; self.phases.len()];
-        for (plant, _) in self.plants.iter().zip(&self.is_held).filter(|(_, is_held)| **is_held) {
-            held[plant.clone()].fill(true);
+    /// Returns true for each frame in which the foot is constrained.
+    fn constrained_frames(&self) -> Vec<bool> {
+        let mut constrained = vec![false; self.phases.len()];
+        for (plant, _) in
+            self.plants.iter().zip(&self.is_constrained).filter(|(_, is_constrained)| **is_constrained)
+        {
+            constrained[plant.clone()].fill(true);
         }
-        held
+        constrained
     }
 }
 

@@ -1,4 +1,4 @@
-//! Positions at which planted feet are held.
+//! Positions to which planted feet are constrained.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::skate::phases::{Phase, runs};
 use crate::skate::{blend, ground};
 use crate::skeleton::Up;
 
-/// Maximum rotation of a flat foot from its mean orientation that is held, in radians.
+/// Maximum rotation of a flat foot from its mean orientation that is removed, in radians.
 const MAX_ROTATION: f64 = 0.8;
 
 /// One foot with its plants.
@@ -19,19 +19,19 @@ pub(crate) struct Planted {
     pub phases: Vec<Phase>,
     /// Frame ranges of the plants.
     pub plants: Vec<Range<usize>>,
-    /// True for each plant that is to be held.
-    pub is_held: Vec<bool>,
+    /// True for each plant to be constrained.
+    pub is_constrained: Vec<bool>,
     /// Position of the heel relative to the ankle, in the ankle's axes.
     pub heel: Vector3<f64>,
 }
 
-/// Correction that holds a foot still.
+/// Correction that constrains a foot to fixed positions.
 pub(crate) struct Correction {
     /// Displacement of the ankle per frame, in file units.
     pub ankle: Vec<Vector3<f64>>,
     /// Rotation of the foot per frame, as axis times angle in the file's axes.
     pub foot: Vec<Vector3<f64>>,
-    /// Position at which each plant is held: of the toe, or of the heel if the toe is never
+    /// Position to which each plant is constrained: of the toe, or of the heel if the toe is never
     /// planted.
     pub positions: Vec<Option<Vector3<f64>>>,
 }
@@ -51,14 +51,14 @@ pub(crate) struct Settings {
     pub level: bool,
 }
 
-/// Frame range in which the toe is held, with its position.
+/// Frame range in which the toe is at a fixed position.
 struct Hold {
     frames: Range<usize>,
     toe: Vector3<f64>,
 }
 
 impl Planted {
-    /// Returns the corrections that hold the plants, blended between them.
+    /// Returns the corrections that constrain the plants, blended between them.
     pub fn correction(&self, leg: &Leg, settings: &Settings) -> Correction {
         let mut foot = self.flat_rotations(leg, settings);
         let rotations = foot.iter().map(|rotation| Rotation3::new(*rotation).into_inner()).collect();
@@ -67,8 +67,8 @@ impl Planted {
         let mut ankle = vec![Vector3::zeros(); leg.ankle.len()];
         let mut positions = Vec::new();
         let mut fixed = Vec::new();
-        for (plant, &is_held) in self.plants.iter().zip(&self.is_held) {
-            if !is_held {
+        for (plant, &is_constrained) in self.plants.iter().zip(&self.is_constrained) {
+            if !is_constrained {
                 positions.push(None);
                 continue;
             }
@@ -102,11 +102,13 @@ impl Planted {
         Correction { ankle, foot, positions }
     }
 
-    /// Returns the rotations that keep a flat foot at its mean orientation.
+    /// Returns the rotations that give a flat foot its mean orientation.
     fn flat_rotations(&self, leg: &Leg, settings: &Settings) -> Vec<Vector3<f64>> {
         let mut rotations = vec![Vector3::zeros(); leg.ankle.len()];
         let mut fixed = Vec::new();
-        for (plant, _) in self.plants.iter().zip(&self.is_held).filter(|(_, is_held)| **is_held) {
+        for (plant, _) in
+            self.plants.iter().zip(&self.is_constrained).filter(|(_, is_constrained)| **is_constrained)
+        {
             for run in runs(&self.phases, plant, |phase| phase == Phase::Flat) {
                 let sum = run.clone().map(|frame| leg.foot[frame]).sum::<Matrix3<f64>>();
                 let first = Rotation3::from_matrix_unchecked(leg.foot[run.start]);
@@ -125,11 +127,12 @@ impl Planted {
         rotations
     }
 
-    /// Returns the positions at which the toe is held: its median, on the ground.
+    /// Returns the fixed positions of the toe: its median, on the ground.
     fn holds(&self, leg: &Leg, settings: &Settings) -> Vec<Hold> {
         let (up, up_direction) = (settings.up, up_vector(settings.up));
-        let held = self.plants.iter().zip(&self.is_held).filter(|(_, is_held)| **is_held);
-        let all = held.flat_map(|(plant, _)| runs(&self.phases, plant, Phase::has_toe));
+        let constrained =
+            self.plants.iter().zip(&self.is_constrained).filter(|(_, is_constrained)| **is_constrained);
+        let all = constrained.flat_map(|(plant, _)| runs(&self.phases, plant, Phase::has_toe));
         let mut holds: Vec<Hold> = all
             .map(|frames| {
                 let median_coordinate =
@@ -173,7 +176,7 @@ impl Stance<'_> {
         self.rotations[frame] * self.leg.foot[frame] * self.heel
     }
 
-    /// Moves each hold horizontally so that the heel, on which the foot stands in between, stays at
+    /// Moves each hold horizontally so that the heel, which bears weight in between, remains at
     /// the position of the previous hold.
     fn align_holds(&self, holds: &mut [Hold]) {
         let up_direction = up_vector(self.up);

@@ -8,7 +8,7 @@ use crate::skate::leg::scaled_axis;
 /// Number of steps towards a rotation that the channels of a joint cannot represent exactly.
 const GAUSS_NEWTON_STEPS: usize = 4;
 
-/// Sets the rotation among `values` (the channels of a joint, in degrees) to `target` or the
+/// Sets the rotation channels in `values` (all channels of a joint, in degrees) to `target` or the
 /// nearest rotation that the channels can represent. The new values are those nearest to the
 /// previous ones, without full turns.
 pub(crate) fn set_rotation(channels: &[Channel], values: &mut [f64], target: &Matrix3<f64>) {
@@ -52,7 +52,7 @@ fn nearest_euler_angles(matrix: &Matrix3<f64>, [i, j, k]: [usize; 3], last: [f64
         let outer = (-sign * at(j, k)).atan2(at(k, k));
         [outer, middle, (-sign * at(i, j)).atan2(at(i, i))]
     } else {
-        // Gimbal lock: the first angle is kept and the last one determines the rotation.
+        // Gimbal lock: the first angle is unchanged and the last one determines the rotation.
         let sum = (sign * at(j, i)).atan2(at(j, j));
         [last[0], middle, if sign * middle > 0.0 { sum - last[0] } else { sum + last[0] }]
     };

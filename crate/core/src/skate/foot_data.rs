@@ -17,7 +17,7 @@ use crate::skeleton::Skeleton;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SkateError {
     /// The clip is a rest pose.
-    #[error("the clip has no motion, so no foot can skate")]
+    #[error("the clip has no motion, so foot skate cannot be measured")]
     NoMotion,
     /// The ankles are unknown.
     #[error("no pair of feet was found; name the joints of both ankles")]

@@ -11,7 +11,7 @@ const MAX_RANGE: f64 = 0.04;
 /// Returns the level for each of `heights`, in their unit; `length` is the leg length.
 ///
 /// Heights close together belong to one level at their median. Each step of stairs is a level; on a
-/// slope every plant keeps its height.
+/// slope the height of each plant is preserved.
 pub(crate) fn levels(heights: &[f64], length: f64) -> Vec<f64> {
     let mut levels = heights.to_vec();
     for ground in

@@ -23,7 +23,7 @@ pub(crate) struct Joints {
 impl Joints {
     /// Returns the joints of one leg; `None` without an ankle.
     pub fn new(clip: &Clip, skeleton: &Skeleton, side: Side) -> Option<Joints> {
-        let roles = LegRoles::of(side);
+        let roles = LegRoles::for_side(side);
         let role = |role| skeleton.roles.get(role).filter(|&joint| joint < clip.joints().len());
         let ankle = role(roles.ankle)?;
         let is_below = |joint: usize, above: usize| {

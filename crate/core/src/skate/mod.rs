@@ -1,9 +1,9 @@
 //! Foot skate: measuring the slide of planted feet, and removing it.
 //!
 //! After Kovar, Schreiner and Gleicher, *Footskate cleanup for motion capture editing*, Symposium
-//! on Computer Animation 2002. Every plant gets a position at which the foot is held. The hips move
+//! on Computer Animation 2002. Every plant gets a position to which the foot is constrained. The hips move
 //! where legs would not reach. Each leg is solved in closed form, and corrections are blended
-//! between plants. The bones of a BVH file cannot stretch as in the paper, so the hips move far
+//! between plants. The bones of a BVH file have a fixed length, unlike in the paper, so the hips move far
 //! enough for every leg to reach.
 //!
 //! Data flow: [`Contacts`] → phases (heel, flat, toe) → plants → constraints → corrections of the

@@ -113,7 +113,7 @@ fn contact_or_toe_labels_suffice() {
         };
         let found = clean_checked(&clip, &Contacts::new(labels));
         assert!(found.plants.len() >= 4, "{part:?}");
-        assert_eq!(found.held_count(), found.plants.len(), "{part:?} {:?}", found.plants);
+        assert_eq!(found.constrained_count(), found.plants.len(), "{part:?} {:?}", found.plants);
     }
 }
 
@@ -124,7 +124,7 @@ fn feet_without_toes_are_held_at_their_ankles() {
     let overrides = Overrides { roles: toes.map(|role| (role, None)).to_vec(), ..Overrides::default() };
     let skeleton = Skeleton::main(&clip, &overrides);
     let found = clean(&clip, &skeleton, &contacts, &Options::default()).expect("ankles");
-    assert_eq!(found.held_count(), found.plants.len());
+    assert_eq!(found.constrained_count(), found.plants.len());
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn joints_within_a_leg_follow() {
         }
     }
     let found = clean_checked(&Clip::new(joints, clip.frame_time(), values), &contacts);
-    assert_eq!((found.held_count(), found.plants.len()), (5, 5), "{:?}", found.plants);
+    assert_eq!((found.constrained_count(), found.plants.len()), (5, 5), "{:?}", found.plants);
 }
 
 proptest! {

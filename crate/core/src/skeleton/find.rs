@@ -20,7 +20,7 @@ pub(crate) fn assign_roles(clip: &Clip, root: usize) -> Roles {
         tree.legs_by_topology().unwrap_or_default()
     };
     for (side, leg) in Side::BOTH.into_iter().zip(legs) {
-        let role = LegRoles::of(side);
+        let role = LegRoles::for_side(side);
         roles.set(role.thigh, leg.thigh);
         roles.set(role.shank, leg.shank);
         roles.set(role.ankle, leg.ankle);
@@ -83,7 +83,7 @@ impl<'a> Tree<'a> {
     }
 
     /// Returns the leg with the best names: a foot with as many as possible of shank and thigh
-    /// among its ancestors.
+    /// as its ancestors.
     fn leg_by_names(&self, side: Side) -> Option<Leg> {
         let is = |joint: usize, part| self.has_name(joint, Some(side), part);
         let candidates = self.members.iter().copied().filter(|&joint| {
@@ -92,7 +92,7 @@ impl<'a> Tree<'a> {
                 || is(joint, BodyPart::Foot) && !self.ancestors(joint).any(|above| is(above, BodyPart::Ankle))
         });
         let legs = candidates.map(|ankle| {
-            // If a part is split into several joints, such as twist bones, its topmost joint.
+            // A part may be split into several joints, such as twist bones; the topmost joint is used.
             let topmost = |part| self.ancestors(ankle).filter(|&joint| is(joint, part)).last();
             let toe = self
                 .descendants(ankle)
@@ -142,7 +142,7 @@ impl<'a> Tree<'a> {
     /// Returns the two mirrored chains that reach farthest from the root: the legs of a skeleton
     /// without usable names.
     ///
-    /// Hands hang beside the hips and the head is single, so only feet are a pair far from the
+    /// Hands are near the hips and there is one head, so only feet are a pair far from the
     /// hips. If two pairs reach about equally far (a quadruped or a crab), the result is undecided.
     fn legs_by_topology(&self) -> Option<[Leg; 2]> {
         let tips: Vec<usize> = self
@@ -174,7 +174,7 @@ impl<'a> Tree<'a> {
             sort::argsort_descending(&reaches).into_iter().map(|index| pairs[index]).collect();
         let &(reach, a, b) = pairs.first()?;
         let chains = [self.chain(tips[a], tips[b]), self.chain(tips[b], tips[a])];
-        // A rival is a pair of other limbs that reaches nearly as far.
+        // A competing pair of limbs reaches almost as far.
         let is_rival = |&(other, c, d): &(f64, usize, usize)| {
             other > 0.8 * reach && ![tips[c], tips[d]].iter().any(|&tip| self.shares_limb(tip, &chains))
         };

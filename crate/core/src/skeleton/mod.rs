@@ -18,7 +18,7 @@ use crate::kinematics::{self, Track};
 use crate::notice::{Code, Notice};
 use crate::numeric::stats::median_low;
 
-/// Facts that override what the file implies.
+/// Values that override those detected from the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
     /// Joints of roles; `None` clears a role.
@@ -29,7 +29,7 @@ pub struct Overrides {
     pub metres_per_unit: Option<f64>,
 }
 
-/// One skeleton of a clip with the facts needed to measure its feet.
+/// One skeleton of a clip with the properties needed to measure its feet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skeleton {
     /// Index of the root joint.
@@ -82,7 +82,7 @@ impl Skeleton {
         if !roles.has_feet() {
             let text = "No pair of feet was found in the skeleton. If it has feet, name their joints.";
             notices.push(Notice::new(Code::NoFeet, text));
-        } else if Side::BOTH.iter().any(|&side| roles.get(LegRoles::of(side).toe).is_none()) {
+        } else if Side::BOTH.iter().any(|&side| roles.get(LegRoles::for_side(side).toe).is_none()) {
             let text = "The skeleton has no toe joints; the tip of the foot, or the ankle, is used instead.";
             notices.push(Notice::new(Code::NoToe, text));
         }
@@ -99,13 +99,13 @@ impl Skeleton {
 
     /// Returns the joint that represents the toe of one foot: toe base, tip or ankle.
     pub fn toe(&self, side: Side) -> Option<usize> {
-        let leg = LegRoles::of(side);
+        let leg = LegRoles::for_side(side);
         [leg.toe, leg.tip, leg.ankle].into_iter().find_map(|role| self.roles.get(role))
     }
 
     /// Returns the joint that represents the heel of one foot: the ankle.
     pub fn heel(&self, side: Side) -> Option<usize> {
-        self.roles.get(LegRoles::of(side).ankle)
+        self.roles.get(LegRoles::for_side(side).ankle)
     }
 
     /// Returns all poses for display: frames × joints × 3 in metres, Y up, right-handed.
@@ -118,7 +118,7 @@ impl Skeleton {
     /// Returns the positions of a range of poses; see [`Skeleton::positions`].
     ///
     /// # Panics
-    /// If there are no such poses.
+    /// If the range exceeds the poses of the clip.
     pub fn positions_in(&self, clip: &Clip, poses: Range<usize>) -> Vec<f32> {
         let mut kinematics = kinematics::Kinematics::new(clip);
         let mut positions = Vec::with_capacity(poses.len() * clip.joints().len() * 3);
@@ -145,7 +145,7 @@ struct BodyTracks {
 impl BodyTracks {
     fn measure(clip: &Clip, root: usize, roles: &Roles) -> BodyTracks {
         let leg = |side| {
-            let leg = LegRoles::of(side);
+            let leg = LegRoles::for_side(side);
             [leg.thigh, leg.shank, leg.ankle, leg.toe, leg.tip].map(|role| roles.get(role))
         };
         let track = |joint: usize| {

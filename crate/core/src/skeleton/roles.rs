@@ -136,7 +136,7 @@ pub struct LegRoles {
 
 impl LegRoles {
     /// Returns the roles of the leg of one side.
-    pub const fn of(side: Side) -> LegRoles {
+    pub const fn for_side(side: Side) -> LegRoles {
         match side {
             Side::Left => LegRoles {
                 thigh: Role::LeftThigh,

@@ -1,4 +1,4 @@
-//! Tests over recorded motion; they are ignored where there is none.
+//! Tests on recorded motion; they are ignored if it is not available.
 //!
 //! The folder of recorded motion is named by the environment variable `PLANTIGRADE_CORPUS`; the default
 //! is `shared/corpus` next to the project's folder.

@@ -29,7 +29,7 @@ fn accelerations(track: &Track) -> Vec<f64> {
 
 /// Returns the absolute changes of the knee angle per frame.
 fn knee_rates(clip: &Clip, skeleton: &Skeleton, side: Side) -> Vec<f64> {
-    let roles = LegRoles::of(side);
+    let roles = LegRoles::for_side(side);
     let joints = [roles.thigh, roles.shank, roles.ankle]
         .map(|role| skeleton.roles.get(role).expect("a joint of the leg"));
     let [hip, knee, ankle] = <[Track; 3]>::try_from(kinematics::tracks(clip, &joints)).expect("three");

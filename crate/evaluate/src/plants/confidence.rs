@@ -35,10 +35,10 @@ pub fn write(report: &mut Report) -> anyhow::Result<()> {
     let trials = generate_trials(&full_set(1.0), SEEDS);
     let by_trial: Vec<[Bin; BIN_COUNT]> = trials.par_iter().map(bins).collect();
     let mut bins = [Bin::default(); BIN_COUNT];
-    for (bin, own) in by_trial.iter().flat_map(|own| own.iter().enumerate()) {
-        bins[bin].labels += own.labels;
-        bins[bin].correct += own.correct;
-        bins[bin].confidence_sum += own.confidence_sum;
+    for (bin, counts) in by_trial.iter().flat_map(|bins| bins.iter().enumerate()) {
+        bins[bin].labels += counts.labels;
+        bins[bin].correct += counts.correct;
+        bins[bin].confidence_sum += counts.confidence_sum;
     }
     let total: usize = bins.iter().map(|bin| bin.labels).sum();
     let filled = || bins.iter().filter(|bin| bin.labels > 0);

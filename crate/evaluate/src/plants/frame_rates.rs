@@ -46,7 +46,7 @@ fn tallies(spec: &ClipSpec, seed: u64, factor: usize) -> (Tally, Tally) {
     let mut agreement = Tally::default();
     for (full, reduced) in at_full.into_iter().zip(at_reduced) {
         agreement.total += reduced.len();
-        agreement.right += reduced.iter().zip(full.iter().step_by(factor)).filter(|(a, b)| a == b).count();
+        agreement.correct += reduced.iter().zip(full.iter().step_by(factor)).filter(|(a, b)| a == b).count();
     }
     (agreement, reduced.tally(Part::Contact, at_reduced, 0.2))
 }

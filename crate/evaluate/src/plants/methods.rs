@@ -61,7 +61,7 @@ fn row(
     let at = |index: usize| Accuracies::from_tallies(scores.iter().map(|(lenient, ..)| lenient[index]));
     let strict = Accuracies::from_tallies(scores.iter().map(|(_, strict, _)| *strict));
     let mut events = Events::default();
-    scores.iter().for_each(|(.., own)| events += own.clone());
+    scores.iter().for_each(|(.., clip_events)| events += clip_events.clone());
     let mut row = vec![name.to_owned(), family.to_owned()];
     row.extend((0..4).map(|index| percent(at(index).pooled())));
     row.push(percent(strict.pooled()));
@@ -70,14 +70,15 @@ fn row(
     row
 }
 
-/// The paper's remedy for clips with little motion: clustering together with a standing clip.
+/// Returns the row of the paper's method for clips with little motion: clustering together with a
+/// standing clip.
 fn row_with_standing_clip(trials: &[Trial]) -> Vec<String> {
-    let still = hard_cases(1.0).into_iter().find(|spec| spec.name == "standing-still");
-    let still = still.map(|spec| Trial::generated("still", &generate(&spec, 0)));
+    let standing = hard_cases(1.0).into_iter().find(|spec| spec.name == "standing-still");
+    let standing = standing.map(|spec| Trial::generated("still", &generate(&spec, 0)));
     let detect = |trial: &Trial| {
         let params = default_params(Method::Paper).check().expect("valid defaults");
-        match &still {
-            Some(still) => detect_with_standing(&trial.feet, &still.feet, params),
+        match &standing {
+            Some(standing) => detect_with_standing(&trial.feet, &standing.feet, params),
             None => trial.detect(default_params(Method::Paper)),
         }
     };
@@ -99,8 +100,8 @@ fn lowest(report: &mut Report, trials: &[Trial]) {
         .into_iter()
         .map(|name| {
             let accuracy = |index: usize| {
-                let own = trials.iter().zip(&tallies).filter(|(trial, _)| trial.name == name);
-                Accuracies::from_tallies(own.map(|(_, tallies)| tallies[index])).pooled()
+                let named = trials.iter().zip(&tallies).filter(|(trial, _)| trial.name == name);
+                Accuracies::from_tallies(named.map(|(_, tallies)| tallies[index])).pooled()
             };
             let mut row = vec![name.to_owned()];
             row.extend((0..4).map(|index| percent(accuracy(index))));

@@ -60,14 +60,15 @@ pub fn write(report: &mut Report, trials: &[Trial]) {
     let common_accuracy = |name: Option<&str>,
                            (kind, thresholds): (Kind, Thresholds),
                            signals: &[Signals]| {
-        let own = trials.iter().zip(signals).filter(|(trial, _)| name.is_none_or(|name| trial.name == name));
-        let tallies = own.map(|(trial, signals)| kind.tally(trial, Part::Toe, signals, thresholds, FUZZY));
+        let named =
+            trials.iter().zip(signals).filter(|(trial, _)| name.is_none_or(|name| trial.name == name));
+        let tallies = named.map(|(trial, signals)| kind.tally(trial, Part::Toe, signals, thresholds, FUZZY));
         Accuracies::from_tallies(tallies).pooled()
     };
     let per_clip_accuracy = |name: Option<&str>, select: &Selection| {
-        let own = trials.iter().zip(&in_metres).zip(&per_clip);
-        let own = own.filter(|((trial, _), _)| name.is_none_or(|name| trial.name == name));
-        let tallies = own.map(|((trial, signals), best)| {
+        let named = trials.iter().zip(&in_metres).zip(&per_clip);
+        let named = named.filter(|((trial, _), _)| name.is_none_or(|name| trial.name == name));
+        let tallies = named.map(|((trial, signals), best)| {
             let (kind, thresholds) = select(best);
             kind.tally(trial, Part::Toe, signals, thresholds, FUZZY)
         });

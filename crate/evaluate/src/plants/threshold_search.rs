@@ -100,7 +100,7 @@ impl Kind {
             for (trial, signals) in trials {
                 pooled += self.tally(trial, part, signals, thresholds, fuzzy);
             }
-            pooled.right
+            pooled.correct
         };
         let correct: Vec<usize> = grid.par_iter().map(correct_labels).collect();
         let highest = correct.iter().copied().max().unwrap_or(0);

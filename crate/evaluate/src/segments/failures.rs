@@ -39,7 +39,8 @@ fn recall(generated: &Generated, cuts: &[Vec<usize>], transition: Transition) ->
     for ((clip, case), cuts) in generated.clips.iter().zip(&generated.cases).zip(cuts) {
         for (pair, cut) in clip.actions.windows(2).zip(&case.truth) {
             if Transition::between(pair, cut, case.clip.frame_time()) == transition {
-                matched += score::cuts(cuts, &[*cut], case.clip.frame_time(), Tolerance::Seconds(1.0)).right;
+                matched +=
+                    score::cuts(cuts, &[*cut], case.clip.frame_time(), Tolerance::Seconds(1.0)).correct;
                 total += 1;
             }
         }

@@ -68,7 +68,7 @@ fn both_trials(report: &mut Report, recorded: &Recorded, cuts: &[VariantCuts]) {
             let prototype = prototypes.find(|(method, _)| is_default && *method == variant.params.method);
             vec![
                 variant.name.to_owned(),
-                one.found.to_string(),
+                one.detected.to_string(),
                 precision_recall_f1(half),
                 precision_recall_f1(one),
                 prototype.map_or("", |(_, f1)| f1).to_owned(),
@@ -125,7 +125,7 @@ fn second_trial(report: &mut Report, recorded: &Recorded, cuts: &[VariantCuts]) 
             let [half, one] = [HALF, ONE].map(|tolerance| recorded.cases[1].tally(&cuts[1], tolerance));
             vec![
                 variant.name.to_owned(),
-                one.found.to_string(),
+                one.detected.to_string(),
                 precision_recall_f1(half),
                 precision_recall_f1(one),
             ]

@@ -59,7 +59,7 @@ impl Action {
     }
 }
 
-/// Time interval of an action, in seconds. The time between two intervals is transition.
+/// Time interval of an action, in seconds. The time between two intervals is a transition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ActionInterval {
     /// The action.

@@ -42,13 +42,13 @@ impl Actor<'_> {
         self.set_posture(self.now(), &Posture::default().with_arms(arms));
         for _ in 0..bars {
             let cursor = self.planner.cursor();
-            let home = |side| foot_placement(&cursor, side, HALF_STANCE_WIDTH * scale, 8.0);
+            let neutral = |side| foot_placement(&cursor, side, HALF_STANCE_WIDTH * scale, 8.0);
             // Beat, foot and distance ahead of each step.
-            let steps = [(1.0, Left, 0.26), (2.0, Right, 0.0), (3.0, Left, 0.0)];
-            let answers = [(5.0, Right, -0.26), (6.0, Left, 0.0), (7.0, Right, 0.0)];
+            let forward_steps = [(1.0, Left, 0.26), (2.0, Right, 0.0), (3.0, Left, 0.0)];
+            let back_steps = [(5.0, Right, -0.26), (6.0, Left, 0.0), (7.0, Right, 0.0)];
             let start = self.now();
-            for (beat, side, ahead) in steps.into_iter().chain(answers) {
-                let placement = home(side).translated_along(cursor.heading, ahead * scale, 0.0);
+            for (beat, side, ahead) in forward_steps.into_iter().chain(back_steps) {
+                let placement = neutral(side).translated_along(cursor.heading, ahead * scale, 0.0);
                 let strike = start + BEAT * beat + 0.012 * self.random.uniform(-1.0, 1.0);
                 self.planner.place_foot(side, strike, placement, &step);
                 self.set_posture(strike + 0.1, &swayed(if side == Left { 1.0 } else { -1.0 }));

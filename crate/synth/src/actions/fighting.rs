@@ -24,21 +24,21 @@ impl Actor<'_> {
         step.swing = 1.02 * tempo;
         step.lift = Lift { pitch: 44.0, lead: 0.22 };
         step.landing = Landing { pitch: 14.0, settle: 0.1, rest: 0.0 };
-        let (chamber, struck) = ([0.02, -0.44, 0.36, 34.0, 4.0], [0.0, -0.2, 0.92, 58.0, 4.0]);
+        let (knee_raised, leg_extended) = ([0.02, -0.44, 0.36, 34.0, 4.0], [0.0, -0.2, 0.92, 58.0, 4.0]);
         step.swing_path.leg_poses = Some(LegPoses {
             poses: Track::from_keys(&[
-                (at(0.9), chamber),
-                (at(1.04), struck),
-                (at(1.1), struck),
-                (at(1.27), chamber),
+                (at(0.9), knee_raised),
+                (at(1.04), leg_extended),
+                (at(1.1), leg_extended),
+                (at(1.27), knee_raised),
             ]),
             ease_in: 0.3,
             ease_out: 0.34,
         });
         let guard = Posture { arm_swing: 0.0, ..Posture::default() }.with_arms(GUARD);
         let lean = if side == Left { -5.0 } else { 5.0 };
-        let back = Posture { trunk: [-12.0, 0.0, lean], pelvis: [-12.0, 0.0, lean], ..guard };
-        let poses = [(0.45, guard), (0.88, guard), (1.06, back), (1.5, guard.bent_forward(6.0))];
+        let leaning_back = Posture { trunk: [-12.0, 0.0, lean], pelvis: [-12.0, 0.0, lean], ..guard };
+        let poses = [(0.45, guard), (0.88, guard), (1.06, leaning_back), (1.5, guard.bent_forward(6.0))];
         self.play_postures(&poses.map(|(after, pose)| (after * tempo, pose)), 2.2 * tempo);
         self.side = opposite(side);
     }
@@ -50,7 +50,7 @@ impl Actor<'_> {
         let cursor = self.planner.cursor();
         let shuffle = self.shuffle();
         self.set_posture(start, &Posture::default());
-        // Guard: left foot ahead, right foot behind and turned out.
+        // Guard: left foot in front, right foot behind and turned out.
         let mut left = cursor.translated(0.15 * scale, 0.1 * scale).rotated(-10.0);
         let mut right = cursor.translated(-0.2 * scale, -0.13 * scale).rotated(-48.0);
         self.planner.place_foot(Left, start + 0.6, left, &shuffle);
@@ -58,21 +58,21 @@ impl Actor<'_> {
         self.wait(1.2);
         let guard = self.guard(0.0, [GUARD; 2]);
         self.set_posture(start + 0.9, &guard);
-        let mut ahead: f64 = 0.0;
+        let mut advance: f64 = 0.0;
         while self.now() < start + seconds - 1.8 {
             // Step in if the distance is large, out if it is small; both feet move.
-            let forth = if ahead > 0.1 { -1.0 } else { 1.0 };
-            let reach = 0.17 * forth * scale * self.random.vary(0.15);
-            ahead += reach;
+            let direction = if advance > 0.1 { -1.0 } else { 1.0 };
+            let step_length = 0.17 * direction * scale * self.random.vary(0.15);
+            advance += step_length;
             (left, right) = (
-                left.translated_along(cursor.heading, reach, 0.0),
-                right.translated_along(cursor.heading, reach, 0.0),
+                left.translated_along(cursor.heading, step_length, 0.0),
+                right.translated_along(cursor.heading, step_length, 0.0),
             );
             let feet =
-                if forth > 0.0 { [(Left, left), (Right, right)] } else { [(Right, right), (Left, left)] };
+                if direction > 0.0 { [(Left, left), (Right, right)] } else { [(Right, right), (Left, left)] };
             for (side, placement) in feet {
-                let beat = 0.34 * self.random.vary(0.08);
-                self.wait(beat);
+                let interval = 0.34 * self.random.vary(0.08);
+                self.wait(interval);
                 self.planner.place_foot(side, self.now(), placement, &shuffle);
             }
             let cross = self.random.uniform(0.0, 1.0) > 0.4;

@@ -53,12 +53,12 @@ impl Actor<'_> {
         self.stop();
         let step = self.small_step();
         let step = Gait { time: 0.5, swing: 0.38, ..step };
-        let out = if side == Side::Left { 1.0 } else { -1.0 };
+        let direction = if side == Side::Left { 1.0 } else { -1.0 };
         self.wait(0.1);
         for _ in 0..count {
             let length = 0.34 * self.scale * self.random.vary(0.06);
-            let aside = self.planner.cursor().translated(0.0, out * length);
-            self.planner.move_to(aside);
+            let next = self.planner.cursor().translated(0.0, direction * length);
+            self.planner.move_to(next);
             self.side = side;
             self.take_step(&step);
             self.side = opposite(side);

@@ -16,7 +16,7 @@ const SPRINT_START_STEPS: u8 = 12;
 
 impl Actor<'_> {
     /// Moves in `style` until time `until`; `turn` returns the rotation of each step in degrees to
-    /// the left. The actor keeps moving afterwards.
+    /// the left. The actor continues to move afterwards.
     pub fn travel(&mut self, style: &GaitStyle, until: f64, mut turn: impl FnMut(&mut Random) -> f64) {
         self.change_style(style);
         while self.now() < until {

@@ -63,7 +63,7 @@ impl Actor<'_> {
         self.planner.finish()
     }
 
-    /// Takes a step with the foot whose turn it is.
+    /// Takes the next step, with the foot `self.side`.
     fn take_step(&mut self, gait: &Gait) {
         self.planner.step(self.side, gait);
         self.side = opposite(self.side);

@@ -13,10 +13,11 @@ impl Actor<'_> {
     pub fn step_over(&mut self, style: &GaitStyle) {
         let gait = &style.gait;
         let scale = self.scale;
-        let near = self.now();
-        self.set_posture(near - 0.3, &style.posture);
-        for (length, high) in [(0.74, [0.0, -0.5, 0.38, 4.0, 4.0]), (0.5, [0.03, -0.52, 0.1, 26.0, 14.0])] {
-            let leg_poses = LegPoses { poses: Track::constant(high), ease_in: 0.32, ease_out: 0.34 };
+        let approach = self.now();
+        self.set_posture(approach - 0.3, &style.posture);
+        for (length, leg_pose) in [(0.74, [0.0, -0.5, 0.38, 4.0, 4.0]), (0.5, [0.03, -0.52, 0.1, 26.0, 14.0])]
+        {
+            let leg_poses = LegPoses { poses: Track::constant(leg_pose), ease_in: 0.32, ease_out: 0.34 };
             let over = Gait {
                 time: 0.86,
                 length: length * scale,
@@ -34,7 +35,7 @@ impl Actor<'_> {
         }
         let over = Posture { gaze: [0.0, 34.0], ..style.posture.bent_forward(12.0) };
         let over = over.with_arms([10.0, 34.0, 14.0, 42.0, 0.0]);
-        self.set_posture(near + 0.4, &over);
+        self.set_posture(approach + 0.4, &over);
         self.set_posture(self.now() - 0.3, &over);
         self.set_posture(self.now() + 0.5, &style.posture);
     }
@@ -42,15 +43,15 @@ impl Actor<'_> {
     /// Stumbles while moving in `style`: falls forward and recovers with three quick steps.
     pub fn stumble(&mut self, style: &GaitStyle) {
         let (gait, scale) = (&style.gait, self.scale);
-        let caught = self.now() + 0.25;
-        self.set_posture(caught - 0.1, &style.posture);
-        let low =
+        let tripped = self.now() + 0.25;
+        self.set_posture(tripped - 0.1, &style.posture);
+        let low_swing =
             SwingPath { clearance: 0.03 * scale, peak: 0.6, ramps: (0.2, 0.2), ..gait.swing_path.clone() };
         let steps =
             [(0.7, 0.46, 0.5, 0.0), (0.34, 0.74, 0.36, 8.0), (0.33, 0.72, 0.36, 12.0), (0.4, 0.6, 0.38, 6.0)];
         for (n, (time, length, swing, pitch)) in steps.into_iter().enumerate() {
             let swing_path = if n == 0 {
-                low.clone()
+                low_swing.clone()
             } else {
                 SwingPath { clearance: 0.1 * scale, ..gait.swing_path.clone() }
             };
@@ -64,12 +65,13 @@ impl Actor<'_> {
                 ..gait.clone()
             });
         }
-        let flung = Posture { gaze: [0.0, 14.0], ..style.posture };
-        let thrown = flung.with_arms([56.0, 44.0, 10.0, 40.0, -20.0]).bent_forward(44.0).lowered(0.05);
-        self.set_posture(caught + 0.35, &thrown);
+        let falling = Posture { gaze: [0.0, 14.0], ..style.posture };
+        let arms_forward =
+            falling.with_arms([56.0, 44.0, 10.0, 40.0, -20.0]).bent_forward(44.0).lowered(0.05);
+        self.set_posture(tripped + 0.35, &arms_forward);
         self.set_posture(
-            caught + 0.7,
-            &flung.with_arms([20.0, 52.0, 6.0, 54.0, -10.0]).bent_forward(36.0).lowered(0.06),
+            tripped + 0.7,
+            &falling.with_arms([20.0, 52.0, 6.0, 54.0, -10.0]).bent_forward(36.0).lowered(0.06),
         );
         self.set_posture(self.now() + 0.5, &style.posture);
     }
@@ -114,7 +116,7 @@ impl Actor<'_> {
 
     /// Drags one leg without lifting it until time `until`; the other leg takes the steps.
     pub fn drag(&mut self, until: f64) {
-        let (good, lame) = (self.side, opposite(self.side));
+        let (stepping, dragged) = (self.side, opposite(self.side));
         let walk = Gait::walk(self.scale);
         let length = 0.36 * self.scale;
         let step = Gait {
@@ -137,19 +139,22 @@ impl Actor<'_> {
         };
         let limp = Posture { gaze: [0.0, 14.0], arm_swing: 20.0, ..Posture::default() }.bent_forward(10.0);
         self.set_posture(self.now(), &limp);
-        // The dragged foot slides fast during the stance of the good leg and slowly during its
+        // The dragged foot slides fast during the stance of the other leg and slowly during its
         // swing.
         let mut free = self.now() + 0.1;
-        let mut behind = self.planner.placement(lame);
+        let mut dragged_placement = self.planner.placement(dragged);
         while self.now() < until {
             let vary = self.random.vary(0.06);
-            self.side = good;
+            self.side = stepping;
             self.planner.advance(length * vary, 0.0);
             self.take_step(&step);
             let strike = self.now();
             for (end, fraction) in [(strike, 0.22), (strike + step.time - step.swing, 0.78)] {
-                behind =
-                    behind.translated_along(self.planner.cursor().heading, fraction * length * vary, 0.0);
+                dragged_placement = dragged_placement.translated_along(
+                    self.planner.cursor().heading,
+                    fraction * length * vary,
+                    0.0,
+                );
                 let pitch = Landing { pitch: 26.0, settle: 0.0, rest: 26.0 };
                 let drag = Gait {
                     swing: end - free,
@@ -158,14 +163,14 @@ impl Actor<'_> {
                     landing: pitch,
                     ..walk.clone()
                 };
-                self.planner.place_foot(lame, end, behind, &drag);
+                self.planner.place_foot(dragged, end, dragged_placement, &drag);
                 free = end;
             }
-            let heave =
+            let dragging_posture =
                 |pitch, lean| Posture { trunk: [pitch, 0.0, lean], pelvis: [4.0, 0.0, -0.7 * lean], ..limp };
-            let lean = if good == plantigrade::foot::Side::Left { 8.0 } else { -8.0 };
-            self.set_posture(strike - 0.1, &heave(8.0, -0.3 * lean));
-            self.set_posture(strike + 0.4, &heave(14.0, lean));
+            let lean = if stepping == plantigrade::foot::Side::Left { 8.0 } else { -8.0 };
+            self.set_posture(strike - 0.1, &dragging_posture(8.0, -0.3 * lean));
+            self.set_posture(strike + 0.4, &dragging_posture(14.0, lean));
         }
     }
 }

@@ -93,13 +93,13 @@ pub fn hard_cases(noise_level: f64) -> Vec<ClipSpec> {
             }),
         ),
         set(
-            level("treadmill", "emil", 540, 60, Motion::from_actions(6.0, on_a_belt)),
+            level("treadmill", "emil", 540, 60, Motion::from_actions(6.0, treadmill_walk)),
             Environment::Treadmill(BELT),
         ),
         set(level("slope-2", "gus", 420, 60, uphill(2.0)), Environment::Slope(2.0)),
         set(level("slope-5", "gus", 420, 60, uphill(5.0)), Environment::Slope(5.0)),
         set(
-            level("moving-platform", "ada", 600, 60, Motion::from_actions(1.0, walk_about)),
+            level("moving-platform", "ada", 600, 60, Motion::from_actions(1.0, stand_and_walk)),
             Environment::Platform(0.3),
         ),
         level("afloat", "fay", 300, 30, Motion::from_actions(2.0, afloat)),
@@ -152,7 +152,7 @@ fn uphill(degrees: f64) -> Motion {
 }
 
 /// Walking at the speed of the belt.
-fn on_a_belt(actor: &mut Actor, seconds: f64) {
+fn treadmill_walk(actor: &mut Actor, seconds: f64) {
     let walk = GaitStyle::walk(actor.scale, 1.0);
     let time = walk.gait.length / BELT;
     let gait = Gait { time, swing: walk.gait.swing * time / walk.gait.time, ..walk.gait };
@@ -160,7 +160,7 @@ fn on_a_belt(actor: &mut Actor, seconds: f64) {
     actor.travel(&GaitStyle { gait, ..walk }, seconds + 1.5, |_| 0.0);
 }
 
-fn walk_about(actor: &mut Actor, seconds: f64) {
+fn stand_and_walk(actor: &mut Actor, seconds: f64) {
     actor.wait(2.2);
     actor.turn(80.0);
     actor.travel_straight(&GaitStyle::walk(actor.scale, 0.8), 0.62 * seconds);
@@ -174,7 +174,7 @@ fn hop_throughout(actor: &mut Actor, seconds: f64) {
     actor.hop_on(Left, count, 0.36);
 }
 
-/// Swims in the air: arm and leg strokes with the body horizontal.
+/// Swims in the air: swimming movements of arms and legs with the body horizontal.
 fn afloat(actor: &mut Actor, seconds: f64) {
     let (start, scale) = (actor.now(), actor.scale);
     let end = seconds + 3.0;

@@ -12,10 +12,10 @@ pub(crate) use reach::hip;
 
 use crate::character::Proportions;
 use crate::foot_path::{FootPath, FootPose};
-use crate::math::Random;
-use crate::math::{GRID_RATE, TimeGrid};
-use crate::math::{Track, gaussian_blur, smooth_noise};
-use crate::math::{Vec3, forward, heading_rotation, leftward, rotation_about};
+use crate::math::{
+    GRID_RATE, Random, TimeGrid, Track, Vec3, forward, gaussian_blur, heading_rotation, leftward,
+    rotation_about, smooth_noise,
+};
 use crate::plan::Plan;
 
 /// Cut-off frequency of standing sway, in Hz.
@@ -30,7 +30,7 @@ const FLIGHT_ITERATIONS: usize = 3;
 /// Maximum foot distance to which the pelvis responds, in metres.
 const MAX_STRIDE: f64 = 0.75;
 
-/// Returns the pelvis at each point of `grid`.
+/// Returns the pose of the pelvis at each point of `grid`.
 pub fn track(
     plan: &Plan,
     proportions: &Proportions,
@@ -41,11 +41,11 @@ pub fn track(
     let support = support::Support::new(paths, grid, proportions);
     let mean = |n: usize| (feet[0][n].heading + feet[1][n].heading) / 2.0;
     let headings = gaussian_blur(&(0..grid.len()).map(mean).collect::<Vec<_>>(), TimeGrid::points(0.14));
-    let ahead = |n: usize| {
-        let apart = feet[0][n].ankle - feet[1][n].ankle;
-        apart.dot(&forward(headings[n])).clamp(-MAX_STRIDE, MAX_STRIDE)
+    let stride = |n: usize| {
+        let separation = feet[0][n].ankle - feet[1][n].ankle;
+        separation.dot(&forward(headings[n])).clamp(-MAX_STRIDE, MAX_STRIDE)
     };
-    let strides = gaussian_blur(&(0..grid.len()).map(ahead).collect::<Vec<_>>(), TimeGrid::points(0.05));
+    let strides = gaussian_blur(&(0..grid.len()).map(stride).collect::<Vec<_>>(), TimeGrid::points(0.05));
     let balances = gaussian_blur(&support.balance, TimeGrid::points(0.07));
     // On stairs the body rises with the foot that bears the weight.
     let steps: Vec<f64> =
@@ -77,9 +77,9 @@ pub fn track(
     let mut poses = pose(&height::track(plan, proportions, paths, &flights));
     for _ in 0..FLIGHT_ITERATIONS {
         for flight in &mut flights {
-            let [off, land] = [flight.time.start, flight.time.end]
+            let [excess_at_take_off, excess_at_landing] = [flight.time.start, flight.time.end]
                 .map(|time| reach::excess_height(&poses, feet, proportions, grid, time));
-            flight.lower(off, land);
+            flight.lower(excess_at_take_off, excess_at_landing);
         }
         poses = pose(&height::track(plan, proportions, paths, &flights));
     }

@@ -3,8 +3,7 @@
 use plantigrade::foot::Side::{self, Left, Right};
 
 use crate::character::{Proportions, lateral_sign};
-use crate::math::Random;
-use crate::math::Track;
+use crate::math::{Random, Track};
 use crate::plan::{Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath};
 
 /// Outward rotation of the feet in first position, in degrees.
@@ -30,7 +29,7 @@ fn first_position(cursor: &Placement, side: Side, scale: f64) -> Placement {
     cursor.translated(0.0, lateral_sign(side) * 0.115 * scale).rotated(lateral_sign(side) * TURNOUT)
 }
 
-fn light(scale: f64) -> Gait {
+fn ballet_step(scale: f64) -> Gait {
     let walk = Gait::walk(scale);
     Gait {
         swing: 0.42,
@@ -53,18 +52,19 @@ fn light(scale: f64) -> Gait {
 
 /// Tendu: the right foot extends to the side, rests on its toes and closes.
 fn tendu(planner: &mut Planner, scale: f64, time: f64) {
-    let out = planner.placement(Right).translated(0.24 * scale, -0.2 * scale).rotated(-8.0);
+    let extended = planner.placement(Right).translated(0.24 * scale, -0.2 * scale).rotated(-8.0);
     let pointed = Landing { pitch: 58.0, settle: 0.1, rest: 56.0 };
-    planner.place_foot(Right, time, out, &Gait { landing: pointed, ..light(scale) }).weight = 0.04;
-    let close = first_position(&Placement::ORIGIN, Right, scale);
+    planner.place_foot(Right, time, extended, &Gait { landing: pointed, ..ballet_step(scale) }).weight = 0.04;
+    let closed = first_position(&Placement::ORIGIN, Right, scale);
     let lift = Lift { pitch: 58.0, lead: 0.1 };
-    planner.place_foot(Right, time + 1.05, close, &Gait { lift, ..light(scale) });
+    planner.place_foot(Right, time + 1.05, closed, &Gait { lift, ..ballet_step(scale) });
 }
 
 /// Pirouette: one rotation on the left foot, the right foot at the knee.
 fn pirouette(planner: &mut Planner, scale: f64, time: f64) {
     let end = Placement::ORIGIN.rotated(360.0);
-    let step = planner.place_foot(Right, time + 1.25, first_position(&end, Right, scale), &light(scale));
+    let step =
+        planner.place_foot(Right, time + 1.25, first_position(&end, Right, scale), &ballet_step(scale));
     step.swing = 1.2;
     step.swing_path.leg_poses = Some(LegPoses {
         poses: Track::from_keys(&[
@@ -100,32 +100,32 @@ fn jumps(planner: &mut Planner, scale: f64, time: f64) -> f64 {
         land += ground + 0.4;
         for side in Side::BOTH {
             let placement = first_position(&cursor.translated(0.02, 0.0), side, scale);
-            let gait = sprung(scale);
+            let gait = vertical_jump(scale);
             planner.place_foot(side, land, placement, &gait);
         }
     }
     land
 }
 
-/// Vertical jump with pointed feet.
-fn sprung(scale: f64) -> Gait {
-    let light = light(scale);
+/// Returns a vertical jump with pointed feet.
+fn vertical_jump(scale: f64) -> Gait {
+    let ballet_step = ballet_step(scale);
     Gait {
         swing: 0.4,
         lift: Lift { pitch: 64.0, lead: 0.18 },
-        swing_path: SwingPath { clearance: 0.13 * scale, pitch: 66.0, ..light.swing_path.clone() },
+        swing_path: SwingPath { clearance: 0.13 * scale, pitch: 66.0, ..ballet_step.swing_path.clone() },
         landing: Landing { pitch: 44.0, settle: 0.16, rest: 0.0 },
-        ..light
+        ..ballet_step
     }
 }
 
 /// Arabesque: a step onto the right foot, the left leg extended behind, then closed.
 fn arabesque(planner: &mut Planner, scale: f64, landed: f64) {
-    let ahead = Placement::ORIGIN.rotated(360.0).translated(0.46 * scale, -0.05 * scale).rotated(-14.0);
-    let step = light(scale);
-    planner.place_foot(Right, landed + 1.2, ahead, &step);
-    let close = ahead.rotated(14.0).translated(-0.06 * scale, 0.2 * scale).rotated(30.0);
-    let left = planner.place_foot(Left, landed + 3.55, close, &step);
+    let front = Placement::ORIGIN.rotated(360.0).translated(0.46 * scale, -0.05 * scale).rotated(-14.0);
+    let step = ballet_step(scale);
+    planner.place_foot(Right, landed + 1.2, front, &step);
+    let closed = front.rotated(14.0).translated(-0.06 * scale, 0.2 * scale).rotated(30.0);
+    let left = planner.place_foot(Left, landed + 3.55, closed, &step);
     left.swing = 2.05;
     left.lift = Lift { pitch: 50.0, lead: 0.24 };
     left.swing_path.leg_poses = Some(LegPoses {

@@ -20,15 +20,15 @@ pub fn bowling(proportions: &Proportions, _seconds: f64, random: &mut Random) ->
         let length = length * scale * random.vary(0.03);
         planner.step(side, &Gait { time: time * random.vary(0.02), length, ..walk.clone() });
     }
-    let third = planner.now();
-    let slid = slide(&mut planner, &walk, scale);
-    let trail_end = trail(&mut planner, &walk, slid, scale);
-    recover(&mut planner, &walk, trail_end, scale);
-    animate_body(&mut planner, third, slid, trail_end, scale);
+    let third_strike = planner.now();
+    let slide_end = slide(&mut planner, &walk, scale);
+    let crossing_end = cross_behind(&mut planner, &walk, slide_end, scale);
+    recover(&mut planner, &walk, crossing_end, scale);
+    animate_body(&mut planner, third_strike, slide_end, crossing_end, scale);
     planner.finish()
 }
 
-/// The left foot lands on its ball and slides to the line.
+/// Lands the left foot and slides it to the line. Returns the time at which it stops.
 fn slide(planner: &mut Planner, walk: &Gait, scale: f64) -> f64 {
     let land = Gait {
         time: 0.42,
@@ -63,11 +63,12 @@ fn slide(planner: &mut Planner, walk: &Gait, scale: f64) -> f64 {
     planner.now()
 }
 
-/// The right leg sweeps behind and across; its toes touch the floor for balance.
-fn trail(planner: &mut Planner, walk: &Gait, slid: f64, scale: f64) -> f64 {
-    let strike = slid + 0.22;
+/// Moves the right leg behind and across; its toes touch the floor for balance. Returns the time at
+/// which it moves on.
+fn cross_behind(planner: &mut Planner, walk: &Gait, slide_end: f64, scale: f64) -> f64 {
+    let strike = slide_end + 0.22;
     let placement = planner.placement(Side::Left).translated(-0.62 * scale, 0.30 * scale).rotated(14.0);
-    let sweep = Gait {
+    let crossing = Gait {
         swing: 0.56,
         lift: Lift { pitch: 54.0, lead: 0.26 },
         swing_path: SwingPath {
@@ -82,14 +83,14 @@ fn trail(planner: &mut Planner, walk: &Gait, slid: f64, scale: f64) -> f64 {
         landing: Landing { pitch: 50.0, settle: 0.1, rest: 46.0 },
         ..walk.clone()
     };
-    planner.place_foot(Side::Right, strike, placement, &sweep).weight = 0.22;
+    planner.place_foot(Side::Right, strike, placement, &crossing).weight = 0.22;
     strike + 1.5
 }
 
 /// Recovery from the lunge: the right foot closes to the left, then each foot steps back.
-fn recover(planner: &mut Planner, walk: &Gait, trail_end: f64, scale: f64) {
+fn recover(planner: &mut Planner, walk: &Gait, crossing_end: f64, scale: f64) {
     let cursor = planner.placement(Side::Left).translated(-0.02, -0.1 * scale);
-    let up = Gait {
+    let closing = Gait {
         swing: 0.55,
         lift: Lift { pitch: 54.0, lead: 0.25 },
         landing: Landing { pitch: 10.0, settle: 0.1, rest: 0.0 },
@@ -98,9 +99,9 @@ fn recover(planner: &mut Planner, walk: &Gait, trail_end: f64, scale: f64) {
     };
     planner.place_foot(
         Side::Right,
-        trail_end + 0.6,
+        crossing_end + 0.6,
         foot_placement(&cursor, Side::Right, 0.1 * scale, 8.0),
-        &up,
+        &closing,
     );
     let back = Gait {
         swing: 0.46,
@@ -112,20 +113,20 @@ fn recover(planner: &mut Planner, walk: &Gait, trail_end: f64, scale: f64) {
     let behind = cursor.translated(-0.42 * scale, 0.0);
     planner.place_foot(
         Side::Left,
-        trail_end + 1.75,
+        crossing_end + 1.75,
         foot_placement(&behind, Side::Left, 0.09 * scale, 8.0),
         &back,
     );
     planner.place_foot(
         Side::Right,
-        trail_end + 2.5,
+        crossing_end + 2.5,
         foot_placement(&behind, Side::Right, 0.09 * scale, 8.0),
         &back,
     );
 }
 
-fn animate_body(planner: &mut Planner, third: f64, slid: f64, trail_end: f64, scale: f64) {
-    let release = slid - 0.16;
+fn animate_body(planner: &mut Planner, third_strike: f64, slide_end: f64, crossing_end: f64, scale: f64) {
+    let release = slide_end - 0.16;
     let body = planner.body();
     // Ball arm: in front of the chest, pushed away, back, forward, up.
     let chest = [16.0, 8.0, 34.0, 104.0, -20.0];
@@ -134,13 +135,13 @@ fn animate_body(planner: &mut Planner, third: f64, slid: f64, trail_end: f64, sc
         &[
             (START - 0.1, chest),
             (START + 0.62, [52.0, 6.0, 10.0, 40.0, -20.0]),
-            (third - 0.34, [2.0, 8.0, 4.0, 8.0, -12.0]),
-            (third + 0.3, [-66.0, 10.0, 2.0, 8.0, 0.0]),
+            (third_strike - 0.34, [2.0, 8.0, 4.0, 8.0, -12.0]),
+            (third_strike + 0.3, [-66.0, 10.0, 2.0, 8.0, 0.0]),
             (release - 0.02, [12.0, 6.0, 0.0, 6.0, 10.0]),
             (release + 0.34, [112.0, 4.0, 16.0, 34.0, 16.0]),
             (release + 0.8, [122.0, 4.0, 20.0, 58.0, 20.0]),
-            (trail_end, [100.0, 6.0, 20.0, 54.0, 14.0]),
-            (trail_end + 0.9, ArmPose::RELAXED.angles()),
+            (crossing_end, [100.0, 6.0, 20.0, 54.0, 14.0]),
+            (crossing_end + 0.9, ArmPose::RELAXED.angles()),
         ],
     );
     body.arm(
@@ -148,39 +149,39 @@ fn animate_body(planner: &mut Planner, third: f64, slid: f64, trail_end: f64, sc
         &[
             (START - 0.1, [18.0, 6.0, 40.0, 100.0, -10.0]),
             (START + 0.62, [46.0, 8.0, 30.0, 48.0, 0.0]),
-            (third - 0.2, [16.0, 48.0, 8.0, 18.0, 0.0]),
-            (third + 0.3, [10.0, 74.0, 0.0, 14.0, 0.0]),
+            (third_strike - 0.2, [16.0, 48.0, 8.0, 18.0, 0.0]),
+            (third_strike + 0.3, [10.0, 74.0, 0.0, 14.0, 0.0]),
             (release + 0.3, [-18.0, 70.0, 0.0, 16.0, 0.0]),
-            (trail_end, [-8.0, 58.0, 0.0, 18.0, 0.0]),
-            (trail_end + 0.9, ArmPose::RELAXED.angles()),
+            (crossing_end, [-8.0, 58.0, 0.0, 18.0, 0.0]),
+            (crossing_end + 0.9, ArmPose::RELAXED.angles()),
         ],
     );
     for (time, trunk) in [
         (START - 0.3, [5.0, 0.0, 0.0]),
         (START + 0.9, [12.0, 0.0, 0.0]),
-        (third, [22.0, -8.0, 3.0]),
-        (third + 0.34, [34.0, -20.0, 6.0]),
+        (third_strike, [22.0, -8.0, 3.0]),
+        (third_strike + 0.34, [34.0, -20.0, 6.0]),
         (release, [42.0, 4.0, -7.0]),
         (release + 0.45, [32.0, 14.0, -5.0]),
-        (trail_end, [24.0, 10.0, -4.0]),
-        (trail_end + 1.0, [3.0, 0.0, 0.0]),
+        (crossing_end, [24.0, 10.0, -4.0]),
+        (crossing_end + 1.0, [3.0, 0.0, 0.0]),
     ] {
         body.trunk.set_key(time, trunk);
         body.pelvis.set_key(time, [0.35 * trunk[0], 0.3 * trunk[1], 0.0]);
     }
     for (time, lowering) in [
         (START + 0.4, 0.01),
-        (third, 0.05),
+        (third_strike, 0.05),
         (release, 0.2),
-        (slid + 0.4, 0.22),
-        (trail_end, 0.17),
-        (trail_end + 0.8, 0.0),
+        (slide_end + 0.4, 0.22),
+        (crossing_end, 0.17),
+        (crossing_end + 0.8, 0.0),
     ] {
         body.lowering.set_key(time, [lowering * scale]);
     }
-    for (time, swing) in [(0.0, 0.0), (trail_end, 0.0), (trail_end + 0.6, 16.0)] {
+    for (time, swing) in [(0.0, 0.0), (crossing_end, 0.0), (crossing_end + 0.6, 16.0)] {
         body.arm_swing.set_key(time, [swing]);
     }
     body.gaze.set_key(0.0, [0.0, 8.0]);
-    body.gaze.set_key(slid, [0.0, -4.0]);
+    body.gaze.set_key(slide_end, [0.0, -4.0]);
 }

@@ -1,4 +1,4 @@
-//! Drunken staggering: lurching, recovering balance, stopping, stepping back.
+//! Drunken staggering: irregular steps, recovering balance, stopping, stepping back.
 
 use plantigrade::foot::Side;
 
@@ -14,10 +14,10 @@ pub fn drunken_stagger(proportions: &Proportions, seconds: f64, random: &mut Ran
     planner.wait_until(0.9);
     let mut side = Side::Left;
     while planner.now() < seconds + 1.0 {
-        // Several steps forward, then an incident.
+        // Several steps forward, then an interruption.
         for _ in 0..3 + (random.uniform(0.0, 4.0) as usize) {
             let heading = planner.cursor().heading;
-            let mut gait = lurch(scale, random);
+            let mut gait = random_gait(scale, random);
             gait.turn = random.uniform(-24.0, 24.0) - 0.4 * heading.to_degrees();
             planner.step(side, &gait);
             side = opposite(side);
@@ -26,11 +26,11 @@ pub fn drunken_stagger(proportions: &Proportions, seconds: f64, random: &mut Ran
             0 => planner.wait(random.uniform(0.9, 1.6)),
             1 => {
                 for _ in 0..2 {
-                    give_ground(&mut planner, side, scale, random);
+                    step_back(&mut planner, side, scale, random);
                     side = opposite(side);
                 }
             }
-            2 => sideways(&mut planner, side, scale, random),
+            2 => step_aside(&mut planner, side, scale, random),
             _ => {}
         }
     }
@@ -38,7 +38,7 @@ pub fn drunken_stagger(proportions: &Proportions, seconds: f64, random: &mut Ran
     planner.finish()
 }
 
-fn lurch(scale: f64, random: &mut Random) -> Gait {
+fn random_gait(scale: f64, random: &mut Random) -> Gait {
     let walk = Gait::walk(scale);
     Gait {
         time: random.uniform(0.55, 0.85),
@@ -57,8 +57,8 @@ fn lurch(scale: f64, random: &mut Random) -> Gait {
     }
 }
 
-/// A recovery step backward.
-fn give_ground(planner: &mut Planner, side: Side, scale: f64, random: &mut Random) {
+/// Takes a step backward to recover balance.
+fn step_back(planner: &mut Planner, side: Side, scale: f64, random: &mut Random) {
     let back = Gait {
         time: random.uniform(0.5, 0.65),
         length: -random.uniform(0.16, 0.3) * scale,
@@ -67,21 +67,21 @@ fn give_ground(planner: &mut Planner, side: Side, scale: f64, random: &mut Rando
             clearance: 0.07 * scale,
             peak: 0.5,
             pitch: 16.0,
-            ..lurch(scale, random).swing_path
+            ..random_gait(scale, random).swing_path
         },
         landing: Landing { pitch: 20.0, settle: 0.14, rest: 0.0 },
         swing: 0.36,
-        ..lurch(scale, random)
+        ..random_gait(scale, random)
     };
     planner.step(side, &back);
 }
 
-/// A step to the side; the other foot follows.
-fn sideways(planner: &mut Planner, side: Side, scale: f64, random: &mut Random) {
+/// Takes a step to the side; the other foot follows.
+fn step_aside(planner: &mut Planner, side: Side, scale: f64, random: &mut Random) {
     let gait = Gait {
         lift: Lift { pitch: 14.0, lead: 0.14 },
         landing: Landing { pitch: 10.0, settle: 0.1, rest: 0.0 },
-        ..lurch(scale, random)
+        ..random_gait(scale, random)
     };
     let placement = planner.placement(side).translated(0.05 * scale, lateral_sign(side) * 0.26 * scale);
     planner.wait(0.62);
@@ -99,7 +99,7 @@ fn sideways(planner: &mut Planner, side: Side, scale: f64, random: &mut Random) 
     planner.move_to(cursor);
 }
 
-/// The trunk reels, the arms follow, the head hangs.
+/// Adds random movements of trunk, arms and head.
 fn animate_body(planner: &mut Planner, seconds: f64, random: &mut Random) {
     let body = planner.body();
     let mut time = -1.0;
@@ -112,15 +112,15 @@ fn animate_body(planner: &mut Planner, seconds: f64, random: &mut Random) {
         body.shift.set_key(time + 0.2, [random.uniform(-0.05, 0.05), random.uniform(-0.04, 0.05)]);
         body.lowering.set_key(time, [random.uniform(0.0, 0.055)]);
         for arm in &mut body.arms {
-            let flung = random.uniform(0.0, 1.0) > 0.7;
-            let abduction = if flung { random.uniform(35.0, 62.0) } else { random.uniform(8.0, 24.0) };
-            let loose = ArmPose {
+            let raises_arm = random.uniform(0.0, 1.0) > 0.7;
+            let abduction = if raises_arm { random.uniform(35.0, 62.0) } else { random.uniform(8.0, 24.0) };
+            let pose = ArmPose {
                 abduction,
                 flexion: random.uniform(-12.0, 26.0),
                 elbow: random.uniform(10.0, 55.0),
                 ..ArmPose::RELAXED
             };
-            arm.set_key(time + 0.2, loose.angles());
+            arm.set_key(time + 0.2, pose.angles());
         }
         time += random.uniform(0.7, 1.3);
     }

@@ -13,7 +13,7 @@ pub fn foot_drag_walk(proportions: &Proportions, seconds: f64, random: &mut Rand
     let mut planner = Planner::standing(-4.0, Placement::ORIGIN, 0.09 * scale);
     planner.wait(0.8);
     let walk = Gait::walk(scale);
-    let good = Gait {
+    let healthy = Gait {
         time: 0.55,
         length: 0.42 * scale,
         swing: 0.4,
@@ -44,7 +44,7 @@ pub fn foot_drag_walk(proportions: &Proportions, seconds: f64, random: &mut Rand
     };
     let mut trunk = Vec::new();
     while planner.now() < seconds + 1.6 {
-        planner.step(Side::Left, &Gait { length: good.length * random.vary(0.06), ..good.clone() });
+        planner.step(Side::Left, &Gait { length: healthy.length * random.vary(0.06), ..healthy.clone() });
         trunk.push((planner.now() + 0.4, [14.0, 4.0, 9.0]));
         let time = dragged.time * random.vary(0.04);
         planner
@@ -53,10 +53,10 @@ pub fn foot_drag_walk(proportions: &Proportions, seconds: f64, random: &mut Rand
     }
     let body = planner.body();
     for (time, angles) in trunk {
-        // Leg pulled forward: lean over the good leg, hike the hip.
+        // Leg pulled forward: lean over the other leg and raise the hip.
         body.trunk.set_key(time, angles);
-        let hike = if angles[2] > 0.0 { -7.0 } else { 2.0 };
-        body.pelvis.set_key(time, [4.0, if hike < 0.0 { 8.0 } else { -2.0 }, hike]);
+        let lean = if angles[2] > 0.0 { -7.0 } else { 2.0 };
+        body.pelvis.set_key(time, [4.0, if lean < 0.0 { 8.0 } else { -2.0 }, lean]);
     }
     body.lowering.set_key(0.0, [0.015 * scale]);
     body.gaze.set_key(0.0, [0.0, 16.0]);

@@ -28,15 +28,15 @@ pub fn frog_jumps(proportions: &Proportions, seconds: f64, random: &mut Random) 
         key_jump(&mut planner, landed, land - flight, land);
         landed = Some(land);
     }
-    let rise = landed.expect("there was a jump");
+    let last_landing = landed.expect("there was a jump");
     let body = planner.body();
-    body.lowering.set_key(rise + 0.3, [0.12 * scale]);
-    body.lowering.set_key(rise + 1.1, [0.0]);
-    body.trunk.set_key(rise + 0.3, [44.0, 0.0, 0.0]);
-    body.trunk.set_key(rise + 1.2, [3.0, 0.0, 0.0]);
-    body.pelvis.set_key(rise + 1.2, [2.0, 0.0, 0.0]);
+    body.lowering.set_key(last_landing + 0.3, [0.12 * scale]);
+    body.lowering.set_key(last_landing + 1.1, [0.0]);
+    body.trunk.set_key(last_landing + 0.3, [44.0, 0.0, 0.0]);
+    body.trunk.set_key(last_landing + 1.2, [3.0, 0.0, 0.0]);
+    body.pelvis.set_key(last_landing + 1.2, [2.0, 0.0, 0.0]);
     for arm in &mut body.arms {
-        arm.set_key(rise + 1.25, ArmPose::RELAXED.angles());
+        arm.set_key(last_landing + 1.25, ArmPose::RELAXED.angles());
     }
     body.arm_swing.set_key(0.0, [0.0]);
     // The feet close after the body has straightened up.
@@ -47,7 +47,7 @@ pub fn frog_jumps(proportions: &Proportions, seconds: f64, random: &mut Random) 
         ..gait
     };
     let placement = planner.placement(Side::Right).translated(0.02, 0.06 * scale);
-    planner.place_foot(Side::Right, rise + 1.75, placement, &settle);
+    planner.place_foot(Side::Right, last_landing + 1.75, placement, &settle);
     planner.finish()
 }
 
@@ -71,33 +71,35 @@ fn hop(scale: f64, ground: f64, flight: f64, length: f64) -> Jump {
     }
 }
 
-/// Keyframes of one jump: crouch, arm swing, flight, landing.
-fn key_jump(planner: &mut Planner, before: Option<f64>, off: f64, land: f64) {
+/// Adds the keyframes of one jump: crouch, arm swing, flight, landing.
+fn key_jump(planner: &mut Planner, last_landing: Option<f64>, take_off: f64, land: f64) {
     let body = planner.body();
-    match before {
+    match last_landing {
         None => {
-            body.lowering.set_key(off - 1.05, [0.0]);
-            body.pelvis.set_key(off - 1.05, [2.0, 0.0, 0.0]);
-            body.trunk.set_key(off - 1.05, [3.0, 0.0, 0.0]);
-            body.arms.iter_mut().for_each(|arm| arm.set_key(off - 1.1, ArmPose::RELAXED.angles()));
+            body.lowering.set_key(take_off - 1.05, [0.0]);
+            body.pelvis.set_key(take_off - 1.05, [2.0, 0.0, 0.0]);
+            body.trunk.set_key(take_off - 1.05, [3.0, 0.0, 0.0]);
+            body.arms.iter_mut().for_each(|arm| arm.set_key(take_off - 1.1, ArmPose::RELAXED.angles()));
         }
-        Some(before) => {
-            body.lowering.set_key(before + 0.3, [0.12]);
-            body.trunk.set_key(before + 0.3, [50.0, 0.0, 0.0]);
+        Some(last_landing) => {
+            body.lowering.set_key(last_landing + 0.3, [0.12]);
+            body.trunk.set_key(last_landing + 0.3, [50.0, 0.0, 0.0]);
         }
     }
-    for (time, lowering) in [(off - 0.4, 0.11), (off, 0.0), (land, 0.0)] {
+    for (time, lowering) in [(take_off - 0.4, 0.11), (take_off, 0.0), (land, 0.0)] {
         body.lowering.set_key(time, [lowering]);
     }
-    for (time, pitch) in [(off - 0.36, 54.0), (off, 16.0), (off + 0.5 * (land - off), 24.0), (land, 36.0)] {
+    for (time, pitch) in
+        [(take_off - 0.36, 54.0), (take_off, 16.0), (take_off + 0.5 * (land - take_off), 24.0), (land, 36.0)]
+    {
         body.trunk.set_key(time, [pitch, 0.0, 0.0]);
     }
-    for (time, tilt) in [(off - 0.36, 22.0), (off, 4.0), (land, 16.0), (land + 0.3, 20.0)] {
+    for (time, tilt) in [(take_off - 0.36, 22.0), (take_off, 4.0), (land, 16.0), (land + 0.3, 20.0)] {
         body.pelvis.set_key(time, [tilt, 0.0, 0.0]);
     }
     for arm in &mut body.arms {
-        arm.set_key(off - 0.42, BACK);
-        arm.set_key(off + 0.04, UP);
+        arm.set_key(take_off - 0.42, BACK);
+        arm.set_key(take_off + 0.04, UP);
         arm.set_key(land + 0.14, FRONT);
     }
 }

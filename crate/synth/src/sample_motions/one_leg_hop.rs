@@ -3,8 +3,7 @@
 use plantigrade::foot::Side;
 
 use crate::character::Proportions;
-use crate::math::Random;
-use crate::math::Track;
+use crate::math::{Random, Track};
 use crate::plan::{ArmPose, Gait, Jump, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath};
 
 /// Plans standing, raising the right foot, hopping and lowering the foot.
@@ -40,18 +39,18 @@ pub fn one_leg_hop(proportions: &Proportions, seconds: f64, random: &mut Random)
         arms.push((planner.now() - flight, planner.now()));
     }
     let last = planner.now();
-    put_down(&mut planner, &walk, last, scale);
+    raise_right_foot(&mut planner, &walk, last, scale);
     animate_body(&mut planner, &arms, last);
     planner.finish()
 }
 
-/// The right foot leaves the ground at the beginning and lands at the end.
-fn put_down(planner: &mut Planner, walk: &Gait, last: f64, scale: f64) {
+/// Raises the right foot at the beginning and lowers it at the end.
+fn raise_right_foot(planner: &mut Planner, walk: &Gait, last: f64, scale: f64) {
     let strike = last + 0.85;
     let placement = planner.placement(Side::Left).translated(0.05, -0.16 * scale).rotated(-16.0);
-    // Ankle behind the hip, shank level; the leg gives slightly with every hop.
-    let tucked = [0.02, -0.68, -0.36, 62.0, 0.0];
-    let mut keys = vec![(0.0, tucked)];
+    // Ankle behind the hip, shank level; the leg bends slightly with every hop.
+    let raised_leg = [0.02, -0.68, -0.36, 62.0, 0.0];
+    let mut keys = vec![(0.0, raised_leg)];
     let mut time = 1.3;
     while time < last {
         keys.push((time, [0.02, -0.66, -0.37, 64.0, 0.0]));
@@ -66,7 +65,7 @@ fn put_down(planner: &mut Planner, walk: &Gait, last: f64, scale: f64) {
         Some(LegPoses { poses: Track::from_keys(&keys), ease_in: 0.45, ease_out: 0.5 });
 }
 
-/// Arms spread for balance, swung up with each hop.
+/// Spreads the arms for balance and swings them up with each hop.
 fn animate_body(planner: &mut Planner, hops: &[(f64, f64)], last: f64) {
     let body = planner.body();
     body.arm_swing.set_key(0.0, [6.0]);
@@ -76,14 +75,14 @@ fn animate_body(planner: &mut Planner, hops: &[(f64, f64)], last: f64) {
     for (side, arm) in body.arms.iter_mut().enumerate() {
         let wide = if side == 0 { 34.0 } else { 44.0 };
         arm.set_key(0.3, ArmPose::RELAXED.angles());
-        for &(off, land) in hops {
-            arm.set_key(off - 0.12, [-12.0, wide, 14.0, 46.0, 0.0]);
-            arm.set_key((off + land) / 2.0, [26.0, wide + 8.0, 18.0, 66.0, 0.0]);
+        for &(take_off, land) in hops {
+            arm.set_key(take_off - 0.12, [-12.0, wide, 14.0, 46.0, 0.0]);
+            arm.set_key((take_off + land) / 2.0, [26.0, wide + 8.0, 18.0, 66.0, 0.0]);
         }
         arm.set_key(last + 1.2, ArmPose::RELAXED.angles());
     }
-    for &(off, land) in hops {
-        body.trunk.set_key(off, [6.0, 0.0, 4.0]);
+    for &(take_off, land) in hops {
+        body.trunk.set_key(take_off, [6.0, 0.0, 4.0]);
         body.trunk.set_key(land + 0.1, [12.0, 0.0, 5.0]);
     }
     body.trunk.set_key(last + 1.2, [3.0, 0.0, 0.0]);

@@ -4,8 +4,7 @@ use plantigrade::foot::Side;
 
 use crate::actions::opposite;
 use crate::character::Proportions;
-use crate::math::Random;
-use crate::math::Track;
+use crate::math::{Random, Track};
 use crate::plan::{
     ArmPose, Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, Step, SwingPath, foot_placement,
 };
@@ -25,28 +24,31 @@ pub fn skipping(proportions: &Proportions, seconds: f64, random: &mut Random) ->
     let mut side = Side::Right;
     planner.step(side, &Gait { time: 0.45, length: 0.4 * scale, swing: 0.36, ..walk.clone() });
     let mut arms = Vec::new();
-    let mut swing_from = None;
+    let mut next_toe_off = None;
     while planner.now() < seconds - 2.0 {
         let tempo = random.vary(0.03);
         let (step, flight, hop) = (STEP * tempo, FLIGHT * tempo, HOP * tempo);
         let length = scale * random.vary(0.05);
         // Hop on the standing foot.
-        let struck = planner.now();
+        let step_strike = planner.now();
         planner.wait(step + flight);
         planner.advance(0.52 * length, 0.0);
         let landed = planner.now();
         let placement = foot_placement(&planner.cursor(), side, 0.05 * scale, 6.0);
         planner.push(side, hop_step(&walk, landed, flight, placement));
-        arms.push((struck + step + flight / 2.0, side));
+        arms.push((step_strike + step + flight / 2.0, side));
         // The free leg, knee raised during the hop, swings to the next step.
         side = opposite(side);
         let strike = landed + hop;
-        let off = swing_from.unwrap_or(struck + 0.06);
+        let toe_off = next_toe_off.unwrap_or(step_strike + 0.06);
         planner.wait(hop);
         planner.advance(0.5 * length, 0.0);
         let placement = foot_placement(&planner.cursor(), side, 0.05 * scale, 6.0);
-        planner.push(side, free_step(&walk, strike, strike - off, placement, struck + step + flight * 0.5));
-        swing_from = Some(strike + 0.04);
+        planner.push(
+            side,
+            free_step(&walk, strike, strike - toe_off, placement, step_strike + step + flight * 0.5),
+        );
+        next_toe_off = Some(strike + 0.04);
     }
     let last = planner.now();
     side = opposite(side);
@@ -72,17 +74,17 @@ fn hop_step(walk: &Gait, strike: f64, swing: f64, placement: Placement) -> Step 
     Step { strike, swing, placement, lift, swing_path, landing, weight: 1.0 }
 }
 
-fn free_step(walk: &Gait, strike: f64, swing: f64, placement: Placement, high: f64) -> Step {
-    // Thigh nearly level, shank hanging, toes slightly down.
+fn free_step(walk: &Gait, strike: f64, swing: f64, placement: Placement, knee_raised: f64) -> Step {
+    // Thigh almost horizontal, shank vertical, toes slightly down.
     let knee_high = [0.01, -0.55, 0.26, 16.0, 0.0];
     let leg_poses = LegPoses {
         poses: Track::from_keys(&[
-            (high - 0.1, [0.0, -0.6, 0.08, 30.0, 0.0]),
-            (high, knee_high),
-            (high + 0.06, knee_high),
+            (knee_raised - 0.1, [0.0, -0.6, 0.08, 30.0, 0.0]),
+            (knee_raised, knee_high),
+            (knee_raised + 0.06, knee_high),
         ]),
-        ease_in: (high - (strike - swing) - 0.02).max(0.15),
-        ease_out: (strike - high - 0.05).max(0.2),
+        ease_in: (knee_raised - (strike - swing) - 0.02).max(0.15),
+        ease_out: (strike - knee_raised - 0.05).max(0.2),
     };
     let swing_path = SwingPath {
         clearance: 0.12,
@@ -103,7 +105,7 @@ fn free_step(walk: &Gait, strike: f64, swing: f64, placement: Placement, high: f
     }
 }
 
-/// Arms swing high opposite to the legs; the trunk follows.
+/// Swings the arms opposite to the legs; the trunk rotates with them.
 fn animate_body(planner: &mut Planner, hops: &[(f64, Side)], last: f64) {
     let body = planner.body();
     body.arm_swing.set_key(0.0, [8.0]);

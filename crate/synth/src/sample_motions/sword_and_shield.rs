@@ -10,7 +10,7 @@ use crate::plan::{Gait, Landing, Lift, Placement, Plan, Planner, SwingPath};
 pub fn sword_and_shield(proportions: &Proportions, _seconds: f64, random: &mut Random) -> Plan {
     let scale = proportions.scale();
     let mut planner = Planner::standing(-1.0, Placement::ORIGIN, 0.14 * scale);
-    // Guard: left foot and shield ahead, right foot behind and turned out.
+    // Guard: left foot and shield in front, right foot behind and turned out.
     planner.foot(Left).start = Placement { x: 0.1 * scale, z: 0.2 * scale, ..Placement::ORIGIN };
     planner.foot(Right).start =
         Placement { x: -0.13 * scale, z: -0.22 * scale, heading: -0.75, ..Placement::ORIGIN };
@@ -89,14 +89,14 @@ fn animate_body(planner: &mut Planner, scale: f64) {
     body.arm_swing.set_key(0.0, [0.0]);
     body.sway = 1.4;
     // Sword: raised by the ear, cut down across, drawn back, thrust, low guard.
-    let high = [96.0, 34.0, -40.0, 98.0, 0.0];
+    let raised = [96.0, 34.0, -40.0, 98.0, 0.0];
     body.arm(
         Right,
         &[
             (0.0, [30.0, 34.0, -10.0, 88.0, 0.0]),
             (0.7, [34.0, 36.0, -14.0, 92.0, 0.0]),
-            (1.28, high),
-            (1.42, high),
+            (1.28, raised),
+            (1.42, raised),
             (1.72, [62.0, 4.0, 40.0, 20.0, 8.0]),
             (1.95, [18.0, 0.0, 66.0, 34.0, 12.0]),
             (2.42, [-34.0, 22.0, 8.0, 100.0, 0.0]),
@@ -108,18 +108,18 @@ fn animate_body(planner: &mut Planner, scale: f64) {
         ],
     );
     // Shield: in front of the body, opened for the cut, raised against the counter-attack.
-    let cover = [46.0, 20.0, 46.0, 88.0, 0.0];
+    let guard = [46.0, 20.0, 46.0, 88.0, 0.0];
     body.arm(
         Left,
         &[
-            (0.0, cover),
+            (0.0, guard),
             (1.2, [54.0, 22.0, 46.0, 84.0, 0.0]),
             (1.75, [14.0, 36.0, 30.0, 84.0, 0.0]),
             (2.3, [40.0, 20.0, 46.0, 90.0, 0.0]),
             (2.8, [4.0, 40.0, 20.0, 74.0, 0.0]),
             (3.35, [88.0, 26.0, 50.0, 92.0, 0.0]),
             (4.0, [80.0, 24.0, 50.0, 88.0, 0.0]),
-            (4.7, cover),
+            (4.7, guard),
         ],
     );
     for (time, trunk) in [

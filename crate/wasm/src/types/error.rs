@@ -9,11 +9,11 @@ pub enum ArgumentError {
     MissingPart(String),
     /// The detection method does not label this part.
     UnlabelledPart(String),
-    /// Neither `left` nor `right`.
+    /// A side other than `left` and `right`.
     Side(String),
-    /// Not the name of a role.
+    /// An unknown role.
     Role(String),
-    /// Not the index of a joint of the clip.
+    /// A joint index beyond the joints of the clip.
     Joint(usize),
     /// A name that the core does not accept, with its reason.
     Name(String),
@@ -44,17 +44,17 @@ pub enum ArgumentError {
 impl fmt::Display for ArgumentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::MissingPart(part) => write!(f, "there are no labels of {part:?}"),
+            Self::MissingPart(part) => write!(f, "the labels do not include {part:?}"),
             Self::UnlabelledPart(part) => write!(f, "this method does not label {part:?}"),
             Self::Side(name) => write!(f, "the side must be left or right, not {name:?}"),
-            Self::Role(name) => write!(f, "there is no role {name:?}"),
-            Self::Joint(index) => write!(f, "there is no joint {index}"),
+            Self::Role(name) => write!(f, "unknown role {name:?}"),
+            Self::Joint(index) => write!(f, "unknown joint {index}"),
             Self::NotPositive { name, value } => write!(f, "the {name} must be greater than 0, not {value}"),
             Self::FrameRange { start, end, frames } => {
-                write!(f, "there are no frames {start} to {end}: the clip has {frames}")
+                write!(f, "invalid frame range {start} to {end}: the clip has {frames} frames")
             }
-            Self::NoEvidence => f.write_str("nothing was clustered"),
-            Self::NoField => f.write_str("this method has no field"),
+            Self::NoEvidence => f.write_str("this part was not clustered"),
+            Self::NoField => f.write_str("this method has no decision field"),
             Self::Name(reason) | Self::Conversion(reason) => f.write_str(reason),
         }
     }

@@ -82,7 +82,7 @@ impl_from_display!(
     ReadError
 );
 
-/// A repair, an assumption or a doubt.
+/// A repair, an assumption or a warning.
 #[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
 pub struct NoticeInfo {
     /// Code of the notice, in kebab case.

@@ -50,8 +50,8 @@ fn trial(
     Ok(Some((input.stem.display().to_string(), Tolerance::REPORTED.map(tally))))
 }
 
-/// Reads the first file in the folder of a clip that contains its segments: its own files first,
-/// then files that cover several clips. Returns path and text.
+/// Returns path and text of the truth file of a clip, if any. Files named after the clip take
+/// precedence over files that cover several clips.
 fn read_truth(clip: &Path, name: &str) -> Result<Option<(PathBuf, String)>, InputError> {
     let folder = clip.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let read_error = |path: &Path, error| InputError::Read { path: path.into(), error };
@@ -64,8 +64,8 @@ fn read_truth(clip: &Path, name: &str) -> Result<Option<(PathBuf, String)>, Inpu
         }
     }
     shared.sort();
-    let own = ["segments.json", "json"].map(|extension| clip.with_extension(extension));
-    for path in own.into_iter().chain(shared).filter(|path| path.is_file()) {
+    let own_files = ["segments.json", "json"].map(|extension| clip.with_extension(extension));
+    for path in own_files.into_iter().chain(shared).filter(|path| path.is_file()) {
         let text = fs::read_to_string(&path).map_err(|error| read_error(&path, error))?;
         if formats::has_segments(&text, name) {
             return Ok(Some((path, text)));
@@ -76,13 +76,13 @@ fn read_truth(clip: &Path, name: &str) -> Result<Option<(PathBuf, String)>, Inpu
 
 /// Prints precision, recall and F1 at each tolerance, by clip and pooled.
 fn print(trials: &[(String, Tallies)]) {
-    let heads = Tolerance::REPORTED.map(|tolerance| match tolerance {
+    let headers = Tolerance::REPORTED.map(|tolerance| match tolerance {
         Tolerance::Seconds(seconds) => format!("±{seconds} s"),
         Tolerance::Inside => "inside".into(),
     });
     println!("cuts: precision, recall and F1\n");
-    let heads = heads.map(|head| format!("{head:>24}")).concat();
-    println!("{:<24}{:>9}{:>6}{heads}", "", "detected", "true");
+    let headers = headers.map(|header| format!("{header:>24}")).concat();
+    println!("{:<24}{:>9}{:>6}{headers}", "", "detected", "true");
     let mut pooled = Tallies::default();
     for (name, tallies) in trials {
         println!("{}", row(name, tallies));
@@ -96,12 +96,12 @@ fn print(trials: &[(String, Tallies)]) {
 }
 
 fn row(name: &str, tallies: &Tallies) -> String {
-    let CutTally { found, total, .. } = tallies[0].unwrap_or_default();
+    let CutTally { detected, total, .. } = tallies[0].unwrap_or_default();
     let cells = |tally: Option<CutTally>| match tally {
         Some(tally) => {
             [tally.precision(), tally.recall(), tally.f1()].map(|value| format!("{value:>8.3}")).concat()
         }
         None => format!("{:>8}", "-").repeat(3),
     };
-    format!("{name:<24}{found:>9}{total:>6}{}", tallies.map(cells).concat())
+    format!("{name:<24}{detected:>9}{total:>6}{}", tallies.map(cells).concat())
 }

@@ -55,7 +55,7 @@ fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<T
     }))
 }
 
-/// Masks "no contact" next to unknown frames: there the foot may be off the force plate.
+/// Masks "no contact" next to unknown frames, where the foot may be off the force plate.
 fn masked(truth: Annotation, frame_time: f64) -> Annotation {
     let mask = |(part, feet): (Part, [Vec<Option<bool>>; 2])| {
         (part, feet.map(|labels| score::mask_near_unknown(&labels, frame_time)))
@@ -72,8 +72,8 @@ fn pairs(trial: &Trial, part: Part) -> Option<[Pair<'_>; 2]> {
     Some(Side::BOTH.map(|side| (labels.foot(side).planted.as_slice(), truth[side as usize].as_slice())))
 }
 
-/// Prints the scores of one part: accuracy by clip and pooled, lenient and strict, and of plants
-/// as events.
+/// Prints the scores of one part: lenient and strict accuracy, by clip and pooled, and precision,
+/// recall and timing of the plants.
 fn print(part: Part, trials: &[Trial]) {
     let periods: Vec<String> = FUZZY_PERIODS.iter().map(|fuzzy| format!("p = {fuzzy}")).collect();
     println!("{}, accuracy in %\n", part.name());
@@ -83,18 +83,18 @@ fn print(part: Part, trials: &[Trial]) {
     let mut events = Events::default();
     for trial in trials {
         let Some(feet) = pairs(trial, part) else { continue };
-        let mut own = [[Tally::default(); FUZZY_PERIODS.len()]; 2];
+        let mut tallies = [[Tally::default(); FUZZY_PERIODS.len()]; 2];
         for (labels, truth) in feet {
             for (index, fuzzy) in FUZZY_PERIODS.into_iter().enumerate() {
-                own[0][index] += score::lenient(labels, truth, trial.frame_time, fuzzy);
-                own[1][index] += score::strict(labels, truth, trial.frame_time, fuzzy);
+                tallies[0][index] += score::lenient(labels, truth, trial.frame_time, fuzzy);
+                tallies[1][index] += score::strict(labels, truth, trial.frame_time, fuzzy);
             }
             events += score::events(labels, truth, trial.frame_time);
         }
-        for (pooled, own) in pooled.iter_mut().flatten().zip(own.iter().flatten()) {
-            *pooled += *own;
+        for (pooled, tallies) in pooled.iter_mut().flatten().zip(tallies.iter().flatten()) {
+            *pooled += *tallies;
         }
-        let accuracy = own[0].map(|tally| 100.0 * tally.accuracy());
+        let accuracy = tallies[0].map(|tally| 100.0 * tally.accuracy());
         println!("{:<32}{}", trial.name, percents(&accuracy));
         accuracies.push(accuracy);
     }
@@ -123,8 +123,8 @@ fn print(part: Part, trials: &[Trial]) {
     );
 }
 
-fn columns(heads: &[String]) -> String {
-    heads.iter().map(|head| format!("{head:>9}")).collect()
+fn columns(headers: &[String]) -> String {
+    headers.iter().map(|header| format!("{header:>9}")).collect()
 }
 
 fn percents(values: &[f64]) -> String {

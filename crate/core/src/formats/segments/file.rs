@@ -131,7 +131,7 @@ fn check_partition(parts: Vec<FilePart>, frames: usize) -> Result<Vec<FilePart>,
     if end == frames { Ok(parts) } else { Err(ReadError::Length { found: end, frames }) }
 }
 
-/// Completes parts to cover the clip. Of two that overlap, the first one keeps its end.
+/// Completes parts to cover the clip. Where two parts overlap, the second one is shortened.
 fn complete(parts: Vec<FilePart>, frames: usize, rate: f64) -> Vec<FilePart> {
     let max_gap = (MAX_GAP * rate).round() as usize;
     let mut covering: Vec<FilePart> = Vec::new();

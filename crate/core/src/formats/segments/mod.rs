@@ -76,7 +76,7 @@ pub fn read_segments(text: &str, clip: &str, frames: usize, rate: f64) -> Result
 /// the range that annotated segments have as `cut_earliest` and `cut_latest` of the previous segment.
 ///
 /// # Errors
-/// Those of [`read_segments`].
+/// The errors of [`read_segments`].
 pub fn read_cuts(text: &str, clip: &str, frames: usize, rate: f64) -> Result<Vec<TrueCut>, ReadError> {
     let mut parts = find(text, clip)?.parts(frames, rate)?;
     // The end of the clip is not a cut.

@@ -31,7 +31,7 @@ fn detect(input: &mut Input) -> Output {
     toes.into_output(Part::Toe, &planted, Some([left.to_vec(), right.to_vec()]), None)
 }
 
-/// Returns the logarithms of height and speed in leg lengths; the offset keeps zero finite.
+/// Returns the logarithms of height and speed in leg lengths; the offset makes the logarithm of zero finite.
 pub(crate) fn points(signals: &Signals, leg: f64) -> Vec<Vector2<f64>> {
     let log = |value: f64, offset: f64| (value / leg + offset).ln();
     let point = |(height, speed): (&f64, &f64)| Vector2::new(log(*height, 0.005), log(*speed, 0.02));
@@ -56,7 +56,7 @@ impl Gaussian {
             let offset = point - mean;
             offset * offset.transpose() * weights(i)
         });
-        // A minimum variance keeps a class of equal points from collapsing.
+        // A minimum variance prevents a class of equal points from collapsing.
         let covariance = scatter.sum::<Matrix2<f64>>() / total + Matrix2::identity() * 1e-3;
         Gaussian { weight: total / points.len().max(1) as f64, mean, covariance }
     }

@@ -28,7 +28,7 @@ impl Family {
     }
 }
 
-/// Thresholds that a method compares with; `None` if it does not use one.
+/// Thresholds of a method; `None` for a quantity that it does not compare.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Thresholds {
     /// Height, in metres.
@@ -55,7 +55,7 @@ pub(crate) struct Settings {
 /// Input of a method.
 pub(crate) struct Input<'a> {
     pub feet: &'a Feet,
-    /// Feet of the same character standing still, whose samples are clustered along.
+    /// Feet of the same character standing still, whose samples are clustered together with the clip.
     pub standing: Option<&'a Feet>,
     pub settings: Settings,
     /// Results cached between detections on these feet.

@@ -12,7 +12,7 @@ const OFFSET: f64 = -5.2;
 /// the planted class, is averaged over `half` frames on either side.
 pub(crate) fn planted_probability(values: &[f32], evidence: &Evidence, half: usize) -> Vec<f64> {
     let scale = evidence.planted_median - evidence.threshold;
-    // Equal samples have no threshold and no doubt.
+    // Equal samples have no threshold, and their labels are certain.
     if !scale.is_finite() {
         return vec![1.0; values.len()];
     }

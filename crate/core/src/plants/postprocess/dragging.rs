@@ -1,8 +1,8 @@
-//! Dragged feet: low and slow like planted feet, but travelling.
+//! Dragged feet: low and slow like planted feet, but moving along the ground.
 //!
 //! In a single frame a dragged foot looks like a planted foot with noise; the difference is the
-//! distance it travels. Planted feet stand on the same ground, be it a floor, a treadmill or a
-//! moving platform, and keep their distance. If both feet are labelled as planted and separate
+//! distance it travels. Planted feet stand on the same ground (a floor, a treadmill or a moving platform), so the
+//! distance between them is constant. If both feet are labelled as planted and separate
 //! steadily and without a step, the foot that moves is dragged.
 
 use std::ops::Range;
@@ -20,8 +20,8 @@ const SEPARATION: f64 = 0.4;
 /// slips are shorter; slower separation is drift.
 const MIN_DURATION: f64 = 0.6;
 const MAX_DURATION: f64 = 3.0;
-/// Minimum fraction of [`SEPARATION`] in either half of the time: a slip comes to rest, a dragged
-/// foot continues.
+/// Minimum fraction of [`SEPARATION`] in either half of the time: a slip ends, a dragged foot
+/// continues.
 const MIN_HALF_SEPARATION: f64 = 0.25;
 
 /// Minimum slack, as a fraction of [`SEPARATION`], that allows skipping samples of feet that are
@@ -33,7 +33,7 @@ pub(crate) fn drop_dragged(feet: &Feet, span: &Range<usize>, contact: &mut [Foot
     let both_planted = |frame: &usize| contact.iter().all(|labels| labels.planted[*frame]);
     let both_planted_frames: Vec<usize> = span.clone().filter(both_planted).collect();
     let stance_ids = contact.each_ref().map(|labels| stance_ids(labels, STEP_SPEED * feet.leg));
-    let both = BothPlanted::of(feet, &both_planted_frames);
+    let both = BothPlanted::new(feet, &both_planted_frames);
     for foot in 0..2 {
         let stance_id = |index: usize| stance_ids[foot][both_planted_frames[index]];
         let labels = &mut contact[foot];
@@ -76,7 +76,7 @@ struct BothPlanted {
 }
 
 impl BothPlanted {
-    fn of(feet: &Feet, both_planted_frames: &[usize]) -> BothPlanted {
+    fn new(feet: &Feet, both_planted_frames: &[usize]) -> BothPlanted {
         let path = |track: &Track| {
             let mut position = Vector3::zeros();
             let step = |index: usize| {
@@ -145,7 +145,7 @@ impl BothPlanted {
     }
 
     /// Returns the first index between `from` and `end` at which the feet are separated by more
-    /// than `distance`, or by how much they fall short of it at least.
+    /// than `distance`; otherwise a lower bound of the distance that is missing.
     fn first_separated(&self, from: usize, end: usize, distance: f64) -> Result<usize, f64> {
         let mut min_slack = MIN_SLACK * distance;
         let mut to = from + 1;

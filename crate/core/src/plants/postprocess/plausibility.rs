@@ -29,9 +29,9 @@ pub(crate) fn rate(feet: &Feet) -> Option<Notice> {
     let fastest = stats::nth_smallest(&mut speeds, index);
     let travel = feet.hips.iter().map(|hips| (hips - start).norm()).fold(0.0, f64::max) / feet.leg;
     let problem = if fastest > MAX_SPEED {
-        "faster than feet can be"
+        "implausibly fast"
     } else if fastest < MIN_SPEED && travel > MIN_TRAVEL {
-        "too slow for how far the hips travel"
+        "too slow for the distance that the hips travel"
     } else {
         return None;
     };
@@ -52,7 +52,7 @@ pub(crate) fn airborne(parts: &[PartLabels]) -> Option<Notice> {
     (fraction > MAX_AIRBORNE).then(|| {
         let text = format!(
             "Both feet are off the ground in {:.0} % of the frames, more than in any gait; \
-             the clip may contain no plants at all, which motion alone cannot show.",
+             the character may be in the air throughout, which cannot be detected from the motion.",
             100.0 * fraction
         );
         Notice::new(Code::ImplausibleAirborne, text)

@@ -1,4 +1,4 @@
-//! Runs too short for a person.
+//! Removal of runs that are too short for human motion.
 
 /// Fills gaps shorter than `min_length` frames, then removes runs shorter than `min_length`.
 ///

@@ -11,13 +11,12 @@ use nalgebra::{DMatrix, DVector};
 use crate::numeric::sort;
 use crate::plants::signal::samples::Samples;
 
-/// Number of principal coordinates: those of a window of three frames.
+/// Number of principal coordinates: the dimension of a window of three frames.
 pub(crate) const DIMS: usize = 6;
 /// Target cells per square root of the number of samples, and the minimum and maximum number. More
 /// cells are more accurate and slower.
 const TARGET_CELLS: (f64, usize, usize) = (4.5, 600, 4096);
-/// The same for source cells. They can be fewer because their errors differ in sign and nearly
-/// cancel.
+/// The same for source cells, which can be fewer: their errors differ in sign and almost cancel.
 const SOURCE_CELLS: (f64, usize, usize) = (3.0, 400, 2048);
 /// Maximum number of samples for the principal axes; more would not change them noticeably.
 const MAX_PCA_SAMPLES: usize = 16_384;
@@ -92,12 +91,12 @@ impl PrincipalAxes {
 pub(crate) struct PartitionedSamples {
     pub samples: Samples,
     axes: OnceCell<PrincipalAxes>,
-    /// Cells, if they are cached; they need more memory than the samples.
+    /// Cached cells; `None` if cells are not cached, as they need more memory than the samples.
     cells: Option<OnceCell<Cells>>,
 }
 
 impl PartitionedSamples {
-    /// Creates samples whose cells are computed once, or each time if they are not cached.
+    /// Creates samples. Their cells are computed once if `cache_cells`, otherwise on each call.
     pub fn new(samples: Samples, cache_cells: bool) -> PartitionedSamples {
         PartitionedSamples { samples, axes: OnceCell::new(), cells: cache_cells.then(OnceCell::new) }
     }

@@ -1,8 +1,8 @@
-//! Square roots of the degrees of samples: exact for few samples, and for many samples exact near
-//! the threshold.
+//! Square roots of the degrees of samples. They are exact if there are few samples; if there are
+//! many, they are exact near the threshold and approximate elsewhere.
 //!
-//! Samples near the threshold are first evaluated one by one against the cells of all queries, which
-//! takes a fraction of the time and leaves few samples for the exact sum.
+//! Samples near the threshold are first evaluated one by one against the source cells. This takes a
+//! fraction of the time of the exact sum, which then remains for few samples.
 
 use std::cell::OnceCell;
 use std::ops::RangeInclusive;
@@ -13,8 +13,8 @@ use crate::plants::spectral::affinity::{AffinityGraph, Kernel};
 use crate::plants::spectral::cells::{PartitionedSamples, PrincipalAxes};
 use crate::plants::spectral::expansion::Expansion;
 
-/// Bandwidths at or below this count as zero: most samples are at rest and the variance knee lies
-/// among them.
+/// Bandwidths at or below this count as zero: most samples are at rest, and the variance knee lies
+/// within them.
 const MIN_BANDWIDTH: f64 = 1e-30;
 /// Maximum number of samples for summation over all pairs.
 const DIRECT_MAX: usize = 3000;
@@ -158,7 +158,7 @@ impl SqrtDegrees<'_> {
     pub fn refine_near(&mut self, threshold: f64) -> Option<RangeInclusive<f64>> {
         let mut band = None;
         if threshold > 0.0 {
-            // The first step leaves few samples for the expensive step.
+            // The first step leaves few samples for the expensive second step.
             for (from, to, first_batch) in [
                 (Accuracy::CellToCell, Accuracy::PointToCell, FIRST_BATCH),
                 (Accuracy::PointToCell, Accuracy::Exact, FIRST_BATCH / 4),
@@ -221,7 +221,7 @@ fn nearest(samples: impl Iterator<Item = (f64, usize)>, reach: f64, max: usize) 
     let mut near = Vec::new();
     for sample in samples.filter(|(distance, _)| *distance <= reach) {
         near.push(sample);
-        // Truncating on the way bounds the memory.
+        // Truncating in between bounds the memory.
         if near.len() == 2 * max {
             truncate(&mut near);
         }
@@ -337,7 +337,7 @@ mod tests {
                 for fraction in [0.2, 0.5, 0.7] {
                     let threshold = sorted[(fraction * sorted.len() as f64) as usize] * (1.0 + 1e-9);
                     approximate.refine_near(threshold);
-                    assert!(approximate.refine_near(threshold).is_none(), "refined values stay refined");
+                    assert!(approximate.refine_near(threshold).is_none(), "refined values remain refined");
                     for (all, approximate) in all.values.iter().zip(&approximate.values) {
                         assert!((all / approximate - 1.0).abs() < 0.02, "{all} {approximate}");
                         // Both have single precision within a block.

@@ -7,12 +7,12 @@
 //! to the product of the numbers of cells.
 //!
 //! The error of the target expansion differs for each target, while the errors of many source cells
-//! nearly cancel: a single sample evaluated without a target cell is close to exact.
+//! almost cancel: a single sample evaluated without a target cell is close to exact.
 
 use crate::plants::spectral::affinity::Kernel;
 use crate::plants::spectral::cells::{CellExtent, Cells, DIMS, Point};
 
-/// Number of axes with second moments; along the others, cells have hardly any extent.
+/// Number of axes with second moments; along the others, cells have almost no extent.
 const LEADING_AXES: usize = 4;
 /// Number of entries of a symmetric matrix over these axes.
 const TRIANGLE: usize = LEADING_AXES * (LEADING_AXES + 1) / 2;
@@ -429,7 +429,7 @@ mod tests {
         fn distances_from_the_principal_subspace_count(
             values in prop::collection::vec(0.0..1.0_f64, 10 * 24),
         ) {
-            // The last four of ten coordinates hardly vary.
+            // The last four of ten coordinates are almost constant.
             let shrink = |(index, value): (usize, f64)| if index % 10 < 6 { value } else { value * 0.05 };
             let samples = Samples::new(10, values.into_iter().enumerate().map(shrink).collect());
             let weights = vec![1.0; 24];

@@ -7,7 +7,7 @@ const MAX_STEPS: usize = 80;
 /// Relative change of the eigenvalue at convergence.
 const TOLERANCE: f64 = 1e-9;
 
-/// Returns the eigenvector of the largest eigenvalue among those orthogonal to `known`, a unit
+/// Returns the eigenvector of the largest eigenvalue that is orthogonal to `known`, a unit
 /// vector.
 ///
 /// Lanczos iteration with full reorthogonalisation. The start vector is fixed, so the result is

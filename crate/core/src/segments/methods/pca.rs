@@ -50,7 +50,7 @@ fn segment_pca(input: &mut Input) -> Result<Output, SegmentError> {
     while start + first <= count {
         let mut moments = Moments::new(poses.columns.nrows());
         let mut dims = 0;
-        let (mut errors, mut rises): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+        let (mut errors, mut differences): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
         let mut next = count;
         for pose in start..count {
             moments.add(poses.columns.column(pose));
@@ -70,8 +70,10 @@ fn segment_pca(input: &mut Input) -> Result<Output, SegmentError> {
             let error = residual(eigenvalues.as_slice(), dims, Residual::Absolute);
             errors.push(error);
             let before = errors.len().checked_sub(lag + 1).map(|index| errors[index]);
-            let threshold = before.filter(|_| rises.len() >= lag).map(|before| {
-                before + mean(rises.iter().copied()) + THRESHOLD_DEVIATIONS * standard_deviation(&rises)
+            let threshold = before.filter(|_| differences.len() >= lag).map(|before| {
+                before
+                    + mean(differences.iter().copied())
+                    + THRESHOLD_DEVIATIONS * standard_deviation(&differences)
             });
             curve.frames.push(poses.position(pose));
             curve.values.push(error);
@@ -81,7 +83,7 @@ fn segment_pca(input: &mut Input) -> Result<Output, SegmentError> {
                 cuts.push(poses.frame(pose));
                 break;
             }
-            rises.extend(before.map(|before| error - before));
+            differences.extend(before.map(|before| error - before));
         }
         start = next;
     }

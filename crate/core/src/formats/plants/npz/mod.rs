@@ -26,7 +26,7 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     read: Some(Reader { recognises: read::is_archive, read: read::read }),
 };
 
-/// Columns of `contacts`, as far as the parts have labels.
+/// Columns of `contacts` for parts with labels.
 const CONTACTS_COLUMNS: [(Side, Part); 4] =
     [(Side::Left, Part::Heel), (Side::Left, Part::Toe), (Side::Right, Part::Heel), (Side::Right, Part::Toe)];
 

@@ -16,7 +16,7 @@ use crate::plants::spectral::bandwidth;
 use crate::plants::spectral::cells::PartitionedSamples;
 use crate::plants::{Feet, signal};
 
-/// Speed below which a foot is still, in leg lengths per second. A clip stands still if nearly all
+/// Speed below which a foot is still, in leg lengths per second. The character stands still if almost all
 /// speeds are below it …
 const STILL_SPEED: f64 = 0.35;
 /// … and all heights are within this range, in leg lengths.
@@ -117,7 +117,7 @@ impl SampleSets {
     }
 }
 
-/// True if nearly all speeds and all heights are those of standing feet.
+/// True if almost all speeds and all heights are those of standing feet.
 fn stands_still(signals: &Signals, spans: &[Range<usize>], leg: f64) -> bool {
     let speeds = signal::values_within(signals, spans, |signal| &signal.speed).collect();
     let (lowest, highest) = signal::min_max(signal::values_within(signals, spans, |signal| &signal.height));

@@ -6,8 +6,8 @@
 //! slopes and stairs do not matter. The slower of ankle and toe bears weight; if both are still,
 //! the lower one. Ranges are capped, degrees are weighted towards rest, the kernel has a heavy
 //! tail, and the threshold is the mean of the class medians. Toes are compared with the samples
-//! that bear weight; heels are clustered separately. Runs too short for a person and dragged feet
-//! are removed.
+//! that bear weight; heels are clustered separately. Runs that are too short for human motion
+//! and dragged feet are removed.
 
 pub(crate) mod cache;
 

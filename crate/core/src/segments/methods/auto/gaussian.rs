@@ -57,7 +57,7 @@ impl Gaussians {
         for dim in 0..DIMS {
             covariance[(dim, dim)] += ADDED_VARIANCE;
         }
-        // The added variance keeps the matrix positive definite in spite of rounding.
+        // The added variance makes the matrix positive definite despite rounding.
         let factor = covariance.cholesky().expect("a covariance with added variance is positive definite");
         let half_log_determinant: f64 = factor.l_dirty().diagonal().iter().map(|value| value.ln()).sum();
         count * half_log_determinant

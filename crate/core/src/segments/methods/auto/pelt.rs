@@ -99,7 +99,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn pruning_keeps_the_optimum(
+        fn pruning_preserves_the_optimum(
             values in prop::collection::vec(0.0..4.0_f64, 4..14),
             penalty in 0.1..6.0_f64,
             min_length in 1_usize..4,

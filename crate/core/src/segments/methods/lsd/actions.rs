@@ -24,7 +24,7 @@ pub(crate) struct Sequence {
     /// Times of the turning points, in seconds.
     pub times: Vec<f64>,
     /// Change of the curve over each motif.
-    pub rises: Vec<f64>,
+    pub changes: Vec<f64>,
     /// Class of each motif.
     pub classes: Vec<usize>,
 }
@@ -73,15 +73,15 @@ impl Sequence {
         let last: HashMap<usize, usize> = between.clone().map(|motif| (self.classes[motif], motif)).collect();
         let mut part = |motifs| parts.push(Action { motifs, cycle: Vec::new() });
         let (mut start, mut last_occurrence) = (between.start, between.start);
-        for joint in between.start + 1..between.end {
-            last_occurrence = last_occurrence.max(last[&self.classes[joint - 1]]);
-            let (a, b) = (self.rises[joint - 1].abs(), self.rises[joint].abs());
-            let is_split = a.max(b) > AMPLITUDE_RATIO * a.min(b) && (published || last_occurrence < joint);
+        for boundary in between.start + 1..between.end {
+            last_occurrence = last_occurrence.max(last[&self.classes[boundary - 1]]);
+            let (a, b) = (self.changes[boundary - 1].abs(), self.changes[boundary].abs());
+            let is_split = a.max(b) > AMPLITUDE_RATIO * a.min(b) && (published || last_occurrence < boundary);
             if is_split
-                && [start..joint, joint..between.end].iter().all(|part| self.seconds(part) >= MIN_PART)
+                && [start..boundary, boundary..between.end].iter().all(|part| self.seconds(part) >= MIN_PART)
             {
-                part(start..joint);
-                start = joint;
+                part(start..boundary);
+                start = boundary;
             }
         }
         part(start..between.end);
@@ -102,10 +102,10 @@ impl Sequence {
                 [a, b, ..] => a.motifs.end == b.motifs.start && a.cycle.is_empty() && b.cycle.is_empty(),
                 _ => false,
             };
-            let joints = [short.checked_sub(1), Some(short)].into_iter().flatten().filter(is_split);
-            // The short action is on one side of either joint.
-            let joint_duration = |first: usize| seconds(&actions[first]) + seconds(&actions[first + 1]);
-            match joints.min_by(|&a, &b| joint_duration(a).total_cmp(&joint_duration(b))) {
+            let boundaries = [short.checked_sub(1), Some(short)].into_iter().flatten().filter(is_split);
+            // The short action is next to either boundary, so the merged durations compare its neighbours.
+            let merged_duration = |first: usize| seconds(&actions[first]) + seconds(&actions[first + 1]);
+            match boundaries.min_by(|&a, &b| merged_duration(a).total_cmp(&merged_duration(b))) {
                 Some(first) => actions[first].motifs.end = actions.remove(first + 1).motifs.end,
                 None => drop(actions.remove(short)),
             }
@@ -118,12 +118,16 @@ impl Sequence {
 mod tests {
     use super::*;
 
-    /// Motifs of 0.6 s each, rising and falling in turn.
+    /// Motifs of 0.6 s each, alternately rising and falling.
     fn sequence(classes: &[usize], amplitudes: &[f64]) -> Sequence {
         let sign = |motif: usize| if motif.is_multiple_of(2) { 1.0 } else { -1.0 };
         Sequence {
             times: (0..=classes.len()).map(|turn| turn as f64 * 0.6).collect(),
-            rises: amplitudes.iter().enumerate().map(|(motif, amplitude)| sign(motif) * amplitude).collect(),
+            changes: amplitudes
+                .iter()
+                .enumerate()
+                .map(|(motif, amplitude)| sign(motif) * amplitude)
+                .collect(),
             classes: classes.to_vec(),
         }
     }

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 /// Maximum coordinate, some 50 km from the first joint; larger values would overflow when squared.
 const MAX_COORDINATE: f64 = 1e6;
 
-/// Maximum number of Newton steps; a handful suffice unless all joints are collinear.
+/// Maximum number of Newton steps; a few suffice unless all joints are collinear.
 const MAX_STEPS: usize = 60;
 
 /// Relative size of the last step.

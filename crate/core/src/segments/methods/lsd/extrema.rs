@@ -1,6 +1,6 @@
 //! Turning points (patent, section 4.2).
 
-/// Returns the indices at which a curve turns by at least `min_change`, with both of its ends.
+/// Returns the indices at which a curve turns by at least `min_change`, and both of its ends.
 ///
 /// Smaller changes in between are ignored; of equal values the first counts.
 pub(crate) fn turning_points(values: &[f64], min_change: f64) -> Vec<usize> {
@@ -72,10 +72,10 @@ mod tests {
             let points = turning_points(&values, min_change);
             prop_assert_eq!((points[0], points[points.len() - 1]), (0, values.len() - 1));
             prop_assert!(points.windows(2).all(|pair| pair[0] < pair[1]));
-            let rises: Vec<f64> = points.windows(2).map(|pair| values[pair[1]] - values[pair[0]]).collect();
-            prop_assert!(rises.windows(2).all(|pair| pair[0] * pair[1] <= 0.0), "{:?}", rises);
-            let inner = rises.get(1..rises.len().saturating_sub(1)).unwrap_or_default();
-            prop_assert!(inner.iter().all(|rise| rise.abs() >= min_change), "{:?}", rises);
+            let changes: Vec<f64> = points.windows(2).map(|pair| values[pair[1]] - values[pair[0]]).collect();
+            prop_assert!(changes.windows(2).all(|pair| pair[0] * pair[1] <= 0.0), "{:?}", changes);
+            let inner = changes.get(1..changes.len().saturating_sub(1)).unwrap_or_default();
+            prop_assert!(inner.iter().all(|change| change.abs() >= min_change), "{:?}", changes);
         }
     }
 }

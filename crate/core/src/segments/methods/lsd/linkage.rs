@@ -22,21 +22,23 @@ pub(crate) fn groups(
         checkpoint()?;
         rows.push((0..item).map(|other| distance(other, item)).collect());
     }
-    let mut heads = average_linkage(rows, max_distance);
-    let mut representatives: Vec<usize> = (0..compared).filter(|&item| heads[item] == item).collect();
+    let mut first_members = average_linkage(rows, max_distance);
+    let mut representatives: Vec<usize> = (0..compared).filter(|&item| first_members[item] == item).collect();
     for item in compared..count {
         checkpoint()?;
         let candidates =
             representatives.iter().map(|&representative| (distance(representative, item), representative));
         match candidates.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((distance, representative)) if distance <= max_distance => heads.push(representative),
+            Some((distance, representative)) if distance <= max_distance => {
+                first_members.push(representative)
+            }
             _ => {
-                heads.push(item);
+                first_members.push(item);
                 representatives.push(item);
             }
         }
     }
-    Ok(heads)
+    Ok(first_members)
 }
 
 /// Clusters items with all distances given: row i has the distances to the i items before.
@@ -45,9 +47,9 @@ pub(crate) fn groups(
 /// neighbours, and merges them. With average linkage this gives the same groups as merging the
 /// nearest pair each time (Murtagh, Computer Journal 26, 1983), in quadratic time.
 fn average_linkage(mut rows: Vec<Vec<f64>>, max_distance: f64) -> Vec<usize> {
-    let mut heads: Vec<usize> = (0..rows.len()).collect();
+    let mut first_members: Vec<usize> = (0..rows.len()).collect();
     let mut sizes = vec![1.0; rows.len()];
-    let mut open = heads.clone();
+    let mut open = first_members.clone();
     let mut chain: Vec<usize> = Vec::new();
     let distance = |rows: &[Vec<f64>], a: usize, b: usize| rows[a.max(b)][a.min(b)];
     while let Some(tip) = chain.pop().or_else(|| open.first().copied()) {
@@ -67,17 +69,17 @@ fn average_linkage(mut rows: Vec<Vec<f64>>, max_distance: f64) -> Vec<usize> {
             continue;
         }
         chain.pop();
-        let (head, merged) = (tip.min(nearest), tip.max(nearest));
+        let (first, merged) = (tip.min(nearest), tip.max(nearest));
         open.retain(|&other| other != merged);
-        let (a, b) = (sizes[head], sizes[merged]);
-        for &other in open.iter().filter(|&&other| other != head) {
-            let mean = (a * distance(&rows, head, other) + b * distance(&rows, merged, other)) / (a + b);
-            rows[head.max(other)][head.min(other)] = mean;
+        let (a, b) = (sizes[first], sizes[merged]);
+        for &other in open.iter().filter(|&&other| other != first) {
+            let mean = (a * distance(&rows, first, other) + b * distance(&rows, merged, other)) / (a + b);
+            rows[first.max(other)][first.min(other)] = mean;
         }
-        sizes[head] += sizes[merged];
-        heads.iter_mut().filter(|group| **group == merged).for_each(|group| *group = head);
+        sizes[first] += sizes[merged];
+        first_members.iter_mut().filter(|group| **group == merged).for_each(|group| *group = first);
     }
-    heads
+    first_members
 }
 
 #[cfg(test)]
@@ -128,8 +130,8 @@ mod tests {
     fn further_items_join_existing_groups() {
         let values: Vec<f64> =
             (0..MAX_COMPARED + 300).map(|i| (i % 3) as f64 * 10.0 + (i % 7) as f64 * 0.05).collect();
-        let heads = group_values(&values, 1.0);
-        assert!(heads.iter().enumerate().all(|(item, &head)| head == item % 3));
+        let first_members = group_values(&values, 1.0);
+        assert!(first_members.iter().enumerate().all(|(item, &first)| first == item % 3));
         let mut late = values;
         late.extend([77.0, 77.2]);
         assert_eq!(group_values(&late, 1.0)[MAX_COMPARED + 300..], [MAX_COMPARED + 300, MAX_COMPARED + 300]);

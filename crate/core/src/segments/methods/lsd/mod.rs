@@ -2,7 +2,7 @@
 //!
 //! After Zhang, Liu and Wei, patent CN102819549 (2012). The distance of a pose to the template is
 //! measured after optimal rotation. Turning points of that curve are extreme poses; between them
-//! lie motifs. Similar motifs have the same class. Classes that repeat in turn form a periodic
+//! lie motifs. Similar motifs have the same class. Classes that repeat in a cycle form a periodic
 //! action; motifs between periodic actions are split or form a transition.
 //!
 //! Data flow: [`PoseShapes`] → distances → [`wavelet`] → [`smooth`] → [`extrema`] → [`motifs`] →
@@ -88,7 +88,7 @@ fn segment(input: &mut Input) -> Result<Output, SegmentError> {
     let classes = motifs::classes(&curves, &shapes, &mut || (input.progress)(0.9))?;
     let sequence = Sequence {
         times: turns.iter().map(|&turn| grid.seconds(turn)).collect(),
-        rises: curves.iter().map(MotifCurve::change).collect(),
+        changes: curves.iter().map(MotifCurve::change).collect(),
         classes,
     };
     let actions = actions::actions(&sequence, published);
@@ -116,7 +116,7 @@ fn segment(input: &mut Input) -> Result<Output, SegmentError> {
         transitions: actions.windows(2).map(transition).filter(|frames| !frames.is_empty()).collect(),
         motifs: frames
             .windows(2)
-            .zip(sequence.classes.iter().zip(&sequence.rises))
+            .zip(sequence.classes.iter().zip(&sequence.changes))
             .map(|(ends, (&class, &amplitude))| Motif { frames: ends[0]..ends[1], class, amplitude })
             .collect(),
         curve: Curve {

@@ -70,19 +70,19 @@ pub(crate) fn classes(
     };
     let (rising, falling): (Vec<usize>, Vec<usize>) =
         (0..curves.len()).partition(|&motif| curves[motif].change() >= 0.0);
-    let mut heads = vec![0; curves.len()];
+    let mut first_members = vec![0; curves.len()];
     for motifs in [rising, falling] {
         let groups = linkage::groups(motifs.len(), |a, b| distance(motifs[a], motifs[b]), 1.0, checkpoint)?;
-        for (&motif, head) in motifs.iter().zip(groups) {
-            heads[motif] = motifs[head];
+        for (&motif, first) in motifs.iter().zip(groups) {
+            first_members[motif] = motifs[first];
         }
     }
-    // A head precedes all other members of its group: a motif that is its own head has a new class.
-    let mut classes = Vec::with_capacity(heads.len());
+    // The first member of a group precedes the others, so its class is known when they are visited.
+    let mut classes = Vec::with_capacity(first_members.len());
     let mut class_count = 0;
-    for (motif, &head) in heads.iter().enumerate() {
-        class_count += usize::from(head == motif);
-        classes.push(if head == motif { class_count } else { classes[head] });
+    for (motif, &first) in first_members.iter().enumerate() {
+        class_count += usize::from(first == motif);
+        classes.push(if first == motif { class_count } else { classes[first] });
     }
     Ok(classes)
 }

@@ -67,7 +67,7 @@ mod tests {
     fn shapes_belong_to_the_more_similar_action() {
         let (low, high) = (shapes(&[0.0, 0.3, 0.1]), shapes(&[2.0, 1.8]));
         assert_eq!(best_split(&shapes(&[0.1, 0.2, 0.6, 1.5, 1.9]), &low, &high), 3);
-        // A single deviation is outvoted.
+        // A single deviation does not change the result.
         assert_eq!(best_split(&shapes(&[0.1, 1.2, 0.2, 1.9, 1.9]), &low, &high), 3);
         assert_eq!(best_split(&shapes(&[1.5, 1.9]), &low, &high), 0);
         assert_eq!(best_split(&shapes(&[0.1, 0.2]), &low, &high), 2);

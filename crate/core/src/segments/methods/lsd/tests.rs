@@ -1,4 +1,4 @@
-//! Tests of the whole method on a puppet that waves and bows.
+//! Tests of the method on a generated character that waves and bows.
 
 use nalgebra::Vector3;
 
@@ -28,9 +28,9 @@ const BODY: [(&str, usize, [f64; 3]); 17] = [
     ("RightFoot", 15, [0.0, -43.0, 0.0]),
 ];
 
-/// Returns a clip of the puppet without the joints whose names contain one of `missing`, with an
+/// Returns a clip of the character without the joints whose names contain one of `missing`, with an
 /// angle per joint and time.
-fn puppet(rate: f64, frames: usize, missing: &[&str], angle: impl Fn(&str, f64) -> f64) -> Clip {
+fn character_clip(rate: f64, frames: usize, missing: &[&str], angle: impl Fn(&str, f64) -> f64) -> Clip {
     let is_present = |joint: &usize| !missing.iter().any(|part| BODY[*joint].0.contains(part));
     let present: Vec<usize> = (0..BODY.len()).filter(is_present).collect();
     let joint = |&index: &usize| {
@@ -84,7 +84,7 @@ fn segment_checked(clip: &Clip) -> Segmentation {
     found
 }
 
-/// True if there is a cut near both changes of action. The puppet is at rest when it changes, and
+/// True if there is a cut near both changes of action. The character is at rest when it changes, and
 /// the curve turns at a nearby pose.
 fn has_expected_cuts(found: &Segmentation, rate: f64) -> bool {
     let cuts: Vec<f64> = found.cuts().iter().map(|&cut| cut as f64 / rate).collect();
@@ -95,7 +95,7 @@ fn has_expected_cuts(found: &Segmentation, rate: f64) -> bool {
 fn periodic_actions_are_separated_at_any_rate() {
     let mut expected: Option<Vec<f64>> = None;
     for rate in [24.0, 30.0, 60.0, 120.0, 250.0] {
-        let found = segment_checked(&puppet(rate, (18.0 * rate) as usize, &[], wave_bow_wave));
+        let found = segment_checked(&character_clip(rate, (18.0 * rate) as usize, &[], wave_bow_wave));
         assert!(found.cuts().len() == 2 && has_expected_cuts(&found, rate), "{rate} Hz: {:?}", found.cuts());
         let seconds: Vec<f64> = found.cuts().iter().map(|&cut| cut as f64 / rate).collect();
         let expected = expected.get_or_insert(seconds.clone());
@@ -110,7 +110,7 @@ fn periodic_actions_are_separated_at_any_rate() {
 
 #[test]
 fn templates_can_be_chosen() {
-    let clip = puppet(30.0, 540, &[], wave_bow_wave);
+    let clip = character_clip(30.0, 540, &[], wave_bow_wave);
     for template in [Template::TPose, Template::Frame(0), Template::Frame(539)] {
         for published in [false, true] {
             let found = cut(&clip, Params { template, published, ..Params::default() }).unwrap();
@@ -125,20 +125,20 @@ fn templates_can_be_chosen() {
 #[test]
 fn clips_of_few_frames_are_one_action() {
     for frames in 1..=20 {
-        let found = segment_checked(&puppet(120.0, frames, &[], wave_bow_wave));
+        let found = segment_checked(&character_clip(120.0, frames, &[], wave_bow_wave));
         assert_eq!((found.segments.len(), found.segments[0].kind), (1, Kind::Aperiodic));
     }
 }
 
 #[test]
 fn standing_still_is_one_action() {
-    let found = segment_checked(&puppet(60.0, 600, &[], |_, _| 10.0));
+    let found = segment_checked(&character_clip(60.0, 600, &[], |_, _| 10.0));
     assert_eq!((found.segments.len(), found.motifs.len()), (1, 1));
 }
 
 #[test]
 fn duplicate_frames_are_accepted() {
-    let found = segment_checked(&puppet(60.0, 1080, &[], |joint, time| {
+    let found = segment_checked(&character_clip(60.0, 1080, &[], |joint, time| {
         wave_bow_wave(joint, (time * 12.0).floor() / 12.0)
     }));
     assert_eq!(found.cuts().len(), 2);
@@ -147,32 +147,32 @@ fn duplicate_frames_are_accepted() {
 #[test]
 fn missing_limbs_have_a_notice() {
     for missing in [["Arm", "Hand"], ["Leg", "Foot"]] {
-        let found = segment_checked(&puppet(60.0, 1080, &missing, wave_bow_wave));
+        let found = segment_checked(&character_clip(60.0, 1080, &missing, wave_bow_wave));
         assert!(found.notices.iter().any(|notice| notice.code == Code::MissingJoints), "{missing:?}");
     }
 }
 
 #[test]
 fn can_be_cancelled() {
-    let clip = puppet(30.0, 540, &[], wave_bow_wave);
+    let clip = character_clip(30.0, 540, &[], wave_bow_wave);
     let params = Params { method: Method::Lsd, ..Params::default() }.check().unwrap();
     let skeleton = Skeleton::main(&clip, &Overrides::default());
     let cancelled = segment(&clip, &skeleton, params, &mut |_| Err(Cancelled));
     assert_eq!(cancelled, Err(SegmentError::Cancelled));
     let mut last = 0.0;
-    let mut rises = true;
+    let mut is_ascending = true;
     let result = segment(&clip, &skeleton, params, &mut |fraction| {
-        rises &= (last..=1.0).contains(&fraction);
+        is_ascending &= (last..=1.0).contains(&fraction);
         last = fraction;
         Ok(())
     });
-    assert!(result.is_ok() && rises && last > 0.5);
+    assert!(result.is_ok() && is_ascending && last > 0.5);
 }
 
 #[test]
 fn extreme_values_and_rates_have_a_result() {
     for size in [1e6, 1e300, f64::MAX] {
-        let clip = puppet(30.0, 90, &[], |_, time| size * time.fract());
+        let clip = character_clip(30.0, 90, &[], |_, time| size * time.fract());
         for frame_time in [1.0 / 30.0, 0.0, 1e-300, 1e9, f64::MAX] {
             let mut clip = clip.clone();
             clip.set_frame_time(frame_time);

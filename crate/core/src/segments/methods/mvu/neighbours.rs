@@ -25,7 +25,7 @@ pub(crate) fn squared_distances(poses: DMatrixView<f64>) -> DMatrix<f64> {
 }
 
 /// Returns the edges from each pose to its `k` nearest neighbours and to the next pose in time,
-/// which keeps the graph connected; each pair once.
+/// so that the graph is connected; each pair once.
 pub(crate) fn edges(distances: &DMatrix<f64>, k: usize) -> Vec<Edge> {
     let count = distances.nrows();
     let mut is_edge = DMatrix::from_element(count, count, false);

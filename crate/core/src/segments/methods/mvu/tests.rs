@@ -12,7 +12,7 @@ fn helix(count: usize, seed: f64) -> DMatrix<f64> {
     })
 }
 
-/// Returns the solution without a start.
+/// Returns the solution from the default starting point.
 fn solve(count: usize, edges: &[neighbours::Edge]) -> unfold::Unfolded {
     unfold::unfold(count, edges, &InteriorPoint::default(), &mut || Ok(())).unwrap()
 }

@@ -1,8 +1,8 @@
 //! Maximum variance unfolding as a semidefinite program, solved by a primal–dual interior-point
 //! method.
 //!
-//! Finds, among all centred inner products K of points that preserve the squared distances b of
-//! their edges, the one with the largest trace:
+//! Finds the centred inner products K of points that preserve the squared distances b of their edges
+//! and have the largest trace:
 //!
 //! > max tr K, K ⪰ 0, K·1 = 0, K_ii + K_jj − 2 K_ij = b_ij on the edges
 //!
