@@ -49,7 +49,7 @@ pub enum Code {
     WrappedRow,
     /// The last row is incomplete.
     IncompleteRow,
-    /// Lines after the motion section were ignored.
+    /// Lines after the motion section were left out.
     TrailingMatter,
     /// Numbers use decimal commas.
     DecimalComma,

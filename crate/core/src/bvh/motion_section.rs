@@ -192,7 +192,7 @@ impl MotionSection {
                     format!("{times} with more than {width} numbers: the extra numbers were left out.")
                 }
                 Code::WrappedRow => format!("Frames are wrapped over several lines ({times} more)."),
-                Code::TrailingMatter => format!("{times} after the last frame were ignored."),
+                Code::TrailingMatter => format!("{times} after the last frame were left out."),
                 _ => format!(
                     "{times} with values that are not numbers: the values of the previous frame were repeated."
                 ),
