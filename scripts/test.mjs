@@ -129,7 +129,7 @@ await main(async () => {
   for (const failure of failures) console.error(`✖ ${failure}`);
   if (total.skipped > 0) {
     console.log(
-      "Tests with recorded motion are skipped unless PLANTIGRADE_CORPUS is set to its folder.",
+      "Skipped tests need recorded motion (PLANTIGRADE_CORPUS), Firefox, or NumPy and pandas.",
     );
   }
   console.log(`${total.passed} passed, ${total.failed} failed, ${total.skipped} skipped`);
