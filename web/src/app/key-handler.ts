@@ -1,4 +1,4 @@
-/** Runs the commands of the page by their keys. */
+/** Runs the commands of the page when their keys are pressed. */
 
 import { commandForKey, isEnabled } from "../actions/commands";
 import { dialog } from "../store/view";
@@ -21,7 +21,7 @@ function isTyping(event: KeyboardEvent): boolean {
 export function onKey(event: KeyboardEvent) {
   if (event.defaultPrevented) return;
   const mod = (event.ctrlKey || event.metaKey) && !event.altKey;
-  // Brackets need AltGr on many keyboards, which some systems report as Ctrl and Alt.
+  // Many keyboards have brackets on AltGr, and some systems report AltGr as Ctrl and Alt.
   const isBracket = /^[[\]]$/.test(event.key);
   if (!mod && (event.metaKey || ((event.ctrlKey || event.altKey) && !isBracket))) return;
   const command = commandForKey(event, mod);

@@ -54,7 +54,7 @@ export interface Clip extends ClipInfo {
   positions: Float32Array;
 }
 
-/** One part (contact, toe or heel) of one foot. */
+/** Labels and signals of one part (contact, toe or heel) of one foot. */
 export interface Track {
   /** 0 or 1 per frame. */
   planted: Uint8Array;
@@ -66,9 +66,9 @@ export interface Track {
   edited: Uint8Array;
   /** Ranges of planted frames with a confidence below 0.75: start, end, start, end, …. */
   uncertain: Uint32Array;
-  /** Height of the clustered signal above the ground, in metres, per frame. */
+  /** Height of the part above the ground, in metres, per frame. */
   height: Float32Array;
-  /** Speed of the clustered signal, in m/s, per frame. */
+  /** Speed of the part, in m/s, per frame. */
   speed: Float32Array;
   /** Summaries of both curves, for drawing. */
   summaries: Record<"height" | "speed", CurveSummary>;
@@ -114,11 +114,11 @@ export interface Evidence {
 export interface Clustering extends EvidenceInfo {
   /** Number of samples. */
   count: number;
-  /** Ranks, in the sorted norms, of the given norms: evenly spaced, and the knee. */
+  /** Indices of the following values in the sorted norms: evenly spaced, and the knee. */
   ranks: Float32Array;
-  /** Norm at each of these ranks. */
+  /** Norm at each of these indices. */
   norms: Float32Array;
-  /** Variance of the sorted norms up to each of these ranks. */
+  /** Variance of the sorted norms up to each of these indices. */
   variances: Float32Array;
   /** Norm and decision value per frame of the clip; NaN where a frame was not clustered. */
   feet: Record<Side, { norms: Float32Array; values: Float32Array }>;
@@ -177,7 +177,7 @@ export interface SegmentAnnotation {
 
 /** The clip without foot skate. */
 export interface CleanedClip {
-  /** Same layout as those of the clip. */
+  /** Same layout as `Clip.positions`. */
   positions: Float32Array;
   /** Result for every plant: those of the left foot, then those of the right. */
   plants: readonly CleanedPlantInfo[];

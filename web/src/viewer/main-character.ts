@@ -15,7 +15,7 @@ import type { Palette } from "./palette";
 
 /** The character of the open clip, with the floor under it. */
 export class MainCharacter {
-  /** Height, metres. */
+  /** Height of the character, in metres. */
   readonly size: number;
   /** Ground height without a detection, in metres: the lowest joint of the first frame. */
   readonly fallbackGroundHeight: number;

@@ -4,13 +4,14 @@ use crate::foot::{Part, Side};
 use crate::intervals::intervals;
 use crate::plants::{Detection, Edit, FootLabels, PartLabels};
 
-/// Minimum duration of a plant, in seconds. Shorter remains of a plant cut by an edit are removed.
-const MIN_PLANT_DURATION: f64 = 0.1;
+/// Minimum duration of a fragment, in seconds: of what an edit leaves of a detected plant. Shorter
+/// fragments are removed.
+const MIN_FRAGMENT_DURATION: f64 = 0.1;
 
 /// Returns a detection with `edits` applied.
 ///
 /// Later edits override earlier ones. Contact includes heel and toe: removing contact removes heel
-/// and toe, and adding heel or toe adds contact. A remainder of a detected plant next to a removed
+/// and toe, and adding heel or toe adds contact. A fragment of a detected plant next to a removed
 /// range is dropped if it is shorter than 0.1 s, so that edits persist when parameters change.
 /// Edits of parts without labels have no effect. `frame_time` is in seconds. The evidence is
 /// dropped, as it explains the labels of the method only.
@@ -19,7 +20,7 @@ pub fn apply_edits(detection: &Detection, edits: &[Edit], frame_time: f64) -> De
         let mut feet = labels.feet.clone();
         for (side, foot) in Side::BOTH.into_iter().zip(&mut feet) {
             let edited = apply_to_foot(foot, edits, side, labels.part);
-            drop_fragments(foot, &edited, MIN_PLANT_DURATION / frame_time);
+            drop_fragments(foot, &edited, MIN_FRAGMENT_DURATION / frame_time);
         }
         PartLabels { part: labels.part, feet, evidence: None }
     });
@@ -60,7 +61,7 @@ fn drop_fragments(foot: &mut FootLabels, edited: &[bool], shortest: f64) {
 }
 
 impl Detection {
-    /// True if a run of planted frames overlaps an edit that added it.
+    /// True if a run of planted frames overlaps an edit that plants this part.
     pub fn is_edited(&self, side: Side, part: Part, run: &std::ops::Range<usize>) -> bool {
         self.edits.iter().any(|edit| {
             edit.side == side

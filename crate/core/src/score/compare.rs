@@ -8,19 +8,20 @@ use crate::numeric::sort;
 use crate::plants::{Annotation, Detection};
 use crate::score::{EventScore, Events, Tally, events, lenient, strict};
 
-/// Fuzzy periods for which accuracy is reported, in seconds.
+/// Fuzzy periods for which accuracy is reported, in seconds: the tolerance around boundaries, see
+/// [`lenient`].
 pub const FUZZY_PERIODS: [f64; 5] = [0.0, 0.1, 0.2, 0.3, 0.4];
 
-/// Agreement of one part.
+/// Agreement of detection and annotation in one part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartScore {
     /// The part.
     pub part: Part,
     /// Accuracy for each period of [`FUZZY_PERIODS`].
     pub rows: Vec<AccuracyRow>,
-    /// Agreement of the plants of both feet as events.
+    /// Agreement of plants as events, over both feet.
     pub events: EventScore,
-    /// Frame ranges in which the labels differ.
+    /// Frame ranges in which the labels differ and the annotation is known.
     pub disagreements: Vec<Disagreement>,
 }
 

@@ -11,8 +11,9 @@ use crate::plan::Plan;
 const MAX_ABSORB_TIME: f64 = 0.24;
 const MAX_PUSH_TIME: f64 = 0.34;
 
-/// Minimum time between two walking keyframes, and between them and those of flights, in seconds.
-const MIN_KEY_DISTANCE: f64 = 0.08;
+/// Minimum time between two walking keyframes, and between a walking keyframe and a keyframe of a
+/// flight, in seconds.
+const MIN_KEY_INTERVAL: f64 = 0.08;
 
 /// Maximum ground time of a bounce without an intermediate keyframe, in seconds.
 const MAX_BOUNCE_TIME: f64 = 0.36;
@@ -34,8 +35,8 @@ pub fn track(
     }
     let mut walking = walking(plan, proportions, paths, flights);
     walking.retain(|walk| {
-        let next = keys.partition_point(|key| key.time < walk.time - MIN_KEY_DISTANCE);
-        keys.get(next).is_none_or(|key| key.time > walk.time + MIN_KEY_DISTANCE)
+        let next = keys.partition_point(|key| key.time < walk.time - MIN_KEY_INTERVAL);
+        keys.get(next).is_none_or(|key| key.time > walk.time + MIN_KEY_INTERVAL)
     });
     Track::from_keyframes(keys.into_iter().chain(walking))
 }
@@ -65,11 +66,12 @@ fn ground(
     let mut keys = Vec::new();
     keys.extend(before.map(|flight| key(flight.time.end, flight.landing, Some(flight.landing_speed()))));
     if let (Some(flight), Some(landed)) = (before, landed) {
-        let single = if length < absorb + push + 0.15 { crouched } else { None };
-        let time = flight.time.end + if single.is_some() { length / 2.0 } else { absorb };
-        // In a short stance a single cubic connects landing and push-off.
+        let merged_crouch = if length < absorb + push + 0.15 { crouched } else { None };
+        let time = flight.time.end + if merged_crouch.is_some() { length / 2.0 } else { absorb };
+        // Without this keyframe, for a short ground time, a single cubic connects landing and
+        // push-off.
         if length > MAX_BOUNCE_TIME {
-            keys.push(key(time, single.map_or(landed, |crouched| crouched.min(landed)), Some(0.0)));
+            keys.push(key(time, merged_crouch.map_or(landed, |crouched| crouched.min(landed)), Some(0.0)));
         }
         if length > 1.4 {
             keys.push(key(time + 0.45, proportions.standing_height(), None));
@@ -126,6 +128,6 @@ fn walking(
         flights.get(next).is_none_or(|flight| key.time < flight.time.start - push)
     });
     keys.sort_by(|a, b| a.time.total_cmp(&b.time));
-    keys.dedup_by(|later, earlier| later.time - earlier.time < MIN_KEY_DISTANCE);
+    keys.dedup_by(|later, earlier| later.time - earlier.time < MIN_KEY_INTERVAL);
     keys
 }

@@ -1,4 +1,4 @@
-//! The plants document and annotations of contact as JSON.
+//! The plants document and contact annotations as JSON.
 
 use serde::Deserialize;
 use serde_json::Value;

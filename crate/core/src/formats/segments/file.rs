@@ -10,27 +10,27 @@ use crate::numeric::sort;
 use crate::score::TrueCut;
 use crate::segments::{Kind, Segment};
 
-/// Time that segments of a file may miss at the ends or between two segments, in seconds; some files
-/// have times in tenths of a second.
+/// Maximum gap that is closed at the ends or between two segments, and maximum difference of the
+/// durations of clip and file, in seconds; some files have times in tenths of a second.
 const MAX_GAP: f64 = 0.1;
 
 /// Segments of one clip in a file.
 pub(crate) enum SegmentFile {
     Document(Box<SegmentsDocument>),
-    Table(Vec<FilePart>),
+    Table(Vec<FileSegment>),
     Timed(TimedActions),
     Annotation(Vec<AnnotatedAction>),
 }
 
 /// A segment, and the range of the cut after it if the file has one.
-pub(crate) struct FilePart {
+pub(crate) struct FileSegment {
     pub segment: Segment,
     pub cut: Option<TrueCut>,
 }
 
-impl FilePart {
-    pub fn new(frames: Range<usize>, kind: Kind, label: impl Into<String>) -> FilePart {
-        FilePart { segment: Segment { frames, kind, label: label.into() }, cut: None }
+impl FileSegment {
+    pub fn new(frames: Range<usize>, kind: Kind, label: impl Into<String>) -> FileSegment {
+        FileSegment { segment: Segment { frames, kind, label: label.into() }, cut: None }
     }
 }
 
@@ -42,7 +42,7 @@ pub(crate) struct TimedActions {
     pub actions: Vec<(f64, f64, String)>,
 }
 
-/// Action of annotated segments. Frames count from 1, and `end` is the last frame.
+/// One annotated action. Frames count from 1, and `end` is the last frame.
 #[derive(Deserialize)]
 pub(crate) struct AnnotatedAction {
     start: usize,
@@ -55,14 +55,14 @@ pub(crate) struct AnnotatedAction {
 
 impl SegmentFile {
     /// Returns the segments, which cover the clip without gaps.
-    pub fn parts(self, frames: usize, rate: f64) -> Result<Vec<FilePart>, ReadError> {
+    pub fn parts(self, frames: usize, rate: f64) -> Result<Vec<FileSegment>, ReadError> {
         match self {
             SegmentFile::Document(document) if document.header.frames != frames => {
                 Err(ReadError::Length { found: document.header.frames, frames })
             }
             SegmentFile::Document(document) => {
                 let parts = document.segments.into_iter().map(|segment| {
-                    FilePart::new(segment.frames.start..segment.frames.end, segment.kind, segment.label)
+                    FileSegment::new(segment.frames.start..segment.frames.end, segment.kind, segment.label)
                 });
                 check_partition(parts.collect(), frames)
             }
@@ -73,7 +73,7 @@ impl SegmentFile {
     }
 }
 
-fn timed_parts(file: TimedActions, frames: usize, rate: f64) -> Result<Vec<FilePart>, ReadError> {
+fn timed_parts(file: TimedActions, frames: usize, rate: f64) -> Result<Vec<FileSegment>, ReadError> {
     // Casts saturate: negative times become frame 0.
     let frame = |seconds: f64| (seconds * rate).round() as usize;
     if let Some(seconds) = file.duration
@@ -82,7 +82,7 @@ fn timed_parts(file: TimedActions, frames: usize, rate: f64) -> Result<Vec<FileP
         return Err(ReadError::Length { found: frame(seconds), frames });
     }
     let parts = file.actions.into_iter().map(|(start, end, label)| {
-        FilePart::new(frame(start).min(frames)..frame(end).min(frames), Kind::Action, label)
+        FileSegment::new(frame(start).min(frames)..frame(end).min(frames), Kind::Action, label)
     });
     Ok(complete(parts.collect(), frames, rate))
 }
@@ -91,21 +91,25 @@ fn annotated_parts(
     actions: Vec<AnnotatedAction>,
     frames: usize,
     rate: f64,
-) -> Result<Vec<FilePart>, ReadError> {
+) -> Result<Vec<FileSegment>, ReadError> {
     let last = actions.iter().map(|action| action.end).max().unwrap_or(0);
     if last > frames || (frames - last) as f64 / rate > MAX_GAP {
         return Err(ReadError::Length { found: last, frames });
     }
-    let t_pose = usize::from(frames - last == 1);
+    // A file that is one frame short does not count the T-pose before the motion.
+    let t_pose_frames = usize::from(frames - last == 1);
     if let Some(action) = actions.iter().find(|action| action.start == 0 || action.start > action.end) {
         let message = format!("an action cannot last from frame {} to frame {}", action.start, action.end);
         return Err(ReadError::Invalid(message));
     }
     let parts = actions.into_iter().map(|action| {
-        // The number from 1 of the last frame is the number from 0 of the frame after it.
-        let cut = |frame: usize| (frame.min(frames) + t_pose) as f64;
-        let mut part =
-            FilePart::new(action.start - 1 + t_pose..action.end + t_pose, Kind::Action, action.label);
+        // The 1-based number of a last frame is the 0-based number of the next frame.
+        let cut = |frame: usize| (frame.min(frames) + t_pose_frames) as f64;
+        let mut part = FileSegment::new(
+            action.start - 1 + t_pose_frames..action.end + t_pose_frames,
+            Kind::Action,
+            action.label,
+        );
         // Ranges that do not contain their cut are annotation errors.
         part.cut = action
             .cut_earliest
@@ -118,9 +122,9 @@ fn annotated_parts(
 }
 
 /// Checks that the parts cover the clip without gaps.
-fn check_partition(parts: Vec<FilePart>, frames: usize) -> Result<Vec<FilePart>, ReadError> {
+fn check_partition(parts: Vec<FileSegment>, frames: usize) -> Result<Vec<FileSegment>, ReadError> {
     let mut end = 0;
-    for FilePart { segment: Segment { frames, .. }, .. } in &parts {
+    for FileSegment { segment: Segment { frames, .. }, .. } in &parts {
         if frames.start != end || frames.is_empty() {
             let message =
                 format!("expected a segment from frame {end}, found {}..{}", frames.start, frames.end);
@@ -132,9 +136,9 @@ fn check_partition(parts: Vec<FilePart>, frames: usize) -> Result<Vec<FilePart>,
 }
 
 /// Completes parts to cover the clip. Where two parts overlap, the second one is shortened.
-fn complete(parts: Vec<FilePart>, frames: usize, rate: f64) -> Vec<FilePart> {
+fn complete(parts: Vec<FileSegment>, frames: usize, rate: f64) -> Vec<FileSegment> {
     let max_gap = (MAX_GAP * rate).round() as usize;
-    let mut covering: Vec<FilePart> = Vec::new();
+    let mut covering: Vec<FileSegment> = Vec::new();
     for mut part in sort::sort_by_frames(parts, |part| (part.segment.frames.start, 0)) {
         let range = &mut part.segment.frames;
         range.start = range.start.max(covering.last().map_or(0, |last| last.segment.frames.end));
@@ -152,11 +156,11 @@ fn complete(parts: Vec<FilePart>, frames: usize, rate: f64) -> Vec<FilePart> {
 }
 
 /// Extends parts to a frame: a small gap is closed, a larger one becomes a segment without a label.
-fn extend_to(parts: &mut Vec<FilePart>, frame: usize, max_gap: usize) {
+fn extend_to(parts: &mut Vec<FileSegment>, frame: usize, max_gap: usize) {
     let end = parts.last().map_or(0, |part| part.segment.frames.end);
     match parts.last_mut() {
         Some(part) if frame - end <= max_gap => part.segment.frames.end = frame,
-        _ if frame > end => parts.push(FilePart::new(end..frame, Kind::Action, "")),
+        _ if frame > end => parts.push(FileSegment::new(end..frame, Kind::Action, "")),
         _ => {}
     }
 }

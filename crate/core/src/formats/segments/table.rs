@@ -7,7 +7,7 @@ use crate::formats::document::ReadError;
 use crate::formats::format_info::FormatInfo;
 use crate::formats::segments::document::SegmentsDocument;
 use crate::formats::segments::export::{Reader, Writer};
-use crate::formats::segments::file::{FilePart, SegmentFile};
+use crate::formats::segments::file::{FileSegment, SegmentFile};
 use crate::segments::Kind;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
@@ -68,7 +68,7 @@ fn read(text: &str, _clip: &str) -> Result<SegmentFile, ReadError> {
                 .find(|kind| Some(kind.name()) == found)
                 .ok_or_else(|| row.unexpected("a kind", found))?,
         };
-        Ok(FilePart::new(frame(start)?..frame(end)?, kind, row.field(label).unwrap_or_default()))
+        Ok(FileSegment::new(frame(start)?..frame(end)?, kind, row.field(label).unwrap_or_default()))
     };
     Ok(SegmentFile::Table(rows.map(part).collect::<Result<_, ReadError>>()?))
 }
