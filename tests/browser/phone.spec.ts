@@ -157,11 +157,20 @@ test("loops a segment by tap and renames it by double tap", async ({ app, page }
   const loop = app.timeline.getByText("Loop segment", { exact: false });
   const name = page.getByRole("textbox", { name: "Name of segment 2" });
   const tapRuler = () => page.touchscreen.tap(box.x + 0.75 * box.width, box.y + 8);
+  // Two frames later, the page displays the effect of a tap.
+  const nextFrames = () =>
+    page.evaluate(
+      () =>
+        new Promise<void>((resolve) => {
+          requestAnimationFrame(() => requestAnimationFrame(() => resolve()));
+        }),
+    );
   let at = 0;
   let hit = 0;
   for (let y = box.height - 40; y > 200; y -= 2) {
     await page.touchscreen.tap(box.x + 0.75 * box.width, box.y + y);
-    if (!(await loop.textContent({ timeout: 100 }).catch(() => ""))) continue;
+    await nextFrames();
+    if ((await loop.count()) === 0) continue;
     at ||= y;
     hit += 2;
     if (hit >= 24) break;
