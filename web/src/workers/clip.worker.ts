@@ -247,9 +247,9 @@ const api = {
   /** Returns the segments under the given names, in order, as a file. */
   async saveSegments(format: string, names: string[]): Promise<Uint8Array<ArrayBuffer>> {
     const open = current();
+    const hash = await hashOf(open);
     const { name, clip, segmentation } = open;
     if (!segmentation) throw new Error("There are no segments to save.");
-    const hash = format === "json" ? await hashOf(open) : undefined;
     return clip.saveSegments(segmentation, names, format, name, hash) as Uint8Array<ArrayBuffer>;
   },
 
@@ -269,9 +269,9 @@ const api = {
   /** Returns the labels as a file. */
   async save(format: string): Promise<Uint8Array<ArrayBuffer>> {
     const open = current();
+    const hash = await hashOf(open);
     const { name, clip, detection } = open;
     if (!detection) throw new Error("There are no labels to save.");
-    const hash = format === "json" ? await hashOf(open) : undefined;
     return clip.save(detection, format, name, hash) as Uint8Array<ArrayBuffer>;
   },
 };
