@@ -98,7 +98,7 @@ pub struct DetectArgs {
     #[arg(long, value_name = "CLIP")]
     pub still: Option<PathBuf>,
     /// Output format
-    #[arg(long, default_value_t, value_parser = one_of(PlantFormat::ALL, PlantFormat::name, Some(PlantFormat::description)))]
+    #[arg(long, default_value_t, value_parser = one_of(PlantFormat::ALL, PlantFormat::name, PlantFormat::description))]
     pub format: PlantFormat,
     /// Output options.
     #[command(flatten)]
@@ -129,13 +129,13 @@ pub struct SegmentArgs {
     #[command(flatten)]
     pub read: ReadArgs,
     /// Segmentation method; auto is recommended
-    #[arg(long, default_value = "auto", value_parser = one_of(segments::Method::ALL, segments::Method::name, None))]
+    #[arg(long, default_value_t, value_parser = one_of(segments::Method::ALL, segments::Method::name, segments::Method::description))]
     pub method: segments::Method,
     /// Parameters of the method.
     #[command(flatten)]
     pub params: SegmentationParamArgs,
     /// Output format
-    #[arg(long, default_value_t, value_parser = one_of(SegmentFormat::ALL, SegmentFormat::name, Some(SegmentFormat::description)))]
+    #[arg(long, default_value_t, value_parser = one_of(SegmentFormat::ALL, SegmentFormat::name, SegmentFormat::description))]
     pub format: SegmentFormat,
     /// Output options.
     #[command(flatten)]
@@ -147,7 +147,7 @@ pub struct SegmentArgs {
 #[group(id = "detection")]
 pub struct DetectionArgs {
     /// Detection method; robust labels contact, toe and heel
-    #[arg(long, default_value = "robust", value_parser = one_of(plants::Method::ALL, plants::Method::name, None))]
+    #[arg(long, default_value_t, value_parser = one_of(plants::Method::ALL, plants::Method::name, plants::Method::description))]
     pub method: plants::Method,
     /// Parameters of the method.
     #[command(flatten)]
@@ -166,10 +166,10 @@ impl DetectionArgs {
 #[group(id = "plants")]
 pub struct DetectionParamArgs {
     /// Threshold on the running variance of the sorted norms
-    #[arg(long, value_name = "R", default_value_t = 0.001)]
+    #[arg(long, value_name = "R", default_value_t = plants::Params::default().tolerance)]
     pub r: f64,
     /// Half-width of the smoothing window, in frames
-    #[arg(long, value_name = "W", default_value_t = 1)]
+    #[arg(long, value_name = "W", default_value_t = plants::Params::default().window)]
     pub w: usize,
     /// Kernel bandwidth [default: at the knee of the norms]
     #[arg(long, value_name = "S")]
@@ -233,21 +233,17 @@ impl SegmentationParamArgs {
     }
 }
 
-/// Returns a parser of the names of a registry. `description` returns the help text of an item; `None`
-/// lists the names only.
+/// Returns a parser of the names of a registry, with the descriptions as help texts.
 fn one_of<T>(
     items: &'static [T],
     name: fn(T) -> &'static str,
-    description: Option<fn(T) -> &'static str>,
+    description: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T>
 where
     T: FromStr + Copy + Send + Sync + 'static,
     T::Err: Error + Send + Sync,
 {
-    let value = move |&item| {
-        let value = PossibleValue::new(name(item));
-        description.iter().fold(value, |value, description| value.help(description(item)))
-    };
+    let value = move |&item| PossibleValue::new(name(item)).help(description(item));
     PossibleValuesParser::new(items.iter().map(value)).try_map(|name| name.parse::<T>())
 }
 
