@@ -31,11 +31,17 @@ function outputOf(script) {
   });
 }
 
+/** Returns the number of methods that are registered in a module of the core. */
+function registeredMethods(module) {
+  const source = readFileSync(join(root, "crate/core/src", module, "methods/mod.rs"), "utf8");
+  return source.match(/^ {8}\w+ => /gm).length;
+}
+
 test("reads, labels, edits, measures, cleans and segments a clip", () => {
   const result = JSON.parse(
     outputOf(`
       import { readFileSync } from "node:fs";
-      import { Clip, init, methods } from "plantigrade";
+      import { Clip, init, methods, segmentMethods } from "plantigrade";
       await init();
       const clip = Clip.read(readFileSync(process.argv[2]));
       const plants = clip.detect();
@@ -46,6 +52,9 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
       plants.edit([{ side: "left", part: "contact", start, end, planted: false }]);
       console.log(JSON.stringify({
         methods: methods().length,
+        segmentMethods: segmentMethods().length,
+        intervals: plants.intervals("toe", "right").join(),
+        sameIntervals: clip.detect({ method: "robust", r: 0.001, w: 1 }).intervals("toe", "right").join(),
         frames: clip.info().frames,
         parts: plants.parts,
         left: plants.intervals("contact", "left").length / 2,
@@ -58,7 +67,9 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
       plants.free(); clip.free(); cleaned.free();
     `),
   );
-  assert.equal(result.methods, 16);
+  assert.equal(result.methods, registeredMethods("plants"));
+  assert.equal(result.segmentMethods, registeredMethods("segments"));
+  assert.equal(result.intervals, result.sameIntervals);
   assert.equal(result.frames, 245);
   assert.deepEqual(result.parts, ["contact", "toe", "heel"]);
   assert.equal(result.left, 2);

@@ -133,22 +133,24 @@ export class Clip {
   }
 
   /**
-   * Detects when each foot is planted. Default: method `robust`, r 0.001, w 1.
+   * Detects when each foot is planted. Absent options have the defaults of the core.
    *
    * @throws PlantigradeError If the clip has no motion or no feet.
    */
-  detect(options: Partial<DetectOptions> = {}): Plants {
-    const allOptions = { method: "robust", r: 0.001, w: 1, ...options };
-    return rethrow(() => new Plants(this.inner, this.inner.detect(allOptions)));
+  detect(options: DetectOptions = {}): Plants {
+    return rethrow(() => new Plants(this.inner, this.inner.detect(options)));
   }
 
-  /** Segments the motion into actions. Default: method `auto`. `onProgress` receives 0 to 1. */
+  /**
+   * Segments the motion into actions. Absent options have the defaults of the core.
+   *
+   * @param onProgress Receives the completed fraction, 0 to 1.
+   */
   segment(
-    options: Partial<SegmentOptions> = {},
+    options: SegmentOptions = {},
     onProgress: (fraction: number) => void = () => {},
   ): Segmentation {
-    const allOptions = { method: "auto", ...options };
-    return rethrow(() => new Segmentation(this.inner, this.inner.segment(allOptions, onProgress)));
+    return rethrow(() => new Segmentation(this.inner, this.inner.segment(options, onProgress)));
   }
 
   free(): void {

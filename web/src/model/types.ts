@@ -7,19 +7,18 @@ import type { CurveSummary } from "../util/min-max-pyramid";
 import type {
   CleanedPlantInfo,
   ClipInfo,
-  DetectOptions,
+  DetectOptions as CoreDetectOptions,
+  SegmentOptions as CoreSegmentOptions,
   EvidenceInfo,
   Failure,
   NoticeInfo,
   SegmentInfo,
-  SegmentOptions,
   ThresholdInfo,
 } from "../wasm/plantigrade";
 
 export type {
   CleanedPlantInfo as CleanedPlant,
   CutScore,
-  DetectOptions,
   DisagreementInfo as Disagreement,
   EditInfo as Edit,
   Failure,
@@ -32,7 +31,6 @@ export type {
   ScoreInfo as Score,
   SegmentInfo as Segment,
   SegmentMethodInfo as SegmentationMethod,
-  SegmentOptions,
   SlideInfo as Slide,
 } from "../wasm/plantigrade";
 
@@ -40,6 +38,13 @@ export type {
 export type Up = ClipInfo["up"];
 export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
+
+/** Options of a detection, as the panel shows them. */
+export type DetectOptions = CoreDetectOptions &
+  Required<Pick<CoreDetectOptions, "method" | "r" | "w">>;
+
+/** Options of a segmentation, as the panel shows them. */
+export type SegmentOptions = CoreSegmentOptions & Required<Pick<CoreSegmentOptions, "method">>;
 
 /** The outcome of a call that may fail for a reason that concerns the user. */
 export type Result<T> = ({ ok: true } & T) | { ok: false; failure: Failure };

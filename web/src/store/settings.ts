@@ -1,6 +1,7 @@
 /** Settings of detection and segmentation; they do not change when another clip is opened. */
 
 import { signal } from "@preact/signals";
+import { sensitivity } from "../model/sensitivity";
 import type {
   DetectionMethod,
   DetectOptions,
@@ -10,7 +11,11 @@ import type {
 } from "../model/types";
 
 /** Options of the next detection. */
-export const detectOptions = signal<DetectOptions>({ method: "robust", r: 0.001, w: 1 });
+export const detectOptions = signal<DetectOptions>({
+  method: "robust",
+  r: sensitivity.default,
+  w: 1,
+});
 
 /** Options of the next segmentation. */
 export const segmentOptions = signal<SegmentOptions>({ method: "auto" });

@@ -7,14 +7,15 @@ use tsify::Tsify;
 
 use super::{Failure, parse_name};
 
-/// Options of a detection.
+/// Options of a detection; absent ones have the defaults of the core.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
+#[serde(default)]
 pub struct DetectOptions {
     /// Name of the method, as listed by `methods`.
     pub method: String,
-    /// Threshold on the running variance of the sorted norms; 0.001 serves any clip.
+    /// Threshold on the running variance of the sorted norms.
     pub r: f64,
-    /// Window half-width, in frames; 1 serves any clip.
+    /// Window half-width, in frames.
     pub w: usize,
     /// Height threshold of a planted toe, in metres, for threshold methods.
     #[tsify(optional)]
@@ -28,6 +29,14 @@ pub struct DetectOptions {
     #[tsify(optional)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub exact: Option<bool>,
+}
+
+impl Default for DetectOptions {
+    fn default() -> DetectOptions {
+        let Params { method, tolerance, window, .. } = Params::default();
+        let method = method.name().into();
+        DetectOptions { method, r: tolerance, w: window, height: None, speed: None, exact: None }
+    }
 }
 
 impl TryFrom<&DetectOptions> for Params {

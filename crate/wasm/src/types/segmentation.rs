@@ -6,8 +6,9 @@ use tsify::Tsify;
 
 use super::{Failure, parse_name};
 
-/// Options of a segmentation.
-#[derive(Debug, Default, Serialize, Deserialize, Tsify)]
+/// Options of a segmentation; absent ones have the defaults of the core.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+#[serde(default)]
 pub struct SegmentOptions {
     /// Name of the method, as listed by `segmentMethods`.
     pub method: String,
@@ -27,6 +28,13 @@ pub struct SegmentOptions {
     #[tsify(optional)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub published: Option<bool>,
+}
+
+impl Default for SegmentOptions {
+    fn default() -> SegmentOptions {
+        let method = segments::Params::default().method.name().into();
+        SegmentOptions { method, dims: None, residual: None, template: None, published: None }
+    }
 }
 
 impl TryFrom<&SegmentOptions> for segments::Params {

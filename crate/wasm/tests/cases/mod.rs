@@ -5,6 +5,7 @@ use plantigrade::bvh;
 use plantigrade::foot::{Part, Side};
 use plantigrade::formats::PlantsDocument;
 use plantigrade::plants::{self, Feet};
+use plantigrade::segments;
 use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{
@@ -250,8 +251,11 @@ fn labels_agree_with_the_truth() {
 #[wasm_bindgen_test]
 fn every_listed_method_labels_its_parts() {
     let mut clip = walk();
-    for method in plantigrade_wasm::methods().unwrap() {
+    let methods = plantigrade_wasm::methods().unwrap();
+    assert_eq!(methods.len(), plants::Method::ALL.len());
+    for (method, expected) in methods.into_iter().zip(plants::Method::ALL) {
         let method = method.to_rust().unwrap();
+        assert_eq!(method.name, expected.name());
         assert_eq!(clip.detect(options(&method.name)).unwrap().parts(), method.parts, "{}", method.name);
     }
 }
@@ -285,9 +289,10 @@ fn no_progress() -> Function {
 fn every_segmentation_method_covers_the_clip() {
     let clip = limp_to_run();
     let methods = plantigrade_wasm::segment_methods().unwrap();
-    assert_eq!(methods.len(), 6);
-    for method in methods {
+    assert_eq!(methods.len(), segments::Method::ALL.len());
+    for (method, expected) in methods.into_iter().zip(segments::Method::ALL) {
         let method = method.to_rust().unwrap();
+        assert_eq!(method.name, expected.name());
         let segmentation = clip.segment(segment_options(&method.name), &no_progress()).unwrap();
         let segments: Vec<SegmentInfo> =
             segmentation.segments().unwrap().into_iter().map(|segment| segment.to_rust().unwrap()).collect();
