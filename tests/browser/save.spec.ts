@@ -83,7 +83,7 @@ test("the event table lists every foot strike and foot off", async ({ app }) => 
   const saved = await app.save("Gait events");
   expect(saved.name).toBe("curved-walk.events.csv");
   const { header, rows } = readTable(saved);
-  expect(header).toBe("time,frame,context,event");
+  expect(header).toBe("time,frame,context,event,uncertainty_ms");
   const { left, right, frames } = readLabels(await app.save("Labels"));
   const feet = [
     ["Left", left],

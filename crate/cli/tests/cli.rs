@@ -132,7 +132,13 @@ fn detect_writes_all_formats() {
             .starts_with("foot,part,start_frame,end_frame,start_s,end_s\nleft,contact,")
     );
     let events = detect("events", "robust");
-    assert!(events.starts_with("time,frame,context,event\n"));
+    assert!(events.starts_with("time,frame,context,event,uncertainty_ms\n"));
+    let times = |events: &str| -> Vec<f64> {
+        events.lines().skip(1).filter_map(|line| line.split(',').next()?.parse().ok()).collect()
+    };
+    assert!(times(&events).is_sorted() && times(&events).iter().any(|time| (time * 120.0).fract() > 0.1));
+    let frames_only = detect("events", "paper");
+    assert!(frames_only.lines().skip(1).all(|line| line.ends_with(',')));
     let frames: Vec<usize> = events
         .lines()
         .skip(1)

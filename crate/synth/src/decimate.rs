@@ -2,7 +2,7 @@
 
 use plantigrade::bvh::Clip;
 use plantigrade::foot::{Part, Side};
-use plantigrade::formats::Origin;
+use plantigrade::formats::{Origin, Plant};
 
 use crate::generate::Generated;
 
@@ -25,7 +25,7 @@ pub fn decimate(generated: &Generated, factor: usize) -> Generated {
             let labels: Vec<bool> = frames().map(|frame| labels[frame]).collect();
             let foot =
                 if side == Side::Left { &mut decimated_truth.left } else { &mut decimated_truth.right };
-            foot.set(part, &labels, clip.rate(), |_| Origin::Truth);
+            foot.set(part, &labels, |run| Plant::new(run, clip.rate(), Origin::Truth));
         }
     }
     Generated { clip, truth: decimated_truth }

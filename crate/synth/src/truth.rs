@@ -2,7 +2,7 @@
 
 use plantigrade::foot::{Part, Side};
 use plantigrade::formats::{
-    FootJoints, FootPlants, Header, Joints, MethodUsed, Origin, PlantsDocument, Source, VERSION,
+    FootJoints, FootPlants, Header, Joints, MethodUsed, Origin, Plant, PlantsDocument, Source, VERSION,
 };
 
 use crate::character::{Bone, Character};
@@ -39,7 +39,7 @@ pub fn document(
         let mut foot = FootPlants::default();
         for (n, part) in [Part::Contact, Part::Toe, Part::Heel].into_iter().enumerate() {
             let labels: Vec<bool> = labels[side as usize].iter().map(|parts| parts[n]).collect();
-            foot.set(part, &labels, rate, |_| Origin::Truth);
+            foot.set(part, &labels, |run| Plant::new(run, rate, Origin::Truth));
         }
         foot
     };

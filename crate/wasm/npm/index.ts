@@ -200,6 +200,14 @@ export class Plants {
     return rethrow(() => this.inner.intervals(part, side));
   }
 
+  /**
+   * Returns the instants of each plant: time of the foot strike, its uncertainty (standard deviation),
+   * time of the foot off, its uncertainty, in seconds; NaN where an instant is known to the frame only.
+   */
+  instants(part: Part, side: Side): Float64Array {
+    return rethrow(() => this.inner.instants(part, side));
+  }
+
   /** Applies edits, replacing earlier ones; later entries take precedence. */
   edit(edits: EditInfo[]): void {
     rethrow(() => this.inner.edit(edits));

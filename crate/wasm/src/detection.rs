@@ -110,6 +110,20 @@ impl WasmDetection {
         Ok(ranges.into_iter().flat_map(|range| [range.start as u32, range.end as u32]).collect())
     }
 
+    /// Instants of each of these plants: time of the foot strike, its uncertainty, time of the foot off,
+    /// its uncertainty, in seconds; NaN where an instant is known to the frame only.
+    pub fn instants(&self, part: &str, side: &str) -> Result<Vec<f64>, Failure> {
+        let foot = self.foot(part, side)?;
+        let instant =
+            |frame: usize| foot.edge(frame).map_or([f64::NAN; 2], |edge| [edge.time, edge.uncertainty]);
+        let ranges = intervals(&foot.planted);
+        Ok(ranges
+            .into_iter()
+            .flat_map(|range| [instant(range.start), instant(range.end)])
+            .flatten()
+            .collect())
+    }
+
     /// For each of these plants 1 if an edit determines it, else 0.
     pub fn edited(&self, part: &str, side: &str) -> Result<Vec<u8>, Failure> {
         let (detection, labels, side) = (self.core(), self.part(part)?, parse_side(side)?);

@@ -54,7 +54,7 @@ export const selection = computed(() => {
   return {
     plantRef,
     track,
-    number: plant ? plant.number : undefined,
+    plant: plant || undefined,
     isEdited: isEdited(tracks[plantRef.side], plantRef),
   };
 });

@@ -7,6 +7,7 @@ const track = (planted: number[]): Track => ({
   planted: Uint8Array.from(planted),
   confidence: new Float32Array(planted.length).fill(1),
   intervals: new Uint32Array(),
+  instants: new Float64Array(),
   edited: new Uint8Array(),
   uncertain: new Uint32Array(),
   height: Float32Array.from(planted, (on) => (on ? 0.021 : 0.2)),

@@ -12,6 +12,7 @@ function track(labels: string, confidence = 1): Track {
     planted,
     confidence: new Float32Array(planted.length).fill(confidence),
     intervals: Uint32Array.from(intervals),
+    instants: new Float64Array(2 * intervals.length).fill(Number.NaN),
     edited: new Uint8Array(intervals.length / 2),
     uncertain: new Uint32Array(),
     height: new Float32Array(planted.length),

@@ -13,6 +13,15 @@ export interface Plant {
   confidence: number;
   /** True if an edit determines it. */
   edited: boolean;
+  /** Foot strike and foot off, if they are known more exactly than the frames. */
+  strike: Instant | undefined;
+  off: Instant | undefined;
+}
+
+/** An instant with the standard deviation of its error, in seconds. */
+export interface Instant {
+  time: number;
+  uncertainty: number;
 }
 
 /** Frames of lower confidence are marked as uncertain. */
@@ -38,7 +47,7 @@ export function plantsOf(detection: Detection): Plant[] {
   const plants: Plant[] = [];
   if (!tracks) return plants;
   for (const side of ["left", "right"] as const) {
-    const { intervals, confidence, edited } = tracks[side];
+    const { intervals, instants, confidence, edited } = tracks[side];
     for (let i = 0; i + 1 < intervals.length; i += 2) {
       const [start, end] = [intervals[i] as number, intervals[i + 1] as number];
       plants.push({
@@ -48,6 +57,8 @@ export function plantsOf(detection: Detection): Plant[] {
         end,
         confidence: mean(confidence, start, end),
         edited: edited[i / 2] === 1,
+        strike: instantAt(instants, 2 * i),
+        off: instantAt(instants, 2 * i + 2),
       });
     }
   }
@@ -56,6 +67,11 @@ export function plantsOf(detection: Detection): Plant[] {
     plant.number = i + 1;
   });
   return plants;
+}
+
+function instantAt(instants: Float64Array, index: number): Instant | undefined {
+  const time = instants[index] ?? Number.NaN;
+  return Number.isNaN(time) ? undefined : { time, uncertainty: instants[index + 1] as number };
 }
 
 function mean(values: Float32Array, start: number, end: number): number {

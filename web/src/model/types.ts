@@ -67,6 +67,11 @@ export interface Track {
   confidence: Float32Array;
   /** Plants as frame ranges: start, end, start, end, …. */
   intervals: Uint32Array;
+  /**
+   * For each interval the time of the foot strike, its uncertainty (standard deviation), the time of
+   * the foot off and its uncertainty, in seconds; NaN where an instant is known to the frame only.
+   */
+  instants: Float64Array;
   /** For each interval 1 if an edit determines it, else 0. */
   edited: Uint8Array;
   /** Ranges of planted frames with a confidence below 0.75: start, end, start, end, …. */
@@ -80,7 +85,10 @@ export interface Track {
 }
 
 /** The fields of a track that edits change. */
-export type Labels = Pick<Track, "planted" | "confidence" | "intervals" | "edited" | "uncertain">;
+export type Labels = Pick<
+  Track,
+  "planted" | "confidence" | "intervals" | "instants" | "edited" | "uncertain"
+>;
 
 /** The labels with edits applied, of every detected part. */
 export type EditedParts = Partial<Record<Part, Record<Side, Labels>>>;

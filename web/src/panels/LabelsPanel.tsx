@@ -63,7 +63,7 @@ function Row({ plant, rate }: { plant: Plant; rate: number }) {
   const isCurrent = useComputed(() => frame.value >= plant.start && frame.value < plant.end);
   const seconds = (frames: number) => (frames / rate).toFixed(2);
   const isUncertain = !plant.edited && plant.confidence < minPlantConfidence;
-  const isSelected = selection.value?.number === plant.number;
+  const isSelected = selection.value?.plant?.number === plant.number;
   const selectPlant = () => {
     const part = principalPart(detection.value?.parts ?? {});
     const { side, start, end } = plant;

@@ -8,6 +8,7 @@ import {
   selection,
 } from "../actions/edit";
 import type { FrameRange } from "../model/edits";
+import type { Instant } from "../model/plants";
 import type { Part, Side } from "../model/types";
 import { detection, edits, persistError } from "../store/session";
 import { Icon } from "../ui/icons";
@@ -55,15 +56,21 @@ function HistoryButton({ id }: { id: "undo" | "redo" }) {
 function SelectedPlant() {
   const selected = selection.value;
   if (!selected) return null;
-  const { plantRef, number, isEdited } = selected;
+  const { plantRef, plant, isEdited } = selected;
   return (
     <>
       <p class={`plant-title ${plantRef.side}`}>
         <span class="dot" aria-hidden="true" />
         {plantRef.side === "left" ? "Left" : "Right"} {plantRef.part}
-        {number !== undefined && `, plant ${number}`}
+        {plant && `, plant ${plant.number}`}
         {isEdited && <span class="muted"> · edited</span>}
       </p>
+      {plant && (
+        <p class="note plant-instants">
+          <InstantText name="Foot strike" instant={plant.strike} />
+          <InstantText name="Foot off" instant={plant.off} />
+        </p>
+      )}
       <div class="form-rows plant-edges">
         <EdgeField
           name="Start"
@@ -90,6 +97,17 @@ function SelectedPlant() {
         </button>
       </div>
     </>
+  );
+}
+
+/** An instant with its standard deviation. */
+function InstantText({ name, instant }: { name: string; instant: Instant | undefined }) {
+  if (!instant) return null;
+  const { time, uncertainty } = instant;
+  return (
+    <span title="Time and its standard deviation">
+      {name} {time.toFixed(3)} s ± {Math.max(1, Math.round(1000 * uncertainty))} ms
+    </span>
   );
 }
 

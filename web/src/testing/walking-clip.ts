@@ -195,6 +195,7 @@ export function createWalkingTrack(
     planted: new Uint8Array(frames),
     confidence: new Float32Array(frames),
     intervals: new Uint32Array(0),
+    instants: new Float64Array(0),
     edited: new Uint8Array(0),
     uncertain: new Uint32Array(0),
     height: new Float32Array(frames),

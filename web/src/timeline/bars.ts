@@ -10,6 +10,12 @@ import { forEachVisible } from "./visible-intervals";
 /** Width that the shortest number needs with its margins, in pixels. */
 const minNumberWidth = 20;
 
+/** Shorter whiskers are not drawn, in pixels. */
+const minWhisker = 3;
+
+/** Upper bound of the uncertainty of an instant, in seconds. */
+const maxUncertainty = 0.1;
+
 /** Cache of `editedIntervalsOf`. */
 const editedIntervals = new WeakMap<Track, Uint32Array>();
 
@@ -88,8 +94,10 @@ export function paintBars(
     else paintBar(ctx, theme, lane, from, to, lane.y, lane.height);
   });
   paintEditedMarks(ctx, scene, lane, laneWidth);
-  if (lane.kind === "contact") paintPlantNumbers(ctx, scene, lane, laneWidth);
-  else {
+  if (lane.kind === "contact") {
+    paintWhiskers(ctx, scene, lane, laneWidth);
+    paintPlantNumbers(ctx, scene, lane, laneWidth);
+  } else {
     ctx.fillStyle = theme.uncertain;
     forEachVisible(lane.track.uncertain, view, laneWidth, (from, to, isMerged) => {
       // Merged ranges would cover whole bars.
@@ -114,6 +122,28 @@ function paintEditedMarks(
     // A merged range does not show which of its bars are edited.
     if (!isMerged) ctx.fillRect(from, lane.y + lane.height - 1.5, Math.max(2, to - from - 1), 2);
   });
+}
+
+/** Draws foot strikes and foot offs with whiskers of one standard deviation on either side. */
+function paintWhiskers(ctx: CanvasRenderingContext2D, scene: Scene, lane: Bars, laneWidth: number) {
+  const { view, theme, rate } = scene;
+  const pixelsPerSecond = (rate * laneWidth) / (view.end - view.start);
+  // At this scale even the longest whiskers are no wider than the line of a bracket.
+  if (maxUncertainty * pixelsPerSecond < minWhisker) return;
+  const y = Math.round(lane.y + lane.height / 2);
+  ctx.fillStyle = theme.text;
+  for (const { strike, off } of plantsWithin(scene.plants, lane.side, view)) {
+    for (const instant of [strike, off]) {
+      if (!instant) continue;
+      const half = instant.uncertainty * pixelsPerSecond;
+      if (half < minWhisker) continue;
+      // The instant of a frame is in the middle of its width.
+      const x = toX(view, instant.time * rate + 0.5, laneWidth);
+      const [from, to] = [Math.round(x - half), Math.round(x + half)];
+      ctx.fillRect(from, y - 0.5, to - from, 1);
+      for (const end of [from, to]) ctx.fillRect(end - 0.5, y - 3, 1, 6);
+    }
+  }
 }
 
 /** Draws a frame with a handle at each end around the selected bar. */

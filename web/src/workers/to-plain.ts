@@ -54,6 +54,7 @@ export function labelsToPlain(detection: WasmDetection, part: Part, side: Side):
     planted: detection.planted(part, side),
     confidence,
     intervals,
+    instants: detection.instants(part, side),
     edited: detection.edited(part, side),
     uncertain: uncertainRanges(intervals, confidence),
   };

@@ -82,7 +82,13 @@ mod tests {
     fn labels(text: &str) -> FootLabels {
         let planted: Vec<bool> = text.chars().map(|c| c == '#').collect();
         let zeros = vec![0.0; planted.len()];
-        FootLabels { confidence: vec![0.75; planted.len()], height: zeros.clone(), speed: zeros, planted }
+        FootLabels {
+            confidence: vec![0.75; planted.len()],
+            height: zeros.clone(),
+            speed: zeros,
+            planted,
+            edges: Vec::new(),
+        }
     }
 
     fn detection(contact: &str, heel: &str) -> Detection {

@@ -15,13 +15,10 @@ pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
     run(feet, None, params, None)
 }
 
-/// Detects like [`detect`] and consumes the feet, which needs a sixth less memory for long clips.
+/// Detects like [`detect`] and consumes the feet, which needs less memory for long clips.
 pub fn detect_once(mut feet: Feet, params: ValidParams) -> Detection {
     let summary = FeetSummary::new(&feet);
     feet.hips = Track::new();
-    for foot in &mut feet.tracks {
-        foot.tip = None;
-    }
     run_with_summary(summary, &feet, None, params, None)
 }
 

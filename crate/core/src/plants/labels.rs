@@ -25,6 +25,36 @@ pub struct FootLabels {
     pub height: Vec<f32>,
     /// Speed, in file units per second.
     pub speed: Vec<f32>,
+    /// Instants at which plants begin and end according to the mechanics of the foot, in order of
+    /// time; see [`FootLabels::edge`].
+    pub edges: Vec<Edge>,
+}
+
+/// Instant at which a plant begins or ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// First frame after the instant.
+    pub frame: usize,
+    /// Time from the first frame of the clip, in seconds; at most one frame before `frame`.
+    pub time: f64,
+    /// Standard deviation of the error of `time`, in seconds.
+    pub uncertainty: f64,
+}
+
+impl FootLabels {
+    /// Returns the edge that is known at the boundary before `frame`.
+    ///
+    /// Boundaries of an edit have none, nor have those of methods that label frames only.
+    pub fn edge(&self, frame: usize) -> Option<&Edge> {
+        let index = self.edges.binary_search_by_key(&frame, |edge| edge.frame).ok()?;
+        Some(&self.edges[index])
+    }
+
+    /// Returns the time of the boundary before `frame`, in seconds from the first frame of the clip:
+    /// that of its edge, or midway between the frames.
+    pub fn boundary_time(&self, frame: usize, frame_time: f64) -> f64 {
+        self.edge(frame).map_or((frame as f64 - 0.5) * frame_time, |edge| edge.time)
+    }
 }
 
 impl PartLabels {

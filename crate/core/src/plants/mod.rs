@@ -32,7 +32,7 @@ pub use detection::Detection;
 pub use detector::Detector;
 pub use edit::Edit;
 pub use feet::{DetectError, Feet, FootTracks};
-pub use labels::{FootLabels, PartLabels};
+pub use labels::{Edge, FootLabels, PartLabels};
 pub use methods::{Family, Method, Thresholds};
 pub use params::{ParamError, Params, ValidParams};
 pub use spectral::affinity::Kernel;

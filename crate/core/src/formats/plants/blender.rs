@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use crate::formats::format_info::FormatInfo;
+use crate::formats::plants::events::events;
 use crate::formats::plants::export::{DetectionRef, PlantExport, Reader, Writer};
-use crate::formats::plants::tables::{columns, events};
+use crate::formats::plants::tables::columns;
 use crate::intervals::intervals;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
@@ -37,8 +38,9 @@ fn blender_script(export: &PlantExport) -> String {
     let (mut markers, mut plants) = (Vec::new(), Vec::new());
     for DetectionRef { root, detection } in &labelled {
         let with_root = |name: &str| root.map_or_else(|| name.into(), |root| format!("{root} {name}"));
-        for (frame, context, event) in events(detection) {
-            markers.push((frame, with_root(&format!("{context} {event}"))));
+        for event in events(detection) {
+            let name = format!("{} {}", event.context(), event.kind.title());
+            markers.push((event.frame, with_root(&name)));
         }
         for (side, part) in columns(detection) {
             let labels = detection.part(part).map(|labels| labels.foot(side).planted.as_slice());

@@ -9,7 +9,7 @@ use crate::foot::{Part, Side};
 use crate::formats::document::{FrameRange, Header, Origin, Source};
 use crate::intervals::intervals;
 use crate::notice::Notice;
-use crate::plants::Detection;
+use crate::plants::{Detection, Edge};
 use crate::skate::Contacts;
 use crate::skeleton::Skeleton;
 
@@ -92,6 +92,38 @@ pub struct Plant {
     pub frames: FrameRange,
     /// Origin of the plant.
     pub source: Origin,
+    /// Foot strike (of a part: the instant at which it lands); absent if it is known to the frame only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strike: Option<Instant>,
+    /// Foot off (of a part: the instant at which it lifts); absent if it is known to the frame only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub off: Option<Instant>,
+}
+
+/// Instant with its uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Instant {
+    /// Time from the first frame of the clip, in seconds.
+    pub time_s: f64,
+    /// Standard deviation of the error of the time, in milliseconds.
+    pub uncertainty_ms: f64,
+}
+
+impl From<&Edge> for Instant {
+    /// Rounds the time to microseconds and the uncertainty to tenths of a millisecond.
+    fn from(edge: &Edge) -> Instant {
+        Instant {
+            time_s: (edge.time * 1e6).round() / 1e6,
+            uncertainty_ms: (edge.uncertainty * 1e4).round() / 10.0,
+        }
+    }
+}
+
+impl Plant {
+    /// Creates a plant at `rate` Hz with instants known to the frame.
+    pub fn new(range: Range<usize>, rate: f64, source: Origin) -> Plant {
+        Plant { frames: FrameRange::new(range, rate), source, strike: None, off: None }
+    }
 }
 
 impl PlantsDocument {
@@ -112,9 +144,13 @@ impl PlantsDocument {
         let foot = |side: Side| {
             let mut foot = FootPlants::default();
             for labels in &detection.parts {
-                let part = labels.part;
-                foot.set(part, &labels.foot(side).planted, clip.rate(), |run| {
-                    if detection.is_edited(side, part, run) { Origin::Edited } else { Origin::Auto }
+                let (part, labels) = (labels.part, labels.foot(side));
+                foot.set(part, &labels.planted, |run| {
+                    let is_edited = detection.is_edited(side, part, &run);
+                    let origin = if is_edited { Origin::Edited } else { Origin::Auto };
+                    let [strike, off] =
+                        [run.start, run.end].map(|frame| labels.edge(frame).map(Instant::from));
+                    Plant { strike, off, ..Plant::new(run, clip.rate(), origin) }
                 });
             }
             foot
@@ -168,13 +204,9 @@ impl FootPlants {
         }
     }
 
-    /// Sets the plants of one part from labels per frame at `rate` Hz; `origin` returns the origin of
-    /// each run of planted frames.
-    pub fn set(&mut self, part: Part, labels: &[bool], rate: f64, origin: impl Fn(&Range<usize>) -> Origin) {
-        let plants = intervals(labels)
-            .into_iter()
-            .map(|range| Plant { source: origin(&range), frames: FrameRange::new(range, rate) })
-            .collect();
+    /// Sets the plants of one part: `plant` of each run of planted frames.
+    pub fn set(&mut self, part: Part, labels: &[bool], plant: impl Fn(Range<usize>) -> Plant) {
+        let plants = intervals(labels).into_iter().map(plant).collect();
         match part {
             Part::Contact => self.contact = Some(plants),
             Part::Toe => self.toe = Some(plants),
@@ -199,7 +231,10 @@ mod tests {
     fn documents_round_trip() {
         let labels = [true, false, true, true];
         let mut left = FootPlants::default();
-        left.set(Part::Toe, &labels, 30.0, |_| Origin::Auto);
+        left.set(Part::Toe, &labels, |run| Plant {
+            off: Some(Instant { time_s: 0.02, uncertainty_ms: 4.5 }),
+            ..Plant::new(run, 30.0, Origin::Auto)
+        });
         let document = PlantsDocument {
             header: Header {
                 format: PlantsDocument::FORMAT.into(),

@@ -2,12 +2,13 @@
 
 mod blender;
 mod document;
+mod events;
 mod export;
 mod json;
 mod npz;
 mod tables;
 
-pub use document::{FootJoints, FootPlants, Joints, MethodUsed, Plant, PlantsDocument};
+pub use document::{FootJoints, FootPlants, Instant, Joints, MethodUsed, Plant, PlantsDocument};
 pub use export::PlantExport;
 
 use crate::formats::document::ReadError;

@@ -8,9 +8,9 @@ use crate::foot::{Part, Side};
 use crate::formats::csv::{self, root_field, seconds, table_header};
 use crate::formats::document::ReadError;
 use crate::formats::format_info::{FormatInfo, text_of};
+use crate::formats::plants::events::events;
 use crate::formats::plants::export::{DetectionRef, PlantExport, Reader, Writer};
 use crate::intervals::intervals;
-use crate::numeric::sort;
 use crate::plants::{Annotation, Detection};
 
 pub(super) const FRAMES: FormatInfo<Writer, Reader> = FormatInfo {
@@ -96,34 +96,25 @@ fn intervals_csv(export: &PlantExport) -> String {
     text
 }
 
-/// Returns one row per gait event: `time,frame,context,event` with `Left` or `Right` and `Foot Strike`
-/// or `Foot Off`, in order of time.
+/// Returns one row per gait event: `time,frame,context,event,uncertainty_ms` with `Left` or `Right` and
+/// `Foot Strike` or `Foot Off`, in order of time.
 ///
-/// Contact that begins or ends with the clip is not an event.
+/// Times are in seconds; if an event is known to the frame only, its time is that of the frame and its
+/// uncertainty is empty. Contact that begins or ends with the clip is not an event.
 fn events_csv(export: &PlantExport) -> String {
     let labelled = export.labelled();
     let roots = labelled.iter().map(|labelled| labelled.root);
-    let mut text = table_header(roots, "time,frame,context,event\n");
+    let mut text = table_header(roots, "time,frame,context,event,uncertainty_ms\n");
     for DetectionRef { root, detection } in labelled {
-        for (frame, context, event) in events(detection) {
-            let time = seconds(frame, export.clip.frame_time());
-            let _ = writeln!(text, "{}{time},{frame},{context},{event}", root_field(root));
+        for event in events(detection) {
+            let (root, time) = (root_field(root), event.time(export.clip.frame_time()));
+            let uncertainty =
+                event.instant.map_or_else(String::new, |instant| instant.uncertainty_ms.to_string());
+            let (frame, context, name) = (event.frame, event.context(), event.kind.title());
+            let _ = writeln!(text, "{root}{time},{frame},{context},{name},{uncertainty}");
         }
     }
     text
-}
-
-/// Returns the gait events of a skeleton in order of time: frame, context and event.
-pub(super) fn events(detection: &Detection) -> Vec<(usize, &'static str, &'static str)> {
-    let mut events = Vec::new();
-    for (side, context) in [(Side::Left, "Left"), (Side::Right, "Right")] {
-        let labels = &detection.principal().foot(side).planted;
-        for range in intervals(labels) {
-            events.extend((range.start > 0).then_some((range.start, context, "Foot Strike")));
-            events.extend((range.end < labels.len()).then_some((range.end, context, "Foot Off")));
-        }
-    }
-    sort::sort_by_frames(events, |event| (event.0, 0))
 }
 
 /// Returns sides and parts in the order of the columns: left before right, contact, heel, toe.

@@ -127,7 +127,7 @@ impl<'a> Toes<'a> {
                 None => vec![1.0; count],
             };
             let (height, speed) = (threshold::to_single(&signal.height), threshold::to_single(&signal.speed));
-            FootLabels { planted, confidence, height, speed }
+            FootLabels { planted, confidence, height, speed, edges: Vec::new() }
         };
         let feet = [labels(0, left), labels(1, right)];
         Output { parts: vec![PartLabels { part, feet, evidence }], notices: Vec::new() }

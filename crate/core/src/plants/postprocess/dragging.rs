@@ -216,7 +216,13 @@ mod tests {
             let velocities = velocity::central_difference(&foot.toe, feet.frame_time);
             let speed: Vec<f32> = velocities.iter().map(|velocity| velocity.norm() as f32).collect();
             let planted = speed.iter().map(|&speed| speed < 2.0).collect();
-            FootLabels { planted, confidence: vec![1.0; frames], height: vec![0.0; frames], speed }
+            FootLabels {
+                planted,
+                confidence: vec![1.0; frames],
+                height: vec![0.0; frames],
+                speed,
+                edges: Vec::new(),
+            }
         });
         drop_dragged(&feet, &(0..frames), &mut contact);
         contact.map(|labels| labels.planted)

@@ -2,6 +2,7 @@
 
 pub(crate) mod confidence;
 pub(crate) mod dragging;
+pub(crate) mod edges;
 pub(crate) mod ground_height;
 pub(crate) mod plausibility;
 pub(crate) mod short_runs;

@@ -13,6 +13,7 @@ mod tests;
 
 use crate::foot::{Part, Side};
 use crate::formats::format_info::FormatInfo;
+use crate::formats::plants::events::{GaitEvent, events};
 use crate::formats::plants::export::{DetectionRef, Reader, Writer};
 use crate::plants::FootLabels;
 
@@ -42,13 +43,16 @@ const CONTACT_COLUMNS: [(Side, Part); 2] = [(Side::Left, Part::Contact), (Side::
 /// | `confidence` | (F, 4) float32 | probability that the label is right, from 0.5 to 1 |
 /// | `contact` | (F, 2) bool | true while any part of the left and the right foot bears on the ground |
 /// | `contact_columns` | (2) text | `left_contact`, `right_contact` |
+/// | `event` | (E) text | foot strikes and foot offs in order of time: `left_strike`, `left_off`, ... |
+/// | `event_time` | (E) float64 | time of each event, in seconds |
+/// | `event_uncertainty` | (E) float64 | standard deviation of the error of each time, in seconds; NaN if the event is known to the frame only |
 /// | `time` | (F) float64 | time from the start of the clip, in seconds |
 /// | `rate` | () float64 | frame rate, in Hz |
 /// | `source` | () text | file name of the clip |
 ///
 /// Parts without labels have no columns; the names list the columns that exist. With R skeletons the
-/// arrays of labels and confidence have a first axis of length R, as in (R, F, 4), and `roots` (R)
-/// has the names of the root joints.
+/// arrays of labels and confidence have a first axis of length R, as in (R, F, 4), `roots` (R) has the
+/// names of the root joints, and `event_root` (E) has that of each event.
 ///
 /// # Panics
 /// If the archive would exceed 4 GiB.
@@ -86,10 +90,39 @@ fn npz(labelled: &[DetectionRef], source: &str, frame_time: f64) -> Vec<u8> {
         ("rate.npy", npy::write("<f8", &[], &(1.0 / frame_time).to_le_bytes())),
         ("source.npy", npy::texts(&[], &[source])),
     ];
+    files.extend(event_arrays(labelled, frame_time));
     if !roots.is_empty() {
         files.push(("roots.npy", npy::texts(&[roots.len()], &roots)));
     }
     zip::store(&files)
+}
+
+/// Returns the arrays of the events of all skeletons.
+fn event_arrays(labelled: &[DetectionRef], frame_time: f64) -> Vec<(&'static str, Vec<u8>)> {
+    let events: Vec<(Option<&str>, GaitEvent)> = labelled
+        .iter()
+        .flat_map(|labelled| events(labelled.detection).into_iter().map(|event| (labelled.root, event)))
+        .collect();
+    let names: Vec<String> =
+        events.iter().map(|(_, event)| format!("{}_{}", event.side.name(), event.kind.name())).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let floats = |value: &dyn Fn(&GaitEvent) -> f64| {
+        let values: Vec<u8> = events.iter().flat_map(|(_, event)| value(event).to_le_bytes()).collect();
+        npy::write("<f8", &[events.len()], &values)
+    };
+    let mut files = vec![
+        ("event.npy", npy::texts(&[names.len()], &names)),
+        ("event_time.npy", floats(&|event| event.time(frame_time))),
+        (
+            "event_uncertainty.npy",
+            floats(&|event| event.instant.map_or(f64::NAN, |instant| instant.uncertainty_ms / 1e3)),
+        ),
+    ];
+    let roots: Vec<&str> = events.iter().filter_map(|(root, _)| *root).collect();
+    if labelled.iter().any(|labelled| labelled.root.is_some()) {
+        files.push(("event_root.npy", npy::texts(&[roots.len()], &roots)));
+    }
+    files
 }
 
 /// Returns a value per skeleton, frame and column, in this order.

@@ -6,7 +6,13 @@ use crate::plants::{Detection, FootLabels, Params, PartLabels};
 
 fn foot(planted: Vec<bool>) -> FootLabels {
     let rest = vec![0.0; planted.len()];
-    FootLabels { confidence: vec![0.75; planted.len()], height: rest.clone(), speed: rest, planted }
+    FootLabels {
+        confidence: vec![0.75; planted.len()],
+        height: rest.clone(),
+        speed: rest,
+        planted,
+        edges: Vec::new(),
+    }
 }
 
 /// A detection of some parts with the labels of both feet.

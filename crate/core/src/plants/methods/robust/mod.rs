@@ -17,7 +17,7 @@ use crate::foot::{Part, Side};
 use crate::notice::{Code, Notice};
 use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Settings, Thresholds};
 use crate::plants::methods::robust::cache::{DetectionCache, Motion, SampleSet, SampleSets};
-use crate::plants::postprocess::{confidence, dragging, short_runs};
+use crate::plants::postprocess::{confidence, dragging, edges, short_runs};
 use crate::plants::signal::Signal;
 use crate::plants::signal::samples::{Ranges, Samples};
 use crate::plants::spectral::affinity::Kernel;
@@ -103,6 +103,7 @@ impl Pipeline<'_> {
         let mut contact = self.label(Part::Contact, contact);
         if is_clustered {
             notices.extend(self.drop_dragged(&mut contact.feet));
+            self.refine_edges(&mut contact.feet);
         }
         let mut toe = self.label(Part::Toe, toe);
         let mut heel = self.label(Part::Heel, heel);
@@ -187,7 +188,13 @@ impl Pipeline<'_> {
                 values.iter().step_by(self.motion.factor).map(|&value| value as f32).collect()
             };
             let Signal { height, speed } = &signals[foot];
-            FootLabels { planted, confidence, height: at_frames(height), speed: at_frames(speed) }
+            FootLabels {
+                planted,
+                confidence,
+                height: at_frames(height),
+                speed: at_frames(speed),
+                edges: Vec::new(),
+            }
         };
         PartLabels { part, feet: [labels(0), labels(1)], evidence: clustered.map(|(evidence, _)| evidence) }
     }
@@ -239,6 +246,16 @@ impl Pipeline<'_> {
             (after < *before).then(|| Notice::new(Code::Dragged, text))
         };
         dropped.filter_map(notice).collect()
+    }
+
+    /// Moves the boundaries of contact to the instants of impact and release.
+    fn refine_edges(&self, contact: &mut [FootLabels; 2]) {
+        for (foot, labels) in contact.iter_mut().enumerate() {
+            for span in &self.motion.spans {
+                edges::refine(self.feet, foot, span, labels);
+            }
+            self.fill_ends(&mut labels.planted, &mut labels.confidence);
+        }
     }
 
     /// Gives frames that were left out the label of their nearest neighbour, with minimum
