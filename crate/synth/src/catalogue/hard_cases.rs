@@ -25,8 +25,10 @@ use crate::plan::{Gait, Landing, LegPoses, Lift, SwingPath};
 ///   and after the jump is planted throughout.
 /// - `z-up-walk`: a walk in a file with the Z axis up.
 /// - `brisk-run-24`: a run at 24 Hz, four frames per contact.
-/// - `treadmill`: planted feet move backward with the belt, at 1.2 m/s.
-/// - `slope-2`, `slope-5`: walking up a slope of 2° and 5°.
+/// - `treadmill`, `slow-treadmill`: planted feet move backward with the belt, at 1.2 and 0.5 m/s.
+/// - `slope-2`, `slope-5`, `slope-12`: walking up a slope of 2°, 5° and 12°.
+/// - `tilt-5`, `tilt-15`, `tilt-25`: walking on level ground that is tilted in the file, as in
+///   camera coordinates.
 /// - `moving-platform`: planted feet move with the platform, at up to 0.3 m/s.
 /// - `afloat`: swimming in the air; no foot is ever planted.
 /// - `stairs`: climbing steps of 17 cm; ground height is that of each step.
@@ -93,11 +95,19 @@ pub fn hard_cases(noise_level: f64) -> Vec<ClipSpec> {
             }),
         ),
         set(
-            level("treadmill", "emil", 540, 60, Motion::from_actions(6.0, treadmill_walk)),
-            Environment::Treadmill(BELT),
+            level("treadmill", "emil", 540, 60, treadmill_walk(FAST_BELT)),
+            Environment::Treadmill(FAST_BELT),
+        ),
+        set(
+            level("slow-treadmill", "emil", 540, 60, treadmill_walk(SLOW_BELT)),
+            Environment::Treadmill(SLOW_BELT),
         ),
         set(level("slope-2", "gus", 420, 60, uphill(2.0)), Environment::Slope(2.0)),
         set(level("slope-5", "gus", 420, 60, uphill(5.0)), Environment::Slope(5.0)),
+        set(level("slope-12", "gus", 420, 60, uphill(12.0)), Environment::Slope(12.0)),
+        set(level("tilt-5", "ben", 480, 120, walk()), Environment::Slope(5.0)),
+        set(level("tilt-15", "ben", 480, 120, walk()), Environment::Slope(15.0)),
+        set(level("tilt-25", "ben", 480, 120, walk()), Environment::Slope(25.0)),
         set(
             level("moving-platform", "ada", 600, 60, Motion::from_actions(1.0, stand_and_walk)),
             Environment::Platform(0.3),
@@ -126,8 +136,9 @@ pub fn hard_cases(noise_level: f64) -> Vec<ClipSpec> {
     ]
 }
 
-/// Speed of the treadmill, in m/s.
-const BELT: f64 = 1.2;
+/// Speeds of the treadmills, in m/s.
+const FAST_BELT: f64 = 1.2;
+const SLOW_BELT: f64 = 0.5;
 
 /// Straight walking throughout the clip, with a given posture.
 fn walking(pace: f64, posture: Posture) -> Motion {
@@ -151,13 +162,15 @@ fn uphill(degrees: f64) -> Motion {
     walking(0.9, posture)
 }
 
-/// Walking at the speed of the belt.
-fn treadmill_walk(actor: &mut Actor, seconds: f64) {
-    let walk = GaitStyle::walk(actor.scale, 1.0);
-    let time = walk.gait.length / BELT;
-    let gait = Gait { time, swing: walk.gait.swing * time / walk.gait.time, ..walk.gait };
-    actor.wait(0.4);
-    actor.travel(&GaitStyle { gait, ..walk }, seconds + 1.5, |_| 0.0);
+/// Walking at the speed of the belt, in m/s.
+fn treadmill_walk(belt: f64) -> Motion {
+    Motion::from_actions(6.0, move |actor, seconds| {
+        let walk = GaitStyle::walk(actor.scale, 1.0);
+        let time = walk.gait.length / belt;
+        let gait = Gait { time, swing: walk.gait.swing * time / walk.gait.time, ..walk.gait };
+        actor.wait(0.4);
+        actor.travel(&GaitStyle { gait, ..walk }, seconds + 1.5, |_| 0.0);
+    })
 }
 
 fn stand_and_walk(actor: &mut Actor, seconds: f64) {

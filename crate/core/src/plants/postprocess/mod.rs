@@ -1,5 +1,6 @@
 //! Post-processing: from classes of samples to labels.
 
+pub(crate) mod capture_noise;
 pub(crate) mod confidence;
 pub(crate) mod dragging;
 pub(crate) mod edges;

@@ -1,11 +1,12 @@
 //! Height and speed signals of the feet.
 
+pub(crate) mod ground;
 pub(crate) mod motion_segments;
+pub(crate) mod moving_ground;
 pub(crate) mod resampling;
 pub(crate) mod samples;
 pub(crate) mod velocity;
 
-use std::collections::VecDeque;
 use std::ops::Range;
 
 use nalgebra::Vector3;
@@ -29,9 +30,6 @@ pub(crate) type Signals = [Signal; 2];
 
 /// Half-width of the window of the speed filter, in seconds.
 const SPEED_WINDOW: f64 = 0.05;
-/// Half-width of the window for the local ground height, in seconds: longer than the flight of a
-/// run, shorter than a stride.
-const GROUND_WINDOW: f64 = 0.5;
 
 impl Signal {
     /// Computes height and speed of a track; spans are filtered separately.
@@ -66,58 +64,19 @@ pub(crate) fn raw(feet: &Feet, part: impl Fn(&FootTracks) -> &Track) -> Signals 
     signals
 }
 
-/// Returns filtered signals: without spikes, resampled, with smoothed speed and height above the
-/// local ground.
+/// Returns filtered signals: without spikes, resampled, with smoothed speed and height along the up
+/// axis.
 pub(crate) fn filtered(feet: &Feet, resampler: &Resampler, part: impl Fn(&FootTracks) -> &Track) -> Signals {
     let Resampler { fine_spans: spans, frame_time, .. } = resampler;
     // Frame times such as 0.033333 and 0.033334 s must give the same window.
     let half = |seconds: f64| (seconds / frame_time + 0.55).floor() as usize;
     let velocity = |track: &[Vector3<f64>]| velocity::edge_preserving(track, half(SPEED_WINDOW), *frame_time);
     // The tracks are processed one by one because a resampled track may need many times the memory.
-    let mut signals = feet.tracks.each_ref().map(|foot| {
+    feet.tracks.each_ref().map(|foot| {
         let mut track = resampler.resample(part(foot));
         remove_spikes(&mut track, spans, feet.leg);
         Signal::new(&track, feet.up, spans, velocity)
-    });
-    subtract_local_ground(&mut signals, spans, half(GROUND_WINDOW));
-    signals
-}
-
-/// Subtracts from each height the lowest height of both feet within `half` frames on either side.
-///
-/// On slopes and stairs the ground height varies over the clip, but not under one step.
-fn subtract_local_ground(signals: &mut Signals, spans: &[Range<usize>], half: usize) {
-    for span in spans {
-        let lower = |frame: usize| signals[0].height[frame].min(signals[1].height[frame]);
-        let ground = sliding_minimum(span.clone().map(lower).collect(), half);
-        for signal in signals.iter_mut() {
-            for (height, ground) in signal.height[span.clone()].iter_mut().zip(&ground) {
-                *height -= ground;
-            }
-        }
-    }
-}
-
-/// Returns the minimum of the values within `half` indices on either side, in linear time.
-fn sliding_minimum(values: Vec<f64>, half: usize) -> Vec<f64> {
-    // Indices whose values may still become the minimum; indices and values ascend.
-    let mut candidates: VecDeque<usize> = VecDeque::new();
-    let mut next = 0;
-    (0..values.len())
-        .map(|index| {
-            while next < values.len().min(index + half + 1) {
-                while candidates.back().is_some_and(|&last| values[last] >= values[next]) {
-                    candidates.pop_back();
-                }
-                candidates.push_back(next);
-                next += 1;
-            }
-            while candidates.front().is_some_and(|&first| first + half < index) {
-                candidates.pop_front();
-            }
-            values[candidates[0]]
-        })
-        .collect()
+    })
 }
 
 /// Returns one quantity of both feet in all frames within `spans`.
@@ -187,8 +146,6 @@ pub(crate) fn select(a: &Signals, b: &Signals, is_b: &[Vec<bool>; 2]) -> Signals
 
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
-
     use super::*;
 
     #[test]
@@ -205,22 +162,6 @@ mod tests {
         assert!((cleaned(&track, &[0..20])[7] - straight[7]).norm() < 1e-12);
         // At the edge of a span there is nothing to compare with.
         assert_eq!(cleaned(&track, &[0..8, 8..20])[7].y, 1.0);
-    }
-
-    proptest! {
-        #[test]
-        fn sliding_minimum_agrees_with_the_definition(
-            values in prop::collection::vec(-9.0..9.0_f64, 0..40),
-            half in 0_usize..12,
-        ) {
-            let expected: Vec<f64> = (0..values.len())
-                .map(|index| {
-                    let window = &values[index.saturating_sub(half)..(index + half + 1).min(values.len())];
-                    window.iter().copied().fold(f64::INFINITY, f64::min)
-                })
-                .collect();
-            prop_assert_eq!(sliding_minimum(values, half), expected);
-        }
     }
 
     #[test]

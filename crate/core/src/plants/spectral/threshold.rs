@@ -22,7 +22,7 @@ pub struct Evidence {
     pub knee: usize,
     /// Upper bound of the running variance: r, or a multiple for a wider window.
     pub tolerance: f64,
-    /// σ: bandwidth of the kernel, the norm at the knee unless given.
+    /// σ: bandwidth of the kernel; the norm at the knee within the limits of the method, unless given.
     pub sigma: f64,
     /// u: the value of each sample that is compared with the threshold, which is the sqrt-degree
     /// unless the method uses another; the frames of the left foot, then of the right foot.

@@ -7,14 +7,15 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::foot::Part;
+use crate::kinematics::Track;
 use crate::notice::{Code, Notice};
 use crate::numeric::stats;
 use crate::plants::signal::resampling::Resampler;
 use crate::plants::signal::samples::Ranges;
-use crate::plants::signal::{Signals, motion_segments};
+use crate::plants::signal::{Signals, ground, motion_segments, moving_ground};
 use crate::plants::spectral::bandwidth;
 use crate::plants::spectral::cells::PartitionedSamples;
-use crate::plants::{Feet, signal};
+use crate::plants::{Feet, FootTracks, signal};
 
 /// Speed below which a foot is still, in leg lengths per second. The character stands still if almost all
 /// speeds are below it …
@@ -49,9 +50,12 @@ pub(crate) struct Motion {
 impl Motion {
     pub fn new(feet: &Feet) -> Motion {
         let spans = motion_segments::motion_spans(feet);
+        let on_ground = moving_ground::displacement(feet, &spans).map(|ground| relative_to(feet, &ground));
+        let feet = on_ground.as_ref().unwrap_or(feet);
         let resampler = Resampler::new(feet, &spans);
-        let ankle = signal::filtered(feet, &resampler, |foot| &foot.ankle);
-        let toe = signal::filtered(feet, &resampler, |foot| &foot.toe);
+        let mut ankle = signal::filtered(feet, &resampler, |foot| &foot.ankle);
+        let mut toe = signal::filtered(feet, &resampler, |foot| &foot.toe);
+        ground::subtract(feet, &resampler, &mut ankle, &mut toe);
         let is_toe_bearing = signal::weight_bearing(&ankle, &toe, STILL_SPEED * feet.leg);
         let Resampler { fine_spans, factor, .. } = resampler;
         let notices = span_notices(feet, &spans);
@@ -115,6 +119,18 @@ impl SampleSets {
     pub fn put(&mut self, part: Part, samples: SampleSet) {
         self.by_part[part as usize] = Some(samples);
     }
+}
+
+/// Returns the feet relative to moving ground.
+fn relative_to(feet: &Feet, ground: &Track) -> Feet {
+    let relative =
+        |track: &Track| track.iter().zip(ground).map(|(position, ground)| position - ground).collect();
+    let tracks = feet.tracks.each_ref().map(|foot| FootTracks {
+        ankle: relative(&foot.ankle),
+        toe: relative(&foot.toe),
+        tip: None,
+    });
+    Feet { tracks, hips: Track::new(), ..*feet }
 }
 
 /// True if almost all speeds and all heights are those of standing feet.
