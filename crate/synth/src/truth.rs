@@ -13,9 +13,14 @@ const MAX_FLAT_PITCH: f64 = 0.5;
 
 /// Returns whether contact, toe contact and heel contact hold at `time`.
 ///
-/// *Contact* lasts from foot strike to toe-off. *Toe contact* begins when the foot has rolled off
-/// the heel; *heel contact* ends when the heel rises. A foot that is dragged or slides touches the
-/// ground but is not planted: all three are false.
+/// *Contact* lasts from foot strike to toe-off. Foot strike is the instant at which the sole first
+/// reaches the ground: the curve of the heel, or the tip of the toes under a ball that is still
+/// raised. The foot still moves then; the ground stops it within the time of
+/// [`EndMotion`](crate::plan::EndMotion), while the heel pad yields by a few millimetres. Toe-off is
+/// the instant at which the tip of the toes leaves the ground; the ball may already rise. *Toe
+/// contact* begins when the foot has rolled off the heel and ends with contact; *heel contact* ends
+/// when the heel rises. A foot that is dragged or slides touches the ground but is not planted: all
+/// three are false.
 pub fn contact_at(path: &FootPath, time: f64) -> [bool; 3] {
     let Some(stance) = path.stance_at(time) else { return [false; 3] };
     let pitch = path.stance_pitch(stance, time);
