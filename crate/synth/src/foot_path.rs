@@ -73,7 +73,7 @@ const MAX_END_FRACTION: f64 = 0.4;
 const HEEL_ROUNDNESS: f64 = 0.65;
 
 /// Time in which a foot rises before toe-off, as a fraction of the time in which it moves.
-const RISE_FRACTION: f64 = 1.0 / 3.0;
+const RISE_FRACTION: f64 = 0.6;
 
 /// Rate of the pitch before a strike with an impact, as a fraction of the rate after it.
 const PITCH_RATE_BEFORE_IMPACT: f64 = 0.4;
@@ -128,7 +128,7 @@ impl Displacement {
     /// earlier, with the third power of the time.
     fn at_toe_off(&self, time: f64) -> Vec3 {
         let since = time - self.time;
-        let (creep_time, rise_time) = (self.ground_time, RISE_FRACTION * self.ground_time);
+        let (creep_time, rise_time) = (self.ground_time, self.rise_time());
         let along = Vec3::new(self.velocity.x, 0.0, self.velocity.z);
         let up = self.velocity.y * Vec3::y();
         if since <= 0.0 {
@@ -139,6 +139,11 @@ impl Displacement {
             let moved = along * creep_time / 4.0 + up * rise_time / 2.0;
             (moved + self.velocity * since) * self.fade(since)
         }
+    }
+
+    /// Time in which the ball rises before toe-off, in seconds.
+    fn rise_time(&self) -> f64 {
+        RISE_FRACTION * self.ground_time
     }
 
     fn fade(&self, since: f64) -> f64 {
@@ -164,6 +169,16 @@ impl<'a> FootPath<'a> {
     pub fn stance_at(&self, time: f64) -> Option<&Stance> {
         let stance = &self.stances[self.index(time)];
         (time < stance.toe_off).then_some(stance)
+    }
+
+    /// True if the foot stands at `time` and the part of it on the ground is still: after the impact of
+    /// the strike and before the ball rises.
+    pub fn is_at_rest(&self, time: f64) -> bool {
+        let index = self.index(time);
+        let stance = &self.stances[index];
+        let stopped = index.checked_sub(1).map_or(0.0, |before| self.swings[before].touch_down.ground_time);
+        let rising = self.swings.get(index).map_or(0.0, |swing| swing.take_off.rise_time());
+        time >= stance.strike + stopped && time < stance.toe_off - rising
     }
 
     /// Returns the pitch of the foot during a stance, in degrees.
@@ -391,7 +406,7 @@ mod tests {
             let lowest = |time: f64| path.at(time).lowest_point(&proportions);
             // The sole touches the ground at the strike, and the tip of the toes at toe-off.
             assert!((-0.001..0.008).contains(&lowest(step.strike)), "{}", lowest(step.strike));
-            assert!((-0.001..0.008).contains(&lowest(step.toe_off())), "{}", lowest(step.toe_off()));
+            assert!((-0.001..0.01).contains(&lowest(step.toe_off())), "{}", lowest(step.toe_off()));
             assert!(lowest(step.strike - 0.01) > lowest(step.strike) + 0.002);
             assert!(lowest(step.toe_off() + 0.015) > lowest(step.toe_off()) + 0.002);
             let falling = -velocity(step.strike - 0.002).y;

@@ -2,7 +2,7 @@
 
 mod kinematics;
 
-use kinematics::{Positions, at_rest, positions};
+use kinematics::{Positions, positions};
 use plantigrade::foot::{Part, Side};
 use plantigrade_synth::character::Bone;
 use plantigrade_synth::{Generated, generate, hard_cases};
@@ -17,16 +17,10 @@ fn labels(generated: &Generated, side: Side, part: Part) -> Vec<bool> {
     generated.truth.labels(side, part).unwrap()
 }
 
-/// Returns the frames in which the toe of one foot is planted and at rest.
-fn resting_toe(generated: &Generated, side: Side) -> Vec<bool> {
-    let [toe, contact] = [Part::Toe, Part::Contact].map(|part| labels(generated, side, part));
-    at_rest(&toe, &contact, generated.clip.frame_time())
-}
-
-/// Returns toe speeds in m/s between consecutive frames in which the toe is at rest on the ground.
+/// Returns toe speeds in m/s between consecutive planted frames.
 fn planted_speeds((positions, generated): &(Positions, Generated), side: Side) -> Vec<f64> {
     let toe = positions.track(Bone::Toe(side));
-    let planted = resting_toe(generated, side);
+    let planted = labels(generated, side, Part::Toe);
     (1..planted.len())
         .filter(|&frame| planted[frame - 1] && planted[frame])
         .map(|frame| (toe[frame] - toe[frame - 1]).norm() / generated.clip.frame_time())
@@ -78,7 +72,7 @@ fn planted_feet_are_on_the_slope_and_on_the_stairs() {
     for (name, degrees) in [("slope-2", 2.0_f64), ("slope-5", 5.0)] {
         let (positions, generated) = case(name);
         let toe = positions.track(Bone::Toe(Side::Left));
-        let planted = resting_toe(&generated, Side::Left);
+        let planted = labels(&generated, Side::Left, Part::Toe);
         let (sin, cos) = degrees.to_radians().sin_cos();
         let above = (0..planted.len()).filter(|&n| planted[n]).map(|n| cos * toe[n].y - sin * toe[n].z);
         let (least, most) = above.fold((f64::INFINITY, 0.0_f64), |(a, b), y| (a.min(y), b.max(y)));
@@ -87,7 +81,7 @@ fn planted_feet_are_on_the_slope_and_on_the_stairs() {
     let (positions, generated) = case("stairs");
     let ball = hard_cases(0.0).iter().find(|spec| spec.name == "stairs").unwrap().character.proportions.ball;
     for side in Side::BOTH {
-        let planted = resting_toe(&generated, side);
+        let planted = labels(&generated, side, Part::Toe);
         for frame in (0..planted.len()).filter(|&frame| planted[frame]) {
             let stair = (positions.track(Bone::Toe(side))[frame].y - ball) / 0.17;
             assert!((stair - stair.round()).abs() < 0.05, "frame {frame} is on stair {stair:.2}");

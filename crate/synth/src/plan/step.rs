@@ -134,7 +134,7 @@ pub struct EndMotion {
     /// Horizontal velocity, as a fraction of the mean velocity of the swing.
     pub along: f64,
     /// Time from foot strike until the foot is at rest, or from rest until foot off, in seconds. Before
-    /// foot off, the ball rises in the last third of it.
+    /// foot off, the ball rises in the last 60 % of it.
     pub time: f64,
 }
 
@@ -144,17 +144,17 @@ impl EndMotion {
     /// Heel strike of a walk.
     pub const WALK_STRIKE: EndMotion = EndMotion { vertical: 0.45, along: 0.12, time: 0.025 };
     /// Foot off of a walk.
-    pub const WALK_OFF: EndMotion = EndMotion { vertical: 0.6, along: 0.33, time: 0.12 };
+    pub const WALK_OFF: EndMotion = EndMotion { vertical: 0.6, along: 0.28, time: 0.08 };
     /// Foot strike of a run.
     pub const RUN_STRIKE: EndMotion = EndMotion { vertical: 0.5, along: 0.2, time: 0.03 };
     /// Foot off of a run.
-    pub const RUN_OFF: EndMotion = EndMotion { vertical: 0.55, along: 0.14, time: 0.12 };
+    pub const RUN_OFF: EndMotion = EndMotion { vertical: 0.55, along: 0.14, time: 0.08 };
 
     /// Returns take-off and touch-down of a jump with a flight of `flight` seconds: the feet have the
     /// vertical speed of the body.
     pub fn jump(flight: f64) -> (EndMotion, EndMotion) {
         let vertical = 0.9 * GRAVITY * flight / 2.0;
-        let take_off = EndMotion { vertical, along: 0.3, time: 0.12 };
+        let take_off = EndMotion { vertical, along: 0.3, time: 0.08 };
         (take_off, EndMotion { time: 0.02, ..take_off })
     }
 

@@ -48,22 +48,6 @@ pub fn positions(clip: &Clip, character: &Character) -> Positions {
     Positions { tracks, joint_names, character: character.clone() }
 }
 
-/// Times after foot strike and before foot off in which a planted foot may move, in seconds: the
-/// ground stops it, and it accelerates while its load decreases.
-const END_MOTION_TIMES: (f64, f64) = (0.035, 0.125);
-
-/// Returns the frames in which a foot with the given contact is planted and at rest. The end of the
-/// clip counts as foot off.
-pub fn at_rest(planted: &[bool], contact: &[bool], frame_time: f64) -> Vec<bool> {
-    let frames = |time: f64| (time / frame_time).ceil() as usize;
-    let (after, before) = (frames(END_MOTION_TIMES.0), frames(END_MOTION_TIMES.1));
-    let is_at_rest = |frame: usize| {
-        let around = contact.get(frame.saturating_sub(after)..frame + before + 1);
-        planted[frame] && around.is_some_and(|around| around.iter().all(|&contact| contact))
-    };
-    (0..planted.len()).map(is_at_rest).collect()
-}
-
 fn axis_rotation(axis: Axis, angle: f64) -> Rotation3<f64> {
     let axis = match axis {
         Axis::X => Vector3::x_axis(),
