@@ -12,7 +12,9 @@ mod segments;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::plants::{confidence, force_plates, frame_rates, hard_cases, methods, paper};
+use crate::plants::{
+    confidence, force_plates, frame_rates, hard_cases, methods, paper, timing_tables, video_noise,
+};
 use crate::report::Report;
 use crate::segments::{failures, generated, recorded};
 
@@ -33,6 +35,11 @@ fn main() -> anyhow::Result<()> {
     match &corpus {
         Some(corpus) => force_plates::write(&mut report, corpus)?,
         None => report.copy_section(&previous, force_plates::MARK),
+    }
+    timing_tables::write(&mut report, corpus.as_deref(), &previous)?;
+    match &corpus {
+        Some(corpus) => video_noise::write(&mut report, corpus)?,
+        None => report.copy_section(&previous, video_noise::MARK),
     }
     let clips = generated::write(&mut report);
     match &corpus {

@@ -1,4 +1,6 @@
-//! Capture noise of feet: jitter, slow sliding and vertical offset of each plant.
+//! Capture noise: of the feet of generated clips, and of motion from video.
+
+use plantigrade::bvh::{Channel, Clip};
 
 use crate::foot_path::{FootPath, FootPose};
 use crate::math::Random;
@@ -66,4 +68,86 @@ fn float_at(path: &FootPath, floats: &[f64], time: f64) -> f64 {
     let Some(next) = stances.get(index + 1) else { return floats[index] };
     let u = smooth_step((time - stances[index].toe_off) / (next.strike - stances[index].toe_off));
     floats[index] + (floats[index + 1] - floats[index]) * u
+}
+
+/// Noise of motion that was captured from video: the root wanders and joint rotations are uncertain.
+/// Root mean squares over the three axes together.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VideoNoise {
+    /// Position of the root, in metres.
+    pub root: f64,
+    /// Slow error of joint rotations, in degrees.
+    pub slow_rotation: f64,
+    /// Fast error of joint rotations, in degrees.
+    pub fast_rotation: f64,
+}
+
+/// Cut-off frequencies of the noise of video capture, in Hz.
+const ROOT_CUTOFF: f64 = 0.7;
+const SLOW_ROTATION_CUTOFF: f64 = 1.5;
+const FAST_ROTATION_CUTOFF: f64 = 6.0;
+
+impl VideoNoise {
+    /// Noise of a typical recording.
+    pub const TYPICAL: VideoNoise = VideoNoise { root: 0.02, slow_rotation: 1.5, fast_rotation: 0.4 };
+
+    /// Returns the noise scaled by `level`.
+    pub fn scaled(self, level: f64) -> VideoNoise {
+        VideoNoise {
+            root: self.root * level,
+            slow_rotation: self.slow_rotation * level,
+            fast_rotation: self.fast_rotation * level,
+        }
+    }
+
+    /// Returns a clip with noise: on the positions of its roots, whose unit is `metres_per_unit`
+    /// metres, and on all rotations.
+    pub fn apply(&self, clip: &Clip, metres_per_unit: f64, random: &mut Random) -> Clip {
+        let (frames, rate) = (clip.frame_count(), clip.rate());
+        let mut values = clip.values().to_vec();
+        let mut add = |column: usize, size: f64, cutoff: f64| {
+            let (noise, size) = (smooth_noise(random, frames, rate, cutoff), size / 3.0_f64.sqrt());
+            for (row, noise) in values.chunks_mut(clip.channel_count()).zip(noise) {
+                row[column] += size * noise;
+            }
+        };
+        for (index, joint) in clip.joints().iter().enumerate() {
+            for (column, channel) in clip.channel_range(index).zip(&joint.channels) {
+                match channel {
+                    Channel::Rotation(_) => {
+                        add(column, self.slow_rotation, SLOW_ROTATION_CUTOFF);
+                        add(column, self.fast_rotation, FAST_ROTATION_CUTOFF);
+                    }
+                    Channel::Position(_) if joint.parent.is_none() => {
+                        add(column, self.root / metres_per_unit, ROOT_CUTOFF);
+                    }
+                    Channel::Position(_) => {}
+                }
+            }
+        }
+        Clip::new(clip.joints().to_vec(), clip.frame_time(), values).with_position_rule(clip.position_rule())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{generate, samples};
+
+    #[test]
+    fn video_noise_has_its_root_mean_square() {
+        let clip = generate(&samples(0.0)[0], 0).clip;
+        let rows = 100_000 / clip.channel_count();
+        let values: Vec<f64> = (0..rows).flat_map(|_| clip.row(0)).copied().collect();
+        let still = Clip::new(clip.joints().to_vec(), clip.frame_time(), values);
+        let root_mean_square = |noise: VideoNoise, column: usize| {
+            let noisy = noise.apply(&still, 0.01, &mut Random::new(0, "video"));
+            let differences = (0..rows).map(|frame| noisy.row(frame)[column] - still.row(0)[column]);
+            (3.0 * differences.map(|difference| difference * difference).sum::<f64>() / rows as f64).sqrt()
+        };
+        let rotation = still.channel_range(1).start;
+        assert!((root_mean_square(VideoNoise::TYPICAL, 0) / 2.0 - 1.0).abs() < 0.4);
+        assert!((root_mean_square(VideoNoise::TYPICAL, rotation) / 1.55 - 1.0).abs() < 0.3);
+        assert_eq!(root_mean_square(VideoNoise::TYPICAL.scaled(0.0), rotation), 0.0);
+    }
 }

@@ -13,13 +13,21 @@ const MAX_FLAT_PITCH: f64 = 0.5;
 
 /// Returns whether contact, toe contact and heel contact hold at `time`.
 ///
-/// *Contact* lasts from foot strike to toe-off. *Toe contact* begins when the foot has rolled off
-/// the heel; *heel contact* ends when the heel rises. A foot that is dragged or slides touches the
-/// ground but is not planted: all three are false.
+/// *Contact* lasts from foot strike to toe-off. Foot strike is the instant at which the sole first
+/// reaches the ground: the curve of the heel, or the tip of the toes under a ball that is still
+/// raised. The foot still moves then; the ground stops it within the time of
+/// [`EndMotion`](crate::plan::EndMotion), while the heel pad yields by a few millimetres. Toe-off is
+/// the instant at which the tip of the toes leaves the ground; the ball rises before it.
+///
+/// *Toe contact* and *heel contact* are plants: that part is on the ground and still. Both begin
+/// after the impact, toe contact when the foot has rolled off the heel; toe contact ends when the
+/// ball rises, heel contact when the heel rises. A foot that is dragged or slides touches the ground
+/// but is not planted: all three are false.
 pub fn contact_at(path: &FootPath, time: f64) -> [bool; 3] {
     let Some(stance) = path.stance_at(time) else { return [false; 3] };
     let pitch = path.stance_pitch(stance, time);
-    [true, pitch > -MAX_FLAT_PITCH, pitch < MAX_FLAT_PITCH]
+    let at_rest = path.is_at_rest(time);
+    [true, at_rest && pitch > -MAX_FLAT_PITCH, at_rest && pitch < MAX_FLAT_PITCH]
 }
 
 /// Returns the plants document of the clip `name`. `labels` holds contact, toe and heel contact per

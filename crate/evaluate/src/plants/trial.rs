@@ -26,7 +26,8 @@ pub struct Trial {
 }
 
 impl Trial {
-    fn new(name: String, clip: &Clip, truth: Vec<(Part, [Truth; 2])>) -> Trial {
+    /// Creates a trial from a clip and the truth of some parts, left foot first.
+    pub fn new(name: String, clip: &Clip, truth: Vec<(Part, [Truth; 2])>) -> Trial {
         let skeleton = Skeleton::main(clip, &Overrides::default());
         let feet = Feet::new(clip, &skeleton).expect("a clip with feet in motion");
         Trial { name, feet, truth }

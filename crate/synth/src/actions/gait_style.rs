@@ -2,7 +2,7 @@
 
 use super::Posture;
 use crate::math::Track;
-use crate::plan::{ArmPose, Gait, Landing, LegPoses, Lift, SwingPath};
+use crate::plan::{ArmPose, EndMotion, Gait, Landing, LegPoses, Lift, SwingPath};
 
 /// Style of locomotion: steps and posture.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +97,12 @@ impl GaitStyle {
             width: 0.05 * scale,
             swing: 0.38,
             lift: Lift { pitch: 46.0, lead: 0.18 },
-            swing_path: SwingPath { pitch: 34.0, clearance: 0.06 * scale, ..walk.swing_path },
+            swing_path: SwingPath {
+                pitch: 34.0,
+                clearance: 0.06 * scale,
+                touch_down: EndMotion::SOFT,
+                ..walk.swing_path
+            },
             landing: Landing { pitch: 36.0, settle: 0.09, rest: 29.0 },
             ..walk
         };
@@ -160,6 +165,8 @@ impl GaitStyle {
                 leg_poses: Some(leg_poses),
                 pitch: 22.0,
                 clearance: 0.14 * scale,
+                take_off: EndMotion::SOFT,
+                touch_down: EndMotion::SOFT,
                 ..walk.swing_path
             },
             landing: Landing { pitch: 22.0, settle: 0.3, rest: 0.0 },

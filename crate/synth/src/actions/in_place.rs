@@ -3,7 +3,7 @@
 use plantigrade::foot::Side;
 
 use super::{Actor, HALF_STANCE_WIDTH, Posture, opposite};
-use crate::plan::{ArmPose, Gait, Landing, Lift, SwingPath};
+use crate::plan::{ArmPose, EndMotion, Gait, Landing, Lift, SwingPath};
 
 impl Actor<'_> {
     /// Returns the gait of a small step on the spot.
@@ -20,6 +20,7 @@ impl Actor<'_> {
                 clearance: 0.05 * self.scale,
                 peak: 0.45,
                 pitch: 14.0,
+                touch_down: EndMotion { vertical: 0.25, ..EndMotion::WALK_STRIKE },
                 ..walk.swing_path.clone()
             },
             landing: Landing { pitch: 8.0, settle: 0.08, rest: 0.0 },

@@ -5,7 +5,7 @@ use plantigrade::foot::Side::{self, Left};
 use super::{Actor, GaitStyle, HALF_STANCE_WIDTH, Posture, opposite};
 use crate::math::GRAVITY;
 use crate::math::Track;
-use crate::plan::{Gait, Jump, Landing, LegPoses, Lift, SwingPath, foot_placement};
+use crate::plan::{EndMotion, Gait, Jump, Landing, LegPoses, Lift, SwingPath, foot_placement};
 
 /// Arm poses before a jump, at its apex and after it.
 const BACK: [f64; 5] = [-44.0, 16.0, 10.0, 14.0, 0.0];
@@ -19,6 +19,7 @@ impl Actor<'_> {
     /// Returns a jump with `ground` seconds on the ground and `flight` in the air.
     fn vertical_jump(&self, ground: f64, flight: f64) -> Jump {
         let walk = Gait::walk(self.scale);
+        let (take_off, touch_down) = EndMotion::jump(flight);
         Jump {
             ground,
             flight,
@@ -34,6 +35,8 @@ impl Actor<'_> {
                 pitch_at: 0.5,
                 ramps: (0.25, 0.25),
                 detour: 0.0,
+                take_off,
+                touch_down,
                 ..walk.swing_path
             },
             landing: Landing { pitch: 18.0, settle: 0.09, rest: 0.0 },
@@ -187,7 +190,9 @@ impl Actor<'_> {
         let length = 0.9 * style.gait.length / style.gait.time * (ground + flight);
         let hop = Jump { length, width: 0.1 * self.scale, ..self.vertical_jump(ground, flight) };
         let landing = Landing { pitch: -12.0, settle: 0.07, rest: 0.0 };
-        let swing_path = SwingPath { pitch: -4.0, clearance: 0.3 * self.scale, ..hop.swing_path.clone() };
+        let touch_down = EndMotion { vertical: 1.0, ..hop.swing_path.touch_down };
+        let swing_path =
+            SwingPath { pitch: -4.0, clearance: 0.3 * self.scale, touch_down, ..hop.swing_path.clone() };
         self.planner.jump(&[jumper], &Jump { landing, swing_path: swing_path.clone(), ..hop });
         let land = self.now();
         // The free leg has been in the air since before the last step, as in any run.

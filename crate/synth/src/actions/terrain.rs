@@ -2,7 +2,7 @@
 
 use super::{Actor, GaitStyle, Posture, opposite};
 use crate::math::Track;
-use crate::plan::{Gait, Landing, LegPoses, Lift, SwingPath};
+use crate::plan::{EndMotion, Gait, Landing, LegPoses, Lift, SwingPath};
 
 /// Rise and tread of a stair, in metres.
 const RISE: f64 = 0.17;
@@ -124,6 +124,11 @@ impl Actor<'_> {
             length: 0.0,
             swing: 0.42,
             lift: Lift { pitch: 34.0, lead: 0.2 },
+            swing_path: SwingPath {
+                take_off: EndMotion::SOFT,
+                touch_down: EndMotion::SOFT,
+                ..walk.swing_path.clone()
+            },
             landing: Landing { pitch: -10.0, settle: 0.1, rest: 0.0 },
             ..walk.clone()
         };

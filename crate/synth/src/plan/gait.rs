@@ -1,6 +1,6 @@
 //! Parameters of steps and jumps.
 
-use super::{Landing, Lift, SwingPath};
+use super::{EndMotion, Landing, Lift, SwingPath};
 use crate::math::lerp;
 
 /// Parameters of a step.
@@ -38,14 +38,16 @@ impl Gait {
             swing: 0.42,
             lift: Lift { pitch: 52.0, lead: 0.24 },
             swing_path: SwingPath {
-                clearance: 0.075 * scale,
+                clearance: 0.06 * scale,
                 peak: 0.34,
                 pitch: 8.0,
                 pitch_at: 0.62,
-                ramps: (0.24, 0.24),
+                ramps: (0.18, 0.31),
                 detour: 0.012,
                 grounded: false,
                 load: 0.0,
+                take_off: EndMotion::WALK_OFF,
+                touch_down: EndMotion::WALK_STRIKE,
                 leg_poses: None,
             },
             landing: Landing::HEEL,
@@ -62,14 +64,16 @@ impl Gait {
             swing: 0.47,
             lift: Lift { pitch: 58.0, lead: 0.15 },
             swing_path: SwingPath {
-                clearance: 0.27 * scale,
-                peak: 0.36,
+                clearance: 0.22 * scale,
+                peak: 0.4,
                 pitch: 72.0,
                 pitch_at: 0.34,
                 ramps: (0.4, 0.22),
+                take_off: EndMotion::RUN_OFF,
+                touch_down: EndMotion::RUN_STRIKE,
                 ..walk.swing_path
             },
-            landing: Landing { pitch: -10.0, settle: 0.06, rest: 0.0 },
+            landing: Landing { pitch: -14.0, settle: 0.06, rest: 0.0 },
             ..walk
         }
     }
@@ -97,6 +101,8 @@ impl Gait {
                 pitch_at: mix(from.pitch_at, to.pitch_at),
                 ramps: (mix(from.ramps.0, to.ramps.0), mix(from.ramps.1, to.ramps.1)),
                 detour: mix(from.detour, to.detour),
+                take_off: from.take_off.blend(&to.take_off, t),
+                touch_down: from.touch_down.blend(&to.touch_down, t),
                 ..nearer.swing_path.clone()
             },
             // Landings are not interpolated: a mix of heel and ball landing does not exist.

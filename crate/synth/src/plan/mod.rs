@@ -13,7 +13,7 @@ pub use body_tracks::{ArmPose, BodyTracks};
 pub use gait::{Gait, Jump};
 pub use planner::{Planner, foot_placement};
 pub use stance::{Interval, Stance, flights, stances};
-pub use step::{Landing, LegPoses, Lift, Placement, Step, SwingPath};
+pub use step::{EndMotion, Landing, LegPoses, Lift, Placement, Step, SwingPath};
 
 use crate::math::Track;
 

@@ -1,6 +1,6 @@
 //! One step: push-off, swing and landing.
 
-use crate::math::{Track, smooth_rise};
+use crate::math::{GRAVITY, Track, lerp, smooth_rise};
 use crate::math::{Vec3, forward, leftward};
 
 /// Position and heading on the ground.
@@ -112,8 +112,60 @@ pub struct SwingPath {
     pub grounded: bool,
     /// Fraction of the body weight that the foot bears during the swing: 0 except for slides.
     pub load: f64,
+    /// Motion of the foot as it leaves the ground.
+    pub take_off: EndMotion,
+    /// Motion of the foot as it touches the ground.
+    pub touch_down: EndMotion,
     /// Prescribed poses of the leg during the swing.
     pub leg_poses: Option<LegPoses>,
+}
+
+/// Motion of a foot relative to the ground at one end of a swing.
+///
+/// Recorded feet do not come to rest before they touch the ground, and do not start from rest when
+/// they leave it. At foot strike the foot moves down and forward; the ground stops it within some 20
+/// to 40 ms, while heel pad or toes yield. Before foot off, the foot accelerates from rest while its
+/// load decreases: the ball leaves the ground first, the tip of the toes last. The constants are
+/// rounded means of recorded force-plate strikes and offs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EndMotion {
+    /// Vertical speed at the end of the swing, in m/s: downward at foot strike, upward at foot off.
+    pub vertical: f64,
+    /// Horizontal velocity, as a fraction of the mean velocity of the swing.
+    pub along: f64,
+    /// Time from foot strike until the foot is at rest, or from rest until foot off, in seconds. Before
+    /// foot off, the ball rises in the last 60 % of it.
+    pub time: f64,
+}
+
+impl EndMotion {
+    /// The foot is at rest at the end of the swing: a careful step, or a foot that slides.
+    pub const SOFT: EndMotion = EndMotion { vertical: 0.0, along: 0.0, time: 0.0 };
+    /// Heel strike of a walk.
+    pub const WALK_STRIKE: EndMotion = EndMotion { vertical: 0.45, along: 0.12, time: 0.025 };
+    /// Foot off of a walk.
+    pub const WALK_OFF: EndMotion = EndMotion { vertical: 0.6, along: 0.28, time: 0.08 };
+    /// Foot strike of a run.
+    pub const RUN_STRIKE: EndMotion = EndMotion { vertical: 0.5, along: 0.2, time: 0.03 };
+    /// Foot off of a run.
+    pub const RUN_OFF: EndMotion = EndMotion { vertical: 0.55, along: 0.14, time: 0.08 };
+
+    /// Returns take-off and touch-down of a jump with a flight of `flight` seconds: the feet have the
+    /// vertical speed of the body.
+    pub fn jump(flight: f64) -> (EndMotion, EndMotion) {
+        let vertical = 0.9 * GRAVITY * flight / 2.0;
+        let take_off = EndMotion { vertical, along: 0.3, time: 0.08 };
+        (take_off, EndMotion { time: 0.02, ..take_off })
+    }
+
+    /// Interpolates between this motion and `other` by the fraction `t`.
+    pub fn blend(&self, other: &EndMotion, t: f64) -> EndMotion {
+        EndMotion {
+            vertical: lerp(self.vertical, other.vertical, t),
+            along: lerp(self.along, other.along, t),
+            time: lerp(self.time, other.time, t),
+        }
+    }
 }
 
 /// Prescribed poses of a leg relative to the body.
@@ -141,7 +193,7 @@ pub struct Landing {
 
 impl Landing {
     /// Heel strike, rolling to flat.
-    pub const HEEL: Landing = Landing { pitch: -18.0, settle: 0.11, rest: 0.0 };
+    pub const HEEL: Landing = Landing { pitch: -16.0, settle: 0.085, rest: 0.0 };
     /// Landing on the ball; the heel follows.
     pub const BALL: Landing = Landing { pitch: 22.0, settle: 0.11, rest: 0.0 };
     /// Landing on the whole sole.

@@ -4,7 +4,7 @@ use plantigrade::foot::Side::{self, Left, Right};
 
 use crate::character::{Proportions, lateral_sign};
 use crate::math::{Random, Track};
-use crate::plan::{Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath};
+use crate::plan::{EndMotion, Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath};
 
 /// Outward rotation of the feet in first position, in degrees.
 const TURNOUT: f64 = 42.0;
@@ -43,6 +43,8 @@ fn ballet_step(scale: f64) -> Gait {
             ramps: (0.3, 0.3),
             grounded: false,
             load: 0.0,
+            take_off: EndMotion::SOFT,
+            touch_down: EndMotion::SOFT,
             leg_poses: None,
         },
         landing: Landing { pitch: 34.0, settle: 0.16, rest: 0.0 },

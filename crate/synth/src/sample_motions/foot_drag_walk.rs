@@ -5,7 +5,7 @@ use plantigrade::foot::Side;
 
 use crate::character::Proportions;
 use crate::math::Random;
-use crate::plan::{ArmPose, Gait, Landing, Lift, Placement, Plan, Planner, SwingPath};
+use crate::plan::{ArmPose, EndMotion, Gait, Landing, Lift, Placement, Plan, Planner, SwingPath};
 
 /// Plans a walk with a dragged right foot; the clip begins in mid-walk.
 pub fn foot_drag_walk(proportions: &Proportions, seconds: f64, random: &mut Random) -> Plan {
@@ -37,6 +37,8 @@ pub fn foot_drag_walk(proportions: &Proportions, seconds: f64, random: &mut Rand
             detour: 0.05 * scale,
             grounded: true,
             load: 0.0,
+            take_off: EndMotion::SOFT,
+            touch_down: EndMotion::SOFT,
             leg_poses: None,
         },
         landing: Landing { pitch: 18.0, settle: 0.16, rest: 0.0 },

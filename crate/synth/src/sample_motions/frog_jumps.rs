@@ -4,7 +4,7 @@ use plantigrade::foot::Side;
 
 use crate::character::Proportions;
 use crate::math::Random;
-use crate::plan::{ArmPose, Gait, Jump, Landing, Lift, Placement, Plan, Planner, SwingPath};
+use crate::plan::{ArmPose, EndMotion, Gait, Jump, Landing, Lift, Placement, Plan, Planner, SwingPath};
 
 /// Arms behind the body, hands low: crouch before a jump.
 const BACK: [f64; 5] = [-48.0, 16.0, 10.0, 12.0, 0.0];
@@ -52,6 +52,7 @@ pub fn frog_jumps(proportions: &Proportions, seconds: f64, random: &mut Random) 
 }
 
 fn hop(scale: f64, ground: f64, flight: f64, length: f64) -> Jump {
+    let (take_off, touch_down) = EndMotion::jump(flight);
     Jump {
         ground,
         flight,
@@ -65,6 +66,8 @@ fn hop(scale: f64, ground: f64, flight: f64, length: f64) -> Jump {
             pitch: 34.0,
             pitch_at: 0.55,
             ramps: (0.25, 0.25),
+            take_off,
+            touch_down,
             ..Gait::walk(scale).swing_path
         },
         landing: Landing { pitch: 16.0, settle: 0.1, rest: 0.0 },

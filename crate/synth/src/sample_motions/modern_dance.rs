@@ -6,7 +6,7 @@ use plantigrade::foot::Side::{Left, Right};
 use crate::character::Proportions;
 use crate::math::Random;
 use crate::math::Track;
-use crate::plan::{Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath};
+use crate::plan::{EndMotion, Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath};
 
 /// Plans a phrase of five seconds that is in progress when the clip begins.
 pub fn modern_dance(proportions: &Proportions, _seconds: f64, random: &mut Random) -> Plan {
@@ -82,6 +82,8 @@ fn step(scale: f64) -> Gait {
             peak: 0.45,
             pitch: 34.0,
             pitch_at: 0.5,
+            take_off: EndMotion::SOFT,
+            touch_down: EndMotion::SOFT,
             ..walk.swing_path.clone()
         },
         landing: Landing { pitch: 18.0, settle: 0.11, rest: 0.0 },

@@ -4,7 +4,9 @@ use plantigrade::foot::Side;
 
 use crate::character::Proportions;
 use crate::math::{Random, Track};
-use crate::plan::{ArmPose, Gait, Jump, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath};
+use crate::plan::{
+    ArmPose, EndMotion, Gait, Jump, Landing, LegPoses, Lift, Placement, Plan, Planner, SwingPath,
+};
 
 /// Plans standing, raising the right foot, hopping and lowering the foot.
 pub fn one_leg_hop(proportions: &Proportions, seconds: f64, random: &mut Random) -> Plan {
@@ -25,6 +27,7 @@ pub fn one_leg_hop(proportions: &Proportions, seconds: f64, random: &mut Random)
     while planner.now() < seconds - 1.9 {
         let ground = 0.27 * random.vary(0.06);
         let flight = 0.26 * random.vary(0.08);
+        let (take_off, touch_down) = EndMotion::jump(flight);
         let hop = Jump {
             ground,
             flight,
@@ -32,7 +35,7 @@ pub fn one_leg_hop(proportions: &Proportions, seconds: f64, random: &mut Random)
             turn: random.uniform(-2.0, 2.0),
             width: 0.035 * scale,
             lift: Lift { pitch: 40.0, lead: 0.13 },
-            swing_path: swing_path.clone(),
+            swing_path: SwingPath { take_off, touch_down, ..swing_path.clone() },
             landing: Landing { pitch: 14.0, settle: 0.08, rest: 0.0 },
         };
         planner.jump(&[Side::Left], &hop);

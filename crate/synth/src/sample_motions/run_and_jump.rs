@@ -5,7 +5,7 @@ use plantigrade::foot::Side;
 use crate::actions::opposite;
 use crate::character::Proportions;
 use crate::math::Random;
-use crate::plan::{ArmPose, Gait, Jump, Landing, Lift, Placement, Plan, Planner, SwingPath};
+use crate::plan::{ArmPose, EndMotion, Gait, Jump, Landing, Lift, Placement, Plan, Planner, SwingPath};
 
 /// Plans a run that begins before the clip and continues after it.
 pub fn run_and_jump(proportions: &Proportions, seconds: f64, random: &mut Random) -> Plan {
@@ -121,9 +121,11 @@ fn long_leap(scale: f64) -> Gait {
 }
 
 fn jump(scale: f64) -> Jump {
+    let flight = 0.46;
+    let (take_off, touch_down) = EndMotion::jump(flight);
     Jump {
         ground: 0.34,
-        flight: 0.46,
+        flight,
         length: 0.95 * scale,
         turn: 8.0,
         width: 0.12 * scale,
@@ -134,6 +136,8 @@ fn jump(scale: f64) -> Jump {
             pitch: 30.0,
             pitch_at: 0.55,
             ramps: (0.25, 0.25),
+            take_off,
+            touch_down,
             ..Gait::walk(scale).swing_path
         },
         landing: Landing { pitch: 16.0, settle: 0.08, rest: 0.0 },

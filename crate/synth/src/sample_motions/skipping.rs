@@ -6,7 +6,8 @@ use crate::actions::opposite;
 use crate::character::Proportions;
 use crate::math::{Random, Track};
 use crate::plan::{
-    ArmPose, Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, Step, SwingPath, foot_placement,
+    ArmPose, EndMotion, Gait, Landing, LegPoses, Lift, Placement, Plan, Planner, Step, SwingPath,
+    foot_placement,
 };
 
 /// Durations of the phases of a skip, in seconds: stance after the step, flight, stance after the
@@ -61,12 +62,15 @@ pub fn skipping(proportions: &Proportions, seconds: f64, random: &mut Random) ->
 }
 
 fn hop_step(walk: &Gait, strike: f64, swing: f64, placement: Placement) -> Step {
+    let (take_off, touch_down) = EndMotion::jump(swing);
     let swing_path = SwingPath {
         clearance: 0.05,
         peak: 0.45,
         pitch: 22.0,
         pitch_at: 0.55,
         ramps: (0.3, 0.3),
+        take_off,
+        touch_down,
         ..walk.swing_path.clone()
     };
     let (lift, landing) =
