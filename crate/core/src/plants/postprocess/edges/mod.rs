@@ -23,6 +23,9 @@ use crate::plants::{Edge, Feet, FootLabels, FootTracks};
 /// Times searched for a foot strike, before and after the boundary of the clustering, in seconds; half a
 /// frame is added, by which the boundary is uncertain.
 const STRIKE_SEARCH: [f64; 2] = [0.06, 0.09];
+/// Maximum time by which an impact precedes the boundary of the clustering, in seconds. A foot that moves
+/// longer after it was not stopped by the ground: it comes softly to rest.
+const MAX_STRIKE_LEAD: f64 = 0.03;
 /// Time searched for a foot off, before and after the boundary of the clustering, likewise.
 const OFF_SEARCH: f64 = 0.075;
 /// Maximum time after foot off at which the peak speed of the swing is searched, in seconds.
@@ -114,7 +117,8 @@ impl<'a> Refiner<'a> {
         // Without the fall before it, an impact cannot be told.
         let is_cut_off = estimate - before < self.span.start as f64 * self.feet.frame_time;
         let cues = (!is_cut_off).then(|| strike::cues(&parts, self.feet.up, &search));
-        self.edge(cues, estimate, &bounds)
+        let is_impact = |cues: &Cues| cues.median().is_some_and(|median| estimate - median < MAX_STRIKE_LEAD);
+        self.edge(cues.filter(is_impact), estimate, &bounds)
     }
 
     /// Returns the foot off of a plant; `next_start` is the first frame after the following swing.
