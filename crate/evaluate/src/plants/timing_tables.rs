@@ -213,7 +213,8 @@ fn generated(report: &mut Report) {
     report.text("### Generated set");
     report.text(
         "By family of motions. True events are the exact times of the plan. *Other* are clips of several \
-         kinds of motion, dance, fighting, sneaking and steps on the spot.",
+         kinds of motion, dance, fighting, sneaking and steps on the spot. The speeds of the generated \
+         feet around these events are means of the raw capture above and of the solved motion.",
     );
     let specs = full_set(1.0);
     let jobs: Vec<(&ClipSpec, u64)> =
