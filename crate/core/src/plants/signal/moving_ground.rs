@@ -21,8 +21,9 @@ const WINDOW: f64 = 0.3;
 /// Half-width of the window in which the feet are compared and the velocity must last, in seconds: any
 /// stride has a double support within it.
 const COMPARISON_WINDOW: f64 = 0.6;
-/// Speed above which a foot is in swing, in leg lengths per second.
-const SWING_SPEED: f64 = 1.2;
+/// Speed above which a foot is in swing, in leg lengths per second: faster than planted feet on slow
+/// belts and slower than feet that beat in the air (generated motion, seeds 0 to 2).
+const SWING_SPEED: f64 = 0.8;
 /// Minimum fraction of the window in which a foot is slower than that; otherwise there is flight and
 /// no evidence of the ground.
 const MIN_FRACTION: f64 = 0.6;
@@ -36,7 +37,7 @@ const MIN_DURABILITY: f64 = 0.4;
 /// ground. On moving ground the feet agree at least for a quarter of the time in which both are slow
 /// (generated motion, seeds 0 to 2).
 const AGREEMENT: f64 = 0.25;
-const DISAGREEMENT_WEIGHT: f64 = 0.7;
+const DISAGREEMENT_WEIGHT: f64 = 0.5;
 
 /// Returns the displacement of the ground in each frame of a clip, relative to the start of each
 /// span; `None` if the ground is at rest.
