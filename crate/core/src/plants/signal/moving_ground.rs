@@ -18,22 +18,26 @@ const RATE: f64 = 30.0;
 /// Half-width of the window of the median, in seconds: shorter than a stance, longer than the
 /// reversal of a foot in swing.
 const WINDOW: f64 = 0.3;
-/// Half-width of the window in which the feet are compared, in seconds: any stride has a double
-/// support within it.
+/// Half-width of the window in which the feet are compared and the velocity must last, in seconds: any
+/// stride has a double support within it.
 const COMPARISON_WINDOW: f64 = 0.6;
-/// Speed above which a foot is in swing, in leg lengths per second.
-const SWING_SPEED: f64 = 1.2;
+/// Speed above which a foot is in swing, in leg lengths per second: faster than planted feet on slow
+/// belts and slower than feet that beat in the air (generated motion, seeds 0 to 2).
+const SWING_SPEED: f64 = 0.8;
 /// Minimum fraction of the window in which a foot is slower than that; otherwise there is flight and
 /// no evidence of the ground.
 const MIN_FRACTION: f64 = 0.6;
 /// Speed of the ground that is as likely as rest, in leg lengths per second. Planted feet that roll
 /// reach 0.1 in the median (generated motion, seeds 0 to 2).
 const REST_SPEED: f64 = 0.2;
+/// Minimum velocity of the ground in the wider window, as a fraction: feet that beat in the air reverse
+/// within it, ground does not.
+const MIN_DURABILITY: f64 = 0.4;
 /// Percentile of the velocity differences of both feet, and its weight against the velocity of the
 /// ground. On moving ground the feet agree at least for a quarter of the time in which both are slow
 /// (generated motion, seeds 0 to 2).
 const AGREEMENT: f64 = 0.25;
-const DISAGREEMENT_WEIGHT: f64 = 0.7;
+const DISAGREEMENT_WEIGHT: f64 = 0.5;
 
 /// Returns the displacement of the ground in each frame of a clip, relative to the start of each
 /// span; `None` if the ground is at rest.
@@ -70,13 +74,16 @@ fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>
         })
         .collect();
     let medians: Vec<Vector3<f64>> = windows(&slower, half(WINDOW)).map(median).collect();
-    let means = windows(&medians, half(WINDOW) / 2)
-        .map(|medians| medians.iter().sum::<Vector3<f64>>() / medians.len() as f64);
-    means
-        .zip(windows(&both, half(COMPARISON_WINDOW)))
-        .map(|(mean, both)| {
+    let mean = |medians: &[Vector3<f64>]| medians.iter().sum::<Vector3<f64>>() / medians.len() as f64;
+    let wide = half(COMPARISON_WINDOW);
+    windows(&medians, half(WINDOW) / 2)
+        .map(mean)
+        .zip(windows(&medians, wide).map(mean))
+        .zip(windows(&both, wide))
+        .map(|((mean, wide_mean), both)| {
             let rest = REST_SPEED * feet.leg;
-            if mean.norm() < rest / 2.0 {
+            let is_lasting = wide_mean.dot(&mean) > MIN_DURABILITY * mean.norm_squared();
+            if mean.norm() < rest / 2.0 || !is_lasting {
                 return Vector3::zeros();
             }
             let doubt = rest.max(DISAGREEMENT_WEIGHT * disagreement(both));
