@@ -25,7 +25,7 @@ use crate::plants::{Edge, Feet, FootLabels, FootTracks};
 const STRIKE_SEARCH: [f64; 2] = [0.06, 0.09];
 /// Maximum time by which an impact precedes the boundary of the clustering, in seconds. A foot that moves
 /// longer after it was not stopped by the ground: it comes softly to rest.
-const MAX_STRIKE_LEAD: f64 = 0.03;
+const MAX_STRIKE_LEAD: f64 = 0.02;
 /// Time searched for a foot off, before and after the boundary of the clustering, likewise.
 const OFF_SEARCH: f64 = 0.075;
 /// Maximum time after foot off at which the peak speed of the swing is searched, in seconds.
