@@ -54,7 +54,9 @@ pub struct TrueEvents {
 impl TrueEvents {
     /// Takes the events from labels: the edges between two known frames.
     pub fn from_labels(contact: [Truth; 2], frame_time: f64) -> TrueEvents {
-        let events = Side::BOTH.into_iter().flat_map(|side| edges(side, &contact[side as usize], frame_time));
+        let events = Side::BOTH
+            .into_iter()
+            .flat_map(|side| edges(side, &contact[side as usize], |frame| (frame as f64 - 0.5) * frame_time));
         TrueEvents { events: events.collect(), contact, frame_time }
     }
 
@@ -78,18 +80,18 @@ pub fn detected_events(detection: &Detection, part: Part, frame_time: f64) -> Ve
 /// Returns the events of the labels of one foot. All times of detected events come from here.
 fn foot_events(side: Side, labels: &FootLabels, frame_time: f64) -> Vec<Event> {
     let known: Truth = labels.planted.iter().map(|&planted| Some(planted)).collect();
-    edges(side, &known, frame_time)
+    edges(side, &known, |frame| labels.boundary_time(frame, frame_time))
 }
 
-/// Returns the edges between two known frames; an edge lies halfway between them.
-fn edges(side: Side, labels: &[Option<bool>], frame_time: f64) -> Vec<Event> {
+/// Returns the edges between two known frames; `time` is that of the boundary before a frame.
+fn edges(side: Side, labels: &[Option<bool>], time: impl Fn(usize) -> f64) -> Vec<Event> {
     let edge = |(index, pair): (usize, &[Option<bool>])| {
         let kind = match pair {
             [Some(false), Some(true)] => Kind::Strike,
             [Some(true), Some(false)] => Kind::Off,
             _ => return None,
         };
-        Some(Event { side, kind, time: (index as f64 + 0.5) * frame_time })
+        Some(Event { side, kind, time: time(index + 1) })
     };
     labels.windows(2).enumerate().filter_map(edge).collect()
 }

@@ -102,6 +102,7 @@ mod tests {
             confidence: vec![1.0; FRAMES],
             height: vec![0.0; FRAMES],
             speed: vec![0.2; FRAMES],
+            edges: Vec::new(),
         };
         let right = left.clone();
         for (swing, speed, _) in swings {
