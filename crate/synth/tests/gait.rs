@@ -119,8 +119,10 @@ fn compare(gait: &Gait, plan: &Planned, within: &Tolerances) {
 /// Truth labels are exact to the frame; recorded feet are still within millimetres.
 const TRUTH_TOLERANCES: Tolerances = Tolerances { cadence: 0.5, time: 0.01, length: 0.01, fraction: 0.01 };
 
-/// Detected contacts begin about 40 ms before and end about 40 ms after planned ones.
-const DETECTION_TOLERANCES: Tolerances = Tolerances { cadence: 1.0, time: 0.1, length: 0.01, fraction: 0.16 };
+/// The last foot strike of the curved walk is 40 ms before the end of the clip, where its impact cannot be
+/// seen; with the time that the clustering yields, the cadence of its two strides is 1.4 too high.
+const DETECTION_TOLERANCES: Tolerances =
+    Tolerances { cadence: 1.5, time: 0.03, length: 0.01, fraction: 0.04 };
 
 #[test]
 fn straight_walk_measures_match_the_plan() {

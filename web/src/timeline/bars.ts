@@ -14,7 +14,7 @@ const minNumberWidth = 20;
 const minWhisker = 3;
 
 /** Upper bound of the uncertainty of an instant, in seconds. */
-const maxUncertainty = 0.1;
+const maxUncertainty = 0.03;
 
 /** Cache of `editedIntervalsOf`. */
 const editedIntervals = new WeakMap<Track, Uint32Array>();

@@ -33,10 +33,9 @@ const MAX_SWING: f64 = 0.6;
 /// Fractions of the peak speed of the swing that toe and tip exceed at foot off.
 const TOE_FRACTION: f64 = 0.2;
 const TIP_FRACTION: f64 = 0.1;
-/// Uncertainty of boundaries of the clustering, in seconds, and limits of any uncertainty.
+/// Uncertainty of boundaries of the clustering, and the least uncertainty of any edge, in seconds.
 const ESTIMATE_UNCERTAINTY: f64 = 0.03;
 const MIN_UNCERTAINTY: f64 = 0.001;
-const MAX_UNCERTAINTY: f64 = 0.1;
 /// Frames nearer to an edge than this number of its standard deviations, or than this time in seconds,
 /// have the confidence that follows from the edge.
 const CONFIDENCE_REACH: f64 = 4.0;
@@ -144,11 +143,14 @@ impl<'a> Refiner<'a> {
     fn edge(&self, cues: Option<Cues>, estimate: f64, bounds: &Range<f64>) -> Edge {
         let frame_time = self.feet.frame_time;
         let median = cues.and_then(|cues| Some((cues.median()?, cues.uncertainty)));
-        let (time, uncertainty) = median.unwrap_or((estimate, ESTIMATE_UNCERTAINTY));
+        // Cues that are less certain than the clustering say nothing.
+        let (time, uncertainty) = median
+            .filter(|(_, uncertainty)| *uncertainty < ESTIMATE_UNCERTAINTY)
+            .unwrap_or((estimate, ESTIMATE_UNCERTAINTY));
         // At least one frame remains on either side.
         let first = bounds.start + frame_time / 2.0;
         let time = time.clamp(first, (bounds.end - frame_time / 2.0).max(first));
-        let uncertainty = uncertainty.clamp(MIN_UNCERTAINTY, MAX_UNCERTAINTY);
+        let uncertainty = uncertainty.max(MIN_UNCERTAINTY);
         Edge { frame: (time / frame_time).ceil() as usize, time, uncertainty }
     }
 
@@ -287,7 +289,7 @@ mod tests {
             for edge in &labels.edges {
                 let frame = edge.time * rate;
                 prop_assert!(frame <= edge.frame as f64 + 1e-6 && frame > edge.frame as f64 - 1.0 - 1e-6);
-                prop_assert!((MIN_UNCERTAINTY..=MAX_UNCERTAINTY).contains(&edge.uncertainty));
+                prop_assert!((MIN_UNCERTAINTY..=ESTIMATE_UNCERTAINTY).contains(&edge.uncertainty));
             }
         }
     }

@@ -8,7 +8,7 @@ use crate::skeleton::Up;
 
 /// Standard deviation of the error per half range of the cues; fitted on generated motion (seeds 0 to
 /// 3).
-const ERROR_PER_RANGE: f64 = 1.6;
+const ERROR_PER_RANGE: f64 = 1.3;
 
 /// Part of a foot with the fraction of its peak speed in the following swing that it exceeds at foot
 /// off.
