@@ -5,7 +5,7 @@ use plantigrade::plants::{Detection, FootLabels};
 use plantigrade::score::Truth;
 
 /// Largest distance between a detected event and the true event it belongs to, in seconds.
-const MAX_DISTANCE: f64 = 0.15;
+pub const MAX_DISTANCE: f64 = 0.15;
 
 /// Kind of a gait event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

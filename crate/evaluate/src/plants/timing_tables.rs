@@ -10,6 +10,7 @@ use plantigrade::plants::Method;
 use plantigrade_synth::{ClipSpec, full_set, generate};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
+use super::edge_uncertainty;
 use super::gaitkit::{self, GaitkitEvents, LegTracks};
 use super::timing::{Event, Kind, Timing, TrueEvents, detected_events};
 use super::trial::{SEEDS, Trial, default_params};
@@ -168,6 +169,7 @@ fn tables(report: &mut Report, trials: &[TimedTrial]) -> anyhow::Result<()> {
         let row = |(name, events): &(String, Vec<Vec<Event>>)| table_row(name.clone(), &timing(events));
         report.table(&head("method"), &rows.iter().map(row).collect::<Vec<_>>());
     }
+    uncertainty(report, trials);
     report.text(&match version {
         Some(version) => format!(
             "The last rows are detectors of gait events from the Python package gaitkit {version}, given \
@@ -177,6 +179,15 @@ fn tables(report: &mut Report, trials: &[TimedTrial]) -> anyhow::Result<()> {
         None => "The detectors of the Python package gaitkit were not available.".to_owned(),
     });
     Ok(())
+}
+
+/// Adds a table of the calibration of the edges of the default method.
+fn uncertainty(report: &mut Report, trials: &[TimedTrial]) {
+    let errors = trials.par_iter().map(|trial| {
+        let detection = trial.trial.detect(default_params(Method::Robust));
+        edge_uncertainty::edge_errors(&detection, &trial.truth)
+    });
+    edge_uncertainty::write(report, &errors.flatten().collect::<Vec<_>>());
 }
 
 /// Returns the part by which a method is scored.
@@ -239,6 +250,7 @@ fn generated(report: &mut Report) {
         report.text(&format!("{}{}s:", name[..1].to_uppercase(), &name[1..]));
         report.table(&head("method and motion"), &rows);
     }
+    uncertainty(report, &trials);
 }
 
 /// Generates a clip with the exact times of its events.

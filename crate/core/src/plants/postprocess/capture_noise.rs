@@ -24,13 +24,13 @@ const STRETCH: f64 = 2.0;
 
 /// Labels all swings as planted in stretches of a clip in which neither foot takes a step.
 ///
-/// Their confidence becomes minimum because the clustering disagrees.
-pub(crate) fn fill_swings(feet: &Feet, labels: &mut PartLabels) {
+/// Their confidence becomes minimum because the clustering disagrees. Returns true if there were any.
+pub(crate) fn fill_swings(feet: &Feet, labels: &mut PartLabels) -> bool {
     let speeds_of_planted = labels.feet.iter().flat_map(|foot| {
         let speeds = foot.planted.iter().zip(&foot.speed);
         speeds.filter(|(planted, _)| **planted).map(|(_, speed)| f64::from(*speed))
     });
-    let Some(noise) = stats::median_high(speeds_of_planted) else { return };
+    let Some(noise) = stats::median_high(speeds_of_planted) else { return false };
     let swings = [0, 1].map(|foot| {
         let in_air: Vec<bool> = labels.feet[foot].planted.iter().map(|planted| !planted).collect();
         intervals(&in_air)
@@ -48,12 +48,15 @@ pub(crate) fn fill_swings(feet: &Feet, labels: &mut PartLabels) {
             is_stepping[swing.start.saturating_sub(reach)..end].fill(true);
         }
     }
+    let mut was_filled = false;
     for (labels, swings) in labels.feet.iter_mut().zip(swings) {
         for swing in swings.into_iter().filter(|swing| !is_stepping[swing.clone()].contains(&true)) {
             labels.planted[swing.clone()].fill(true);
             labels.confidence[swing].fill(0.5);
+            was_filled = true;
         }
     }
+    was_filled
 }
 
 /// Returns the maximum distance of a foot during a swing from its place before it: of the nearer of

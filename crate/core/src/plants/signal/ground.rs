@@ -53,28 +53,44 @@ type Stances = Vec<Stance>;
 
 /// Subtracts the height of the ground under each foot from the heights of its ankle and toe.
 ///
-/// The ground is at least as high as the lowest height of both feet within [`WINDOW`].
-pub(crate) fn subtract(feet: &Feet, resampler: &Resampler, ankle: &mut Signals, toe: &mut Signals) {
+/// The ground is at least as high as the lowest height of both feet within [`WINDOW`]. Returns, by foot
+/// and resampled frame, by how much the ground under the ankle exceeds that under the toe, in file
+/// units: the height of the heel of a foot that stands on its toe.
+pub(crate) fn subtract(
+    feet: &Feet,
+    resampler: &Resampler,
+    ankle: &mut Signals,
+    toe: &mut Signals,
+) -> [Vec<f64>; 2] {
     let Resampler { fine_spans: spans, factor, frame_time, .. } = resampler;
     let half = (WINDOW / frame_time + 0.55).floor() as usize;
     let soles = Soles { ankle, toe, feet, leg: feet.leg, factor: *factor, frame_time: *frame_time };
     let stances: Vec<[Stances; 2]> =
         spans.iter().map(|span| [0, 1].map(|foot| soles.stances(foot, span))).collect();
-    for signals in [ankle, toe] {
-        for (span, stances) in spans.iter().zip(&stances) {
+    let signals = [ankle, toe];
+    let mut heel_rise = [0, 1].map(|foot: usize| vec![0.0; signals[0][foot].height.len()]);
+    for (span, stances) in spans.iter().zip(&stances) {
+        let local = signals.each_ref().map(|signals| {
             let lower = |frame: usize| signals[0].height[frame].min(signals[1].height[frame]);
-            let local = sliding_minimum(span.clone().map(lower).collect(), half);
-            for foot in 0..2 {
-                let path = Path { track: &feet.tracks[foot].toe, factor: *factor, feet };
-                let heights = &mut signals[foot].height;
-                let own = ground_of_stances(heights, span, &stances[foot], half, path);
-                let ground = local.iter().zip(own).map(|(local, own)| local + rise(own - local, feet.leg));
-                for (height, ground) in heights[span.clone()].iter_mut().zip(ground) {
-                    *height = (*height - ground).max(0.0);
+            sliding_minimum(span.clone().map(lower).collect(), half)
+        });
+        for foot in 0..2 {
+            let path = || Path { track: &feet.tracks[foot].toe, factor: *factor, feet };
+            let own = signals
+                .each_ref()
+                .map(|signals| ground_of_stances(&signals[foot].height, span, &stances[foot], half, path()));
+            for (index, frame) in span.clone().enumerate() {
+                let difference = [0, 1].map(|part: usize| own[part][index] - local[part][index]);
+                let [ankle_rise, toe_rise] = difference.map(|difference| rise(difference, feet.leg));
+                for (part, rise) in [ankle_rise, toe_rise].into_iter().enumerate() {
+                    let height = &mut signals[part][foot].height[frame];
+                    *height = (*height - local[part][index] - rise).max(0.0);
                 }
+                heel_rise[foot][frame] = (ankle_rise - toe_rise).max(0.0);
             }
         }
     }
+    heel_rise
 }
 
 /// Returns the part of a difference of ground heights that exceeds the differences between stances

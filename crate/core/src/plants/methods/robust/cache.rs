@@ -40,6 +40,8 @@ pub(crate) struct Motion {
     pub factor: usize,
     pub ankle: Signals,
     pub toe: Signals,
+    /// Height of the heel of a foot that stands on its toe, by foot and resampled frame, in file units.
+    heel_rise: [Vec<f64>; 2],
     /// True if the toe bears weight rather than the ankle, by foot and resampled frame.
     is_toe_bearing: [Vec<bool>; 2],
     pub stands_still: bool,
@@ -55,23 +57,43 @@ impl Motion {
         let resampler = Resampler::new(feet, &spans);
         let mut ankle = signal::filtered(feet, &resampler, |foot| &foot.ankle);
         let mut toe = signal::filtered(feet, &resampler, |foot| &foot.toe);
-        ground::subtract(feet, &resampler, &mut ankle, &mut toe);
+        let heel_rise = ground::subtract(feet, &resampler, &mut ankle, &mut toe);
         let is_toe_bearing = signal::weight_bearing(&ankle, &toe, STILL_SPEED * feet.leg);
         let Resampler { fine_spans, factor, .. } = resampler;
         let notices = span_notices(feet, &spans);
-        let mut motion =
-            Motion { spans, fine_spans, factor, ankle, toe, is_toe_bearing, stands_still: false, notices };
+        let mut motion = Motion {
+            spans,
+            fine_spans,
+            factor,
+            ankle,
+            toe,
+            heel_rise,
+            is_toe_bearing,
+            stands_still: false,
+            notices,
+        };
         motion.stands_still = stands_still(&motion.weight_bearing(), &motion.fine_spans, feet.leg);
         motion
     }
 
-    /// Returns the signals of a part; those of contact are computed on each call.
+    /// Returns the signals of a part; those of contact and heel are computed on each call.
     pub fn signals(&self, part: Part) -> Cow<'_, Signals> {
         match part {
             Part::Contact => Cow::Owned(self.weight_bearing()),
             Part::Toe => Cow::Borrowed(&self.toe),
-            Part::Heel => Cow::Borrowed(&self.ankle),
+            Part::Heel => Cow::Owned(self.heel()),
         }
+    }
+
+    /// Returns the signals of the heel: those of the ankle, whose ground is that under the toe.
+    fn heel(&self) -> Signals {
+        let mut heel = self.ankle.clone();
+        for (signal, rise) in heel.iter_mut().zip(&self.heel_rise) {
+            for (height, rise) in signal.height.iter_mut().zip(rise) {
+                *height += rise;
+            }
+        }
+        heel
     }
 
     /// Returns the signals of the part that bears weight.

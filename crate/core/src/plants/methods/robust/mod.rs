@@ -4,11 +4,11 @@
 //! and single-frame spikes removed. Clips of low rates are resampled to 120 Hz, and speeds are
 //! smoothed without blurring stops and starts. Positions are relative to moving ground, and heights
 //! to the ground of each stance, so that belts, slopes, stairs and tilted floors do not matter. The
-//! slower of ankle and toe bears weight; if both are still,
-//! the lower one. Ranges are capped, degrees are weighted towards rest, the kernel has a heavy
-//! tail, and the threshold is the mean of the class medians. Toes are compared with the samples
-//! that bear weight; heels are clustered separately. Runs that are too short for human motion, swings
-//! that noise explains, and dragged feet are removed.
+//! slower of ankle and toe bears weight; if both are still, the lower one. Ranges are capped, degrees
+//! are weighted towards rest, the kernel has a heavy tail, and the threshold is the mean of the class
+//! medians. Toes are compared with the samples that bear weight; heels are clustered separately. Runs
+//! that are too short for human motion, swings that noise explains, and dragged feet are removed. The
+//! edges of contact are moved to the instants of impact and release.
 
 pub(crate) mod cache;
 
@@ -110,8 +110,11 @@ impl Pipeline<'_> {
         let mut toe = self.label(Part::Toe, toe);
         let mut heel = self.label(Part::Heel, heel);
         if is_clustered {
-            for labels in [&mut contact, &mut toe, &mut heel] {
-                capture_noise::fill_swings(self.feet, labels);
+            // Heels and toes may rise slowly without a step, unless noise has made swings of contact.
+            if capture_noise::fill_swings(self.feet, &mut contact) {
+                for labels in [&mut toe, &mut heel] {
+                    capture_noise::fill_swings(self.feet, labels);
+                }
             }
             notices.extend(self.drop_dragged(&mut contact.feet));
             self.refine_edges(&mut contact.feet);
