@@ -16,6 +16,8 @@ pub struct EvidenceInfo {
     pub knee: usize,
     /// Bandwidth σ of the kernel.
     pub sigma: f64,
+    /// True if σ is a limit of the method rather than the norm at the knee.
+    pub sigma_is_limited: bool,
     /// Sensitivity r, as requested.
     pub r: f64,
     /// Threshold on the running variance: r, scaled for wider windows.
@@ -79,6 +81,7 @@ impl WasmDetection {
         to_js(&EvidenceInfo {
             knee: evidence.knee,
             sigma: evidence.sigma,
+            sigma_is_limited: evidence.sigma_is_limited,
             r: self.core().params.tolerance(),
             tolerance: evidence.tolerance,
             threshold: evidence.threshold,

@@ -180,7 +180,7 @@ function NormSections({
   const norms = useComputed(() => sortedNormsPlot(clustering.value));
   const variance = useComputed(() => runningVariancePlot(clustering.value, setSensitivity));
   const text = useDescription(input);
-  const { sigma, knee, count } = clustering.value;
+  const { sigma, sigmaIsLimited, knee, count } = clustering.value;
   const percent = Math.round((100 * knee) / Math.max(count - 1, 1));
   const hasKnee = isSigmaAtKnee(clustering.value);
   return (
@@ -205,7 +205,7 @@ function NormSections({
         <Plot spec={normsSpec} plotData={norms} text={text} />
         <p class="note">
           {hasKnee
-            ? "Distance of each sample from rest, in ascending order. σ is the norm at the knee."
+            ? `Distance of each sample from rest, in ascending order. σ is the norm at the knee${sigmaIsLimited ? ", limited to speeds of planted feet" : ""}.`
             : "Distance of each sample from rest, in ascending order. This method determines σ in another way."}
         </p>
       </div>

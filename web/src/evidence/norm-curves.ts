@@ -32,9 +32,13 @@ export const varianceSpec: PlotSpec = {
   y: { size: 38, values: toThreeDigits },
 };
 
-/** True if σ is the norm at the knee. Some methods determine σ in another way. */
+/**
+ * True if σ is the norm at the knee, or the nearest limit of the method. Some methods determine σ in
+ * another way.
+ */
 export function isSigmaAtKnee(clustering: Clustering): boolean {
-  const { norms, sigma, knee } = clustering;
+  const { norms, sigma, sigmaIsLimited, knee } = clustering;
+  if (sigmaIsLimited) return true;
   return Math.abs(valueAtRank(clustering, norms, knee) - sigma) <= 1e-5 * sigma;
 }
 

@@ -24,6 +24,7 @@ const foot = (values: number[]) => ({
 });
 const clustering: Clustering = {
   knee: 1,
+  sigmaIsLimited: false,
   sigma: 0.2,
   r: 0.001,
   tolerance: 0.001,

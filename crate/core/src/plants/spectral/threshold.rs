@@ -24,6 +24,8 @@ pub struct Evidence {
     pub tolerance: f64,
     /// σ: bandwidth of the kernel; the norm at the knee within the limits of the method, unless given.
     pub sigma: f64,
+    /// True if σ is a limit of the method rather than the norm at the knee.
+    pub sigma_is_limited: bool,
     /// u: the value of each sample that is compared with the threshold, which is the sqrt-degree
     /// unless the method uses another; the frames of the left foot, then of the right foot.
     pub values: Vec<f32>,
@@ -93,6 +95,7 @@ pub(crate) fn split<'a>(
         knee: bandwidth.knee,
         tolerance: bandwidth.tolerance,
         sigma,
+        sigma_is_limited: false,
         values: to_single(&degrees.values),
         threshold: split.as_ref().map_or(f64::NEG_INFINITY, |split| split.threshold),
         planted_is_high: split.as_ref().is_none_or(|split| split.planted_is_high),

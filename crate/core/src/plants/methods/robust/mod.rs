@@ -174,7 +174,9 @@ impl Pipeline<'_> {
         let of_speed =
             |speed: f64| ((2 * window + 1) as f64).sqrt() * speed * self.feet.leg / set.ranges.speed;
         let [min, max] = [MIN_BANDWIDTH, MAX_BANDWIDTH].map(of_speed);
-        let sigma = self.settings.sigma.unwrap_or(bandwidth.sigma().clamp(min, max));
+        let at_knee = bandwidth.sigma();
+        let sigma = self.settings.sigma.unwrap_or(at_knee.clamp(min, max));
+        let sigma_is_limited = self.settings.sigma.is_none() && sigma != at_knee;
         // Samples near rest have larger weights, so that a foot held still in the air, whose
         // samples are dense, does not count as planted.
         let reach = (8.0 * sigma).min(0.5 * ((2 * window + 1) as f64).sqrt());
@@ -185,6 +187,7 @@ impl Pipeline<'_> {
         let frames = self.motion.spans.iter().cloned().flatten().collect();
         let (mut evidence, planted) =
             threshold::split(frames, samples, bandwidth, sigma, query.sqrt_degrees(), CutRule::Medians);
+        evidence.sigma_is_limited = sigma_is_limited;
         evidence.field = Some(DegreeField::new(&query, set.ranges));
         let expansion = query.expansion;
         Clustering { set, weights, expansion, evidence, planted }
