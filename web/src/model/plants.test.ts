@@ -52,6 +52,15 @@ describe("plantsOf", () => {
     expect(only({ heel: toe })).toHaveLength(4);
     expect(only({})).toEqual([]);
   });
+  it("has the instants that are known", () => {
+    const left = track("1100111000");
+    left.instants.set([Number.NaN, Number.NaN, 0.07, 0.005, 0.13, 0.01]);
+    const [first, , third] = plants.plantsOf({ ...detection, parts: { toe: { ...toe, left } } });
+    expect(first?.strike).toBeUndefined();
+    expect(first?.off).toEqual({ time: 0.07, uncertainty: 0.005 });
+    expect(third?.strike).toEqual({ time: 0.13, uncertainty: 0.01 });
+    expect(third?.off).toBeUndefined();
+  });
   it("averages the confidence of each plant", () => {
     const left = track("1100111000", 0.9);
     left.confidence.fill(0.6, 4, 7);
