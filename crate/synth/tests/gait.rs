@@ -119,10 +119,8 @@ fn compare(gait: &Gait, plan: &Planned, within: &Tolerances) {
 /// Truth labels are exact to the frame; recorded feet are still within millimetres.
 const TRUTH_TOLERANCES: Tolerances = Tolerances { cadence: 0.5, time: 0.01, length: 0.01, fraction: 0.01 };
 
-/// The last foot strike of the curved walk is 40 ms before the end of the clip, where its impact cannot be
-/// seen; with the time that the clustering yields, the cadence of its two strides is 1.4 too high.
 const DETECTION_TOLERANCES: Tolerances =
-    Tolerances { cadence: 1.5, time: 0.03, length: 0.01, fraction: 0.04 };
+    Tolerances { cadence: 1.0, time: 0.03, length: 0.01, fraction: 0.04 };
 
 #[test]
 fn straight_walk_measures_match_the_plan() {
@@ -139,7 +137,8 @@ fn curved_walk_measures_match_the_plan() {
     let plan = planned("curved-walk", |placement, _| libm::atan2(placement.z, 2.4 - placement.x));
     let [by_truth, detected] = measured("curved-walk");
     compare(&by_truth, &plan, &TRUTH_TOLERANCES);
-    compare(&detected, &plan, &DETECTION_TOLERANCES);
+    // The clip has two complete strides, so errors of 10 ms at each foot strike change the cadence by 1.4.
+    compare(&detected, &plan, &Tolerances { cadence: 1.5, ..DETECTION_TOLERANCES });
 }
 
 #[test]

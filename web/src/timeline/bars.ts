@@ -13,9 +13,6 @@ const minNumberWidth = 20;
 /** Shorter whiskers are not drawn, in pixels. */
 const minWhisker = 3;
 
-/** Upper bound of the uncertainty of an instant, in seconds. */
-const maxUncertainty = 0.03;
-
 /** Cache of `editedIntervalsOf`. */
 const editedIntervals = new WeakMap<Track, Uint32Array>();
 
@@ -127,12 +124,13 @@ function paintEditedMarks(
 /** Draws foot strikes and foot offs with whiskers of one standard deviation on either side. */
 function paintWhiskers(ctx: CanvasRenderingContext2D, scene: Scene, lane: Bars, laneWidth: number) {
   const { view, theme, rate } = scene;
+  const visible = plantsWithin(scene.plants, lane.side, view);
+  // Early exit: plants without space for their numbers have none for whiskers.
+  if (visible.length * minNumberWidth > laneWidth) return;
   const pixelsPerSecond = (rate * laneWidth) / (view.end - view.start);
-  // At this scale even the longest whiskers are no wider than the line of a bracket.
-  if (maxUncertainty * pixelsPerSecond < minWhisker) return;
   const y = Math.round(lane.y + lane.height / 2);
   ctx.fillStyle = theme.text;
-  for (const { strike, off } of plantsWithin(scene.plants, lane.side, view)) {
+  for (const { strike, off } of visible) {
     for (const instant of [strike, off]) {
       if (!instant) continue;
       const half = instant.uncertainty * pixelsPerSecond;

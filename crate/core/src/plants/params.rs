@@ -21,8 +21,8 @@ pub struct Params {
     pub speed: f64,
     /// If true, the degrees of long clips are summed over all pairs, in quadratic time. If false,
     /// they are approximated by cells of similar frames and computed exactly near the threshold;
-    /// fewer than two labels in 10,000 differ, all near edges of plants whose samples are within a
-    /// thousandth of the threshold. Default false.
+    /// fewer than one label in 10,000 differs, near samples within a thousandth of the threshold.
+    /// Default false.
     pub exact: bool,
 }
 

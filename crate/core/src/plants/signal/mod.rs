@@ -106,7 +106,7 @@ fn subtract_ground(signals: &mut Signals, spans: &[Range<usize>]) {
 }
 
 /// Replaces single frames far from their neighbours by the mean of the neighbours.
-fn remove_spikes(track: &mut Track, spans: &[Range<usize>], leg: f64) {
+pub(crate) fn remove_spikes(track: &mut Track, spans: &[Range<usize>], leg: f64) {
     for span in spans.iter().filter(|span| span.len() > 2) {
         // The comparison uses the original positions.
         let mut before = track[span.start];

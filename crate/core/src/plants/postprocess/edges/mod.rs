@@ -17,7 +17,7 @@ use crate::intervals::intervals;
 use crate::kinematics::Track;
 use crate::plants::postprocess::edges::cues::Cues;
 use crate::plants::postprocess::edges::off::OffPeriods;
-use crate::plants::postprocess::edges::series::TrackSpan;
+use crate::plants::postprocess::edges::series::{Kernels, TrackSpan};
 use crate::plants::{Edge, Feet, FootLabels, FootTracks};
 
 /// Times searched for a foot strike, before and after the boundary of the clustering, in seconds; half a
@@ -51,7 +51,8 @@ pub(crate) fn refine(feet: &Feet, foot: usize, span: &Range<usize>, labels: &mut
     for plant in &mut plants {
         *plant = plant.start + span.start..plant.end + span.start;
     }
-    let refiner = Refiner { feet, tracks: &feet.tracks[foot], span };
+    let kernels = Kernels::new(feet.frame_time);
+    let refiner = Refiner { feet, tracks: &feet.tracks[foot], span, kernels };
     let first_edge = labels.edges.len();
     let mut planted = vec![false; span.len()];
     for (index, plant) in plants.iter().enumerate() {
@@ -103,9 +104,10 @@ struct Refiner<'a> {
     feet: &'a Feet,
     tracks: &'a FootTracks,
     span: &'a Range<usize>,
+    kernels: Kernels,
 }
 
-impl<'a> Refiner<'a> {
+impl Refiner<'_> {
     /// Returns the foot strike of a plant; `previous_end` is the first frame of the swing before it.
     fn strike(&self, previous_end: usize, plant: &Range<usize>) -> Edge {
         let estimate = self.boundary_time(plant.start);
@@ -154,8 +156,9 @@ impl<'a> Refiner<'a> {
         Edge { frame: (time / frame_time).ceil() as usize, time, uncertainty }
     }
 
-    fn track_span(&self, track: &'a Track) -> TrackSpan<'a> {
-        TrackSpan { track, span: self.span, frame_time: self.feet.frame_time }
+    fn track_span<'a>(&'a self, track: &'a Track) -> TrackSpan<'a> {
+        let Feet { frame_time, leg, .. } = *self.feet;
+        TrackSpan { track, span: self.span, frame_time, leg, kernels: &self.kernels }
     }
 
     /// Returns the time of the boundary before a frame, in seconds.
@@ -171,8 +174,6 @@ impl<'a> Refiner<'a> {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::TAU;
-
     use nalgebra::Vector3;
     use proptest::prelude::*;
 
@@ -225,8 +226,9 @@ mod tests {
         let before = (STRIKE - time).max(0.0);
         let after = (time - OFF).max(0.0);
         let fall = 0.6 * before - 0.3 * before * before;
-        // The speed has its peak of 4 leg lengths per second 0.2 s after the release.
-        let swing = 2.0 * (after - 0.4 / TAU * (after / 0.4 * TAU).sin());
+        // The speed grows to 4 leg lengths per second in 0.13 s and decreases as fast.
+        let ramp = |time: f64| 15.0 * time.max(0.0).powi(2);
+        let swing = ramp(after) - 2.0 * ramp(after - 0.13) + ramp(after - 0.26);
         Vector3::new(0.0, fall, swing - 1.2 * before.min(0.3))
     }
 
@@ -235,14 +237,32 @@ mod tests {
         for rate in [24.0, 30.0, 60.0, 119.9, 150.0, 300.0] {
             let feet = feet(rate, 1.4, step);
             // Boundaries like those of the clustering: early at foot strike, late at foot off.
-            let [start, end] = [STRIKE - 0.025, OFF + 0.02].map(|time| (time * rate).round() as usize);
+            let [start, end] = [STRIKE - 0.025, OFF + 0.02].map(|time| (time * rate).ceil() as usize);
             let labels = refined(&feet, &[start..end]);
             let [strike, off] = labels.edges[..] else { panic!("{:?}", labels.edges) };
-            // The speed passes the fractions of its peak some milliseconds after the release.
+            // The tip passes its fraction of the peak 13 ms after its release.
             let tolerance = 0.006_f64.max(0.9 / rate);
             assert!((strike.time - STRIKE).abs() < tolerance, "{rate} Hz: {strike:?}");
-            assert!((off.time - OFF - 0.045).abs() < 3.0 * off.uncertainty, "{rate} Hz: {off:?}");
+            let release = OFF + TOE_DELAY + 0.013;
+            assert!((off.time - release).abs() < 0.004_f64.max(0.5 / rate), "{rate} Hz: {off:?}");
+            assert!(off.uncertainty < ESTIMATE_UNCERTAINTY && strike.uncertainty < ESTIMATE_UNCERTAINTY);
             assert_eq!(intervals(&labels.planted), [strike.frame..off.frame]);
+        }
+    }
+
+    #[test]
+    fn spikes_do_not_move_edges() {
+        let clean = feet(120.0, 1.4, step);
+        let [start, end] = [STRIKE - 0.025, OFF + 0.02].map(|time| (time * 120.0).round() as usize);
+        let expected = refined(&clean, &[start..end]).edges;
+        for spike in [start - 2, start + 5, end - 5, end + 3] {
+            let mut feet = clean.clone();
+            for track in [&mut feet.tracks[0].ankle, &mut feet.tracks[0].toe] {
+                track[spike].y += 0.3;
+            }
+            for (edge, expected) in refined(&feet, &[start..end]).edges.iter().zip(&expected) {
+                assert!((edge.time - expected.time).abs() < 0.003, "{spike}: {edge:?} {expected:?}");
+            }
         }
     }
 

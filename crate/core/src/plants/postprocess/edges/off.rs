@@ -86,6 +86,7 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
+    use crate::plants::postprocess::edges::series::Kernels;
 
     #[test]
     fn velocities_are_relative_to_the_stance() {
@@ -95,7 +96,9 @@ mod tests {
             Vector3::new(-t + ahead(t - 1.0) - 2.0 * ahead(t - 1.2), 0.0, 0.0)
         };
         let track: Vec<_> = (0..200).map(|frame| position(f64::from(frame) * 0.01)).collect();
-        let track = TrackSpan { track: &track, span: &(0..200), frame_time: 0.01 };
+        let kernels = Kernels::new(0.01);
+        let track =
+            TrackSpan { track: &track, span: &(0..200), frame_time: 0.01, leg: 1.0, kernels: &kernels };
         let periods = OffPeriods { stance: 0.2..0.7, search: 0.8..1.2, swing: 1.0..1.4, estimate: 1.05 };
         let time = cue(&Part { track, fraction: 0.25 }, Up::Y, &periods).unwrap();
         // The peak speed is 4 m/s.

@@ -1,10 +1,13 @@
 //! Smoothed derivatives of one coordinate of a track around an edge.
 
 use std::ops::Range;
+use std::slice;
 
 use nalgebra::Vector3;
 
+use crate::kinematics::Track;
 use crate::numeric::interpolate;
+use crate::plants::signal::remove_spikes;
 
 /// Minimum rate of the interpolated coordinate, in Hz.
 const MIN_RATE: f64 = 480.0;
@@ -27,72 +30,84 @@ pub(super) struct Series {
 /// Part of a track within a span of continuous motion.
 #[derive(Clone, Copy)]
 pub(super) struct TrackSpan<'a> {
-    pub track: &'a [Vector3<f64>],
+    pub track: &'a Track,
     /// Frames of the span.
     pub span: &'a Range<usize>,
     /// In seconds.
     pub frame_time: f64,
+    /// Leg length, in track units.
+    pub leg: f64,
+    pub kernels: &'a Kernels,
 }
 
 impl TrackSpan<'_> {
     /// Returns the velocity (order 1), the acceleration (2) or the jerk (3) of a coordinate in a period
     /// of time, in coordinate units per second to the power of the order.
     ///
-    /// The coordinate is interpolated between frames by Catmull–Rom splines and convolved with a
-    /// derivative of a Gaussian. Beyond the span it is constant.
+    /// The coordinate is interpolated between frames without spikes by Catmull–Rom splines and
+    /// convolved with a derivative of a Gaussian. Beyond the span it is constant.
     pub fn derivatives<const N: usize>(
         &self,
         period: &Range<f64>,
         orders: [usize; N],
         coordinate: impl Fn(&Vector3<f64>) -> f64,
     ) -> [Series; N] {
-        let factor = (MIN_RATE * self.frame_time).ceil().max(1.0);
-        let step = self.frame_time / factor;
-        let reach = (KERNEL_REACH * SMOOTHING / step).ceil() as usize;
+        let Kernels { factor, step, reach, .. } = *self.kernels;
         let first = (period.start / step).ceil() as isize;
         let count = ((period.end / step).floor() as isize - first + 1).max(0) as usize;
-        let at_frame = |frame: isize| {
-            let last = self.span.end as isize - 1;
-            coordinate(&self.track[frame.clamp(self.span.start as isize, last) as usize])
-        };
+        let time_index = |index: usize| first + index as isize - reach as isize;
+        // A spline needs one frame before and two after a time.
+        let last = (self.span.end - 1) as isize;
+        let in_span = |frame: isize| frame.clamp(self.span.start as isize, last) as usize;
+        let start = in_span(time_index(0).div_euclid(factor as isize) - 1);
+        let end = in_span(time_index(count + 2 * reach).div_euclid(factor as isize) + 2) + 1;
+        let values: Vec<f64> = self.without_spikes(start..end).iter().map(coordinate).collect();
         let interpolated: Vec<f64> = (0..count + 2 * reach)
             .map(|index| {
-                let position = (first + index as isize - reach as isize) as f64 / factor;
+                let position = time_index(index) as f64 / factor as f64;
                 let frame = position.floor();
-                let points = [-1, 0, 1, 2].map(|offset| at_frame(frame as isize + offset));
+                let points = [-1, 0, 1, 2].map(|offset| values[in_span(frame as isize + offset) - start]);
                 interpolate::catmull_rom(points, position - frame)
             })
             .collect();
         orders.map(|order| {
-            let kernel = kernel(order, reach, step);
-            let value = |window: &[f64]| window.iter().zip(&kernel).map(|(x, weight)| x * weight).sum();
+            let kernel = &self.kernels.by_order[order - 1];
+            let value = |window: &[f64]| window.iter().zip(kernel).map(|(x, weight)| x * weight).sum();
             let values = interpolated.windows(kernel.len()).take(count).map(value).collect();
             Series { start: first as f64 * step, step, values }
         })
     }
-}
 
-impl TrackSpan<'_> {
+    /// Returns the positions in frames of the span, without spikes.
+    fn without_spikes(&self, frames: Range<usize>) -> Track {
+        // A spike shows by its neighbours.
+        let start = frames.start.saturating_sub(1).max(self.span.start);
+        let mut window = self.track[start..(frames.end + 1).min(self.span.end)].to_vec();
+        let all = 0..window.len();
+        remove_spikes(&mut window, slice::from_ref(&all), self.leg);
+        window.drain(..frames.start - start);
+        window.truncate(frames.len());
+        window
+    }
+
     /// Returns the mean velocity in a period, in track units per second; zero if it has fewer than two
     /// frames.
     pub fn mean_velocity(&self, period: &Range<f64>) -> Vector3<f64> {
-        let frames = self.frames(period);
-        let last = frames.end.max(frames.start + 2) - 1;
-        if last >= self.span.end || frames.len() < 2 {
-            return Vector3::zeros();
-        }
-        (self.track[last] - self.track[frames.start]) / ((last - frames.start) as f64 * self.frame_time)
+        let positions = self.without_spikes(self.frames(period));
+        let [first, .., last] = positions.as_slice() else { return Vector3::zeros() };
+        (last - first) / ((positions.len() - 1) as f64 * self.frame_time)
     }
 
     /// Returns the velocities in a period by central differences over at least twice [`SMOOTHING`], in
     /// track units per second.
     pub fn velocities(&self, period: &Range<f64>) -> impl Iterator<Item = Vector3<f64>> {
         let half = (SMOOTHING / self.frame_time).round().max(1.0) as usize;
-        self.frames(period).filter_map(move |frame| {
-            let from = frame.checked_sub(half).filter(|from| self.span.contains(from))?;
-            let to = Some(frame + half).filter(|to| self.span.contains(to))?;
-            Some((self.track[to] - self.track[from]) / ((to - from) as f64 * self.frame_time))
-        })
+        let frames = self.frames(period);
+        let around =
+            frames.start.saturating_sub(half).max(self.span.start)..(frames.end + half).min(self.span.end);
+        let duration = 2.0 * half as f64 * self.frame_time;
+        let positions = self.without_spikes(around);
+        (2 * half..positions.len()).map(move |to| (positions[to] - positions[to - 2 * half]) / duration)
     }
 
     /// Returns the frames of the span in a period.
@@ -104,20 +119,40 @@ impl TrackSpan<'_> {
     }
 }
 
-/// Returns the weights that yield the derivative of order 1, 2 or 3 at the centre of a window.
-fn kernel(order: usize, reach: usize, step: f64) -> Vec<f64> {
-    let times: Vec<f64> = (0..=2 * reach).map(|index| (index as f64 - reach as f64) * step).collect();
-    let gaussian = |t: f64| (-0.5 * (t / SMOOTHING).powi(2)).exp();
-    let total: f64 = times.iter().map(|&t| gaussian(t)).sum();
-    let variance = SMOOTHING * SMOOTHING;
-    // The derivative of a convolution is a correlation with the derivative of the kernel, negated for
-    // odd orders.
-    let polynomial = |t: f64| match order {
-        1 => t / variance,
-        2 => (t * t / variance - 1.0) / variance,
-        _ => (t * t / variance - 3.0) * t / (variance * variance),
-    };
-    times.iter().map(|&t| polynomial(t) * gaussian(t) / total).collect()
+/// Derivatives of a Gaussian, for interpolated coordinates.
+pub(super) struct Kernels {
+    /// Interpolated times per frame.
+    factor: usize,
+    /// Time between interpolated times, in seconds.
+    step: f64,
+    /// Half-width of the kernels, in steps.
+    reach: usize,
+    /// Weights that yield the derivatives of orders 1 to 3 at the centre of a window.
+    by_order: [Vec<f64>; 3],
+}
+
+impl Kernels {
+    /// Creates the kernels for a clip; `frame_time` is in seconds.
+    pub fn new(frame_time: f64) -> Kernels {
+        let factor = (MIN_RATE * frame_time).ceil().max(1.0);
+        let step = frame_time / factor;
+        let reach = (KERNEL_REACH * SMOOTHING / step).ceil() as usize;
+        let times: Vec<f64> = (0..=2 * reach).map(|index| (index as f64 - reach as f64) * step).collect();
+        let gaussian = |t: f64| (-0.5 * (t / SMOOTHING).powi(2)).exp();
+        let total: f64 = times.iter().map(|&t| gaussian(t)).sum();
+        let variance = SMOOTHING * SMOOTHING;
+        let kernel = |polynomial: fn(f64, f64) -> f64| {
+            times.iter().map(|&t| polynomial(t, variance) * gaussian(t) / total).collect()
+        };
+        // The derivative of a convolution is a correlation with the derivative of the kernel, negated
+        // for odd orders.
+        let by_order = [
+            kernel(|t, variance| t / variance),
+            kernel(|t, variance| (t * t / variance - 1.0) / variance),
+            kernel(|t, variance| (t * t / variance - 3.0) * t / (variance * variance)),
+        ];
+        Kernels { factor: factor as usize, step, reach, by_order }
+    }
 }
 
 impl Series {
@@ -183,7 +218,8 @@ mod tests {
     fn derivatives(position: impl Fn(f64) -> f64, frame_time: f64) -> [Series; 2] {
         let track: Vec<_> =
             (0..200).map(|frame| Vector3::y() * position(f64::from(frame) * frame_time)).collect();
-        let span = TrackSpan { track: &track, span: &(0..200), frame_time };
+        let kernels = Kernels::new(frame_time);
+        let span = TrackSpan { track: &track, span: &(0..200), frame_time, leg: 1e9, kernels: &kernels };
         span.derivatives(&(0.5..0.7), [1, 3], |position| position.y)
     }
 
