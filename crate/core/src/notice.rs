@@ -59,8 +59,14 @@ pub enum Code {
     NoFeet,
     /// The skeleton has no toe joint; another joint replaces it.
     NoToe,
-    /// The motion does not show which axis points up.
+    /// The feet were found by the structure of the skeleton and not by names.
+    DoubtfulRole,
+    /// The skeleton has four legs, of which the hind ones are measured.
+    Quadruped,
+    /// The motion does not show for certain which axis points up.
     UpAxis,
+    /// The unit of length is uncertain.
+    Unit,
     /// Frames at the start or end that do not belong to the motion were left out.
     Trimmed,
     /// The motion jumps within the clip.

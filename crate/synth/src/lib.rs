@@ -30,6 +30,7 @@ pub mod noise;
 pub mod pelvis;
 pub mod plan;
 pub mod pose;
+pub mod rigs;
 pub mod sample_motions;
 pub mod thumbnail;
 pub mod truth;

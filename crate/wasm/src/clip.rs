@@ -90,6 +90,10 @@ impl WasmClip {
             unit: skeleton::unit_name(*metres_per_unit).map(Into::into),
             leg: leg.map(|leg| leg * metres_per_unit),
             roles: roles.iter().map(|(role, joint)| (role.name().into(), joint)).collect(),
+            role_evidence: Role::ALL
+                .into_iter()
+                .filter_map(|role| Some((role.name().into(), roles.assignment(role)?.into())))
+                .collect(),
             role_names: Role::ALL.map(|role| role.name().into()).into(),
             notices: self.notices.iter().chain(&self.skeleton.notices).map(Into::into).collect(),
         })

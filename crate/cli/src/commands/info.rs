@@ -6,7 +6,7 @@ use std::fmt::Write;
 use plantigrade::bvh::{JointKind, Parsed};
 use plantigrade::foot::Side;
 use plantigrade::notice::Notice;
-use plantigrade::skeleton::{self, LegRoles, Role, Skeleton};
+use plantigrade::skeleton::{self, LegRoles, Reason, Role, Skeleton};
 use serde::Serialize;
 
 use crate::args::{InfoArgs, InfoFormat};
@@ -30,7 +30,17 @@ struct Info {
     leg: Option<f64>,
     /// Joint name of each role.
     roles: BTreeMap<&'static str, Option<String>>,
+    /// Confidence of each assigned role and the reasons for it.
+    role_evidence: BTreeMap<&'static str, Evidence>,
     notices: Vec<Notice>,
+}
+
+/// Evidence for the joint of a role.
+#[derive(Serialize)]
+struct Evidence {
+    /// From 0 to 1.
+    confidence: f64,
+    reasons: Vec<Reason>,
 }
 
 /// Describes all inputs. Returns the number of inputs that failed.
@@ -59,6 +69,12 @@ fn describe(input: &Input, loaded: &LoadedClip) -> Info {
     let Parsed { clip, notices } = &loaded.parsed;
     let skeleton = Skeleton::main(clip, &loaded.overrides);
     let joint_name = |role| Some(clip.joints()[skeleton.roles.get(role)?].name.clone());
+    let evidence = |role| {
+        let assignment = skeleton.roles.assignment(role)?;
+        // Two digits; more would claim an accuracy that an estimate does not have.
+        let confidence = (100.0 * assignment.confidence()).round() / 100.0;
+        Some((role.name(), Evidence { confidence, reasons: assignment.reasons.clone() }))
+    };
     Info {
         path: display_name(&input.path),
         frames: clip.frame_count(),
@@ -68,6 +84,7 @@ fn describe(input: &Input, loaded: &LoadedClip) -> Info {
         metres_per_unit: skeleton.metres_per_unit,
         leg: skeleton.leg,
         roles: Role::ALL.into_iter().map(|role| (role.name(), joint_name(role))).collect(),
+        role_evidence: Role::ALL.into_iter().filter_map(evidence).collect(),
         notices: [notices.as_slice(), &skeleton.notices].concat(),
     }
 }
@@ -88,7 +105,11 @@ fn text(info: &Info) -> String {
         let leg = LegRoles::for_side(side);
         let joints =
             [leg.ankle, leg.toe, leg.tip].map(|role| info.roles[role.name()].as_deref().unwrap_or("-"));
-        line(side.name(), format!("ankle {}, toe {}, tip {}", joints[0], joints[1], joints[2]));
+        let confidence = info
+            .role_evidence
+            .get(leg.ankle.name())
+            .map_or_else(String::new, |evidence| format!(" ({:.0} % certain)", 100.0 * evidence.confidence));
+        line(side.name(), format!("ankle {}{confidence}, toe {}, tip {}", joints[0], joints[1], joints[2]));
     }
     for notice in &info.notices {
         line("notice", notice.to_string());

@@ -1,22 +1,25 @@
 //! The skeleton of a clip: roles of joints, the up axis and the scale.
 
+mod body;
 mod find;
 mod names;
 mod roles;
-mod world;
+mod unit;
+mod up;
 
-pub use roles::{LegRoles, Role, Roles};
-pub use world::{Up, UpError, unit_name};
+pub use names::joint_names_document;
+pub use roles::{Assignment, LegRoles, Reason, Role, Roles};
+pub use unit::unit_name;
+pub use up::{Up, UpError};
 
 use std::ops::Range;
 
-use nalgebra::Vector3;
-
-use crate::bvh::Clip;
+use crate::bvh::{Clip, JointKind};
 use crate::foot::Side;
-use crate::kinematics::{self, Track};
+use crate::kinematics;
 use crate::notice::{Code, Notice};
-use crate::numeric::stats::median_low;
+use body::Body;
+use find::Found;
 
 /// Values that override those detected from the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -47,8 +50,8 @@ pub struct Skeleton {
     pub notices: Vec<Notice>,
 }
 
-/// Number of poses on which axis and scale are measured.
-const SAMPLED_POSES: usize = 512;
+/// Number of joints that a notice lists.
+const LISTED_JOINTS: usize = 20;
 
 impl Skeleton {
     /// Returns the skeletons of a clip, one per root.
@@ -73,27 +76,36 @@ impl Skeleton {
 
     /// Returns the skeleton below `root`.
     pub fn from_root(clip: &Clip, root: usize, overrides: &Overrides) -> Skeleton {
-        let mut roles = find::assign_roles(clip, root);
+        let Found { mut roles, is_quadruped } = find::assign_roles(clip, root);
         for &(role, joint) in &overrides.roles {
             roles.set(role, joint);
         }
-        let body = BodyTracks::measure(clip, root, &roles);
-        let mut notices = Vec::new();
-        if !roles.has_feet() {
-            let text = "No pair of feet was found in the skeleton. If it has feet, name their joints.";
-            notices.push(Notice::new(Code::NoFeet, text));
-        } else if Side::BOTH.iter().any(|&side| roles.get(LegRoles::for_side(side).toe).is_none()) {
-            let text = "The skeleton has no toe joints; the tip of the foot, or the ankle, is used instead.";
-            notices.push(Notice::new(Code::NoToe, text));
+        let mut notices = role_notices(clip, root, &roles);
+        if is_quadruped {
+            let text = "The skeleton has four legs. The plants of the hind feet are found.";
+            notices.push(Notice::new(Code::Quadruped, text));
         }
-        let up_axis = overrides.up.or_else(|| body.up());
-        if up_axis.is_none() {
-            let text = "The up axis could not be determined from the pose; Y is used.";
+        let body = Body::measure(clip, root, &roles);
+        let leg = body.leg();
+        let found_up = body.up(leg);
+        if overrides.up.is_none() && !found_up.is_some_and(|found| found.is_certain) {
+            let up = found_up.map_or(Up::Y, |found| found.up).to_string().to_uppercase();
+            let text = format!("The up axis is uncertain; {up} is used. Set it if it is another one.");
             notices.push(Notice::new(Code::UpAxis, text));
         }
-        let up = up_axis.unwrap_or(Up::Y);
-        let leg = body.leg();
-        let metres_per_unit = overrides.metres_per_unit.unwrap_or_else(|| body.metres_per_unit(leg, up));
+        let up = overrides.up.or(found_up.map(|found| found.up)).unwrap_or(Up::Y);
+        let unit = body.unit(leg, up, is_quadruped);
+        if overrides.metres_per_unit.is_none() && !unit.is_certain {
+            let length = leg.unwrap_or_default() * unit.metres_per_unit;
+            let name = unit_name(unit.metres_per_unit)
+                .map_or_else(|| format!("{:.4} m", unit.metres_per_unit), |name| format!("1 {name}"));
+            let text = format!(
+                "The unit is uncertain; {name} is used, which makes legs of {length:.2} m. Set it if it is \
+                 another one."
+            );
+            notices.push(Notice::new(Code::Unit, text));
+        }
+        let metres_per_unit = overrides.metres_per_unit.unwrap_or(unit.metres_per_unit);
         Skeleton { root, roles, up, leg, metres_per_unit, notices }
     }
 
@@ -132,93 +144,44 @@ impl Skeleton {
     }
 }
 
-/// Tracks of the joints that determine axis and scale, at sampled poses.
-struct BodyTracks {
-    hips: Track,
-    head: Option<Track>,
-    /// Tracks of thigh, shank, ankle, toe and tip of each side.
-    legs: [[Option<Track>; 5]; 2],
-    /// Maximum distance between two joints of the first pose, in file units.
-    extent: f64,
-}
-
-impl BodyTracks {
-    fn measure(clip: &Clip, root: usize, roles: &Roles) -> BodyTracks {
-        let leg = |side| {
-            let leg = LegRoles::for_side(side);
-            [leg.thigh, leg.shank, leg.ankle, leg.toe, leg.tip].map(|role| roles.get(role))
-        };
-        let track = |joint: usize| {
-            kinematics::tracks_at(clip, &[joint], kinematics::sample_frames(clip, SAMPLED_POSES)).remove(0)
-        };
-        let pose = kinematics::Kinematics::new(clip).pose(0).to_vec();
-        let distances = pose.iter().flat_map(|a| pose.iter().map(move |b| (a - b).norm()));
-        BodyTracks {
-            hips: track(roles.get(Role::Hips).unwrap_or(root)),
-            head: roles.get(Role::Head).map(track),
-            legs: Side::BOTH.map(|side| leg(side).map(|joint| joint.map(track))),
-            extent: distances.fold(0.0, f64::max),
-        }
+/// Returns notices on the roles of the legs.
+fn role_notices(clip: &Clip, root: usize, roles: &Roles) -> Vec<Notice> {
+    let mut notices = Vec::new();
+    let legs = Side::BOTH.map(LegRoles::for_side);
+    if !roles.has_feet() {
+        let names: Vec<&str> = clip.joints()[root..]
+            .iter()
+            .filter(|joint| joint.kind != JointKind::EndSite)
+            .map(|joint| joint.name.as_str())
+            .collect();
+        let more = names
+            .len()
+            .checked_sub(LISTED_JOINTS + 1)
+            .map_or_else(String::new, |more| format!(" and {} more", more + 1));
+        let names = names[..names.len().min(LISTED_JOINTS)].join(", ");
+        let text = format!(
+            "No pair of feet was found in the skeleton. If it has feet, name the joints of both ankles. The \
+             joints are {names}{more}."
+        );
+        notices.push(Notice::new(Code::NoFeet, text));
+        return notices;
     }
-
-    /// Returns the axis from the feet to the hips, or from the hips to the head.
-    fn up(&self) -> Option<Up> {
-        let feet: Vec<&Track> = self.legs.iter().filter_map(|leg| leg[2].as_ref()).collect();
-        let rise = |frame: usize| match (&feet[..], &self.head) {
-            ([], None) => None,
-            ([], Some(head)) => Some(head[frame] - self.hips[frame]),
-            (feet, _) => {
-                let sum: Vector3<f64> = feet.iter().map(|foot| foot[frame]).sum();
-                Some(self.hips[frame] - sum / feet.len() as f64)
-            }
-        };
-        let rises: Vec<Vector3<f64>> = (0..self.hips.len()).map_while(rise).collect();
-        if rises.is_empty() {
-            return None;
-        }
-        let median_rise =
-            Vector3::from_fn(|axis, _| median_low(rises.iter().map(|rise| rise[axis])).unwrap_or_default());
-        (median_rise.norm() > 0.0).then(|| Up::nearest(median_rise))
+    if legs.iter().any(|leg| roles.get(leg.toe).is_none()) {
+        let text = "The skeleton has no toe joints; the tip of the foot, or the ankle, is used instead.";
+        notices.push(Notice::new(Code::NoToe, text));
     }
-
-    /// Returns the leg length of the longer leg, from positions, as some files have no offsets.
-    fn leg(&self) -> Option<f64> {
-        let length = |[thigh, shank, ankle, ..]: &[Option<Track>; 5]| {
-            let ankle = ankle.as_ref()?;
-            let bone = |a: &Track, b: &Track| {
-                median_low(a.iter().zip(b).map(|(a, b)| (a - b).norm())).unwrap_or_default()
-            };
-            match (thigh, shank) {
-                (Some(thigh), Some(shank)) => Some(bone(thigh, shank) + bone(shank, ankle)),
-                (None, Some(upper)) | (Some(upper), None) => Some(bone(upper, ankle)),
-                (None, None) => Some(bone(&self.hips, ankle)),
-            }
-        };
-        let longest = self.legs.iter().filter_map(length).fold(0.0, f64::max);
-        (longest > 0.0).then_some(longest)
+    let ankles = legs.map(|leg| roles.assignment(leg.ankle));
+    if let [Some(left), Some(right)] = ankles
+        && (left.is_doubtful() || right.is_doubtful())
+    {
+        let name = |ankle: &Assignment| &clip.joints()[ankle.joint].name;
+        let text = format!(
+            "The names of the joints do not tell the feet. By the structure of the skeleton, the left ankle \
+             is {} and the right ankle is {}. Name other joints if they are wrong.",
+            name(left),
+            name(right)
+        );
+        notices.push(Notice::new(Code::DoubtfulRole, text));
     }
-
-    /// Returns the scale from the height of the hip joint above the sole, or from the extent of the
-    /// body.
-    fn metres_per_unit(&self, leg: Option<f64>, up: Up) -> f64 {
-        match leg {
-            Some(leg) => world::metres_per_unit(leg + self.ankle_height(up)),
-            // A character without measurable legs is assumed to be 1.7 m tall.
-            None if self.extent > 0.0 => 1.7 / self.extent,
-            None => 1.0,
-        }
-    }
-
-    /// Returns the height of the ankles above the lowest part of the feet, without outliers.
-    fn ankle_height(&self, up: Up) -> f64 {
-        let fifth_percentile = |tracks: &mut dyn Iterator<Item = &Track>| {
-            let mut heights: Vec<f64> =
-                tracks.flat_map(|track| track.iter().map(|position| up.height(position))).collect();
-            heights.sort_unstable_by(f64::total_cmp);
-            heights.get(heights.len() / 20).copied()
-        };
-        let ankles = fifth_percentile(&mut self.legs.iter().filter_map(|leg| leg[2].as_ref()));
-        let soles = fifth_percentile(&mut self.legs.iter().flat_map(|leg| leg[2..].iter().flatten()));
-        ankles.zip(soles).map_or(0.0, |(ankle, sole)| (ankle - sole).max(0.0))
-    }
+    notices
 }

@@ -34,6 +34,24 @@ impl From<&plantigrade::bvh::Joint> for JointInfo {
     }
 }
 
+/// Evidence for the joint of a role.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct RoleEvidence {
+    /// Confidence, from 0 to 1.
+    pub confidence: f64,
+    /// Phrases that explain why, as in "by its name".
+    pub reasons: Vec<String>,
+}
+
+impl From<&skeleton::Assignment> for RoleEvidence {
+    fn from(assignment: &skeleton::Assignment) -> RoleEvidence {
+        RoleEvidence {
+            confidence: assignment.confidence(),
+            reasons: assignment.reasons.iter().map(|reason| reason.description().into()).collect(),
+        }
+    }
+}
+
 /// Description of a clip.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 #[tsify(hashmap_as_object)]
@@ -60,6 +78,8 @@ pub struct ClipInfo {
     pub leg: Option<f64>,
     /// Role to joint index; unassigned roles are absent.
     pub roles: BTreeMap<String, usize>,
+    /// Role to the evidence for its joint; unassigned roles are absent.
+    pub role_evidence: BTreeMap<String, RoleEvidence>,
     /// Names of all roles, in order.
     pub role_names: Vec<String>,
     /// Notices of the reader.

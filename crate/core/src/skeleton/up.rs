@@ -1,4 +1,4 @@
-//! Up axis and unit of length.
+//! Up axis.
 
 use std::fmt;
 use std::str::FromStr;
@@ -19,6 +19,16 @@ pub struct Up {
 impl Up {
     /// Y up, the axis of most BVH files.
     pub const Y: Up = Up { axis: Axis::Y, negative: false };
+
+    /// The six directions; where evidence is equal, the first one counts.
+    pub const ALL: [Up; 6] = [
+        Up::Y,
+        Up { axis: Axis::Z, negative: false },
+        Up { axis: Axis::X, negative: false },
+        Up { axis: Axis::Y, negative: true },
+        Up { axis: Axis::Z, negative: true },
+        Up { axis: Axis::X, negative: true },
+    ];
 
     /// Returns the axis nearest to `direction`.
     pub fn nearest(direction: Vector3<f64>) -> Up {
@@ -75,29 +85,6 @@ impl FromStr for Up {
     }
 }
 
-/// Assumed distance from hip joint to sole, in metres.
-const LEG_METRES: f64 = 0.9;
-
-/// Units of BVH files: metres per unit and name.
-const UNITS: [(f64, &str); 6] =
-    [(1.0, "m"), (0.01, "cm"), (0.001, "mm"), (0.0254, "in"), (0.3048, "ft"), (0.0564, "ASF unit")];
-
-/// Returns the metres per file unit of a character whose hip joint is `leg` file units above the
-/// sole.
-///
-/// A known unit is used if it is within 10 % of a leg of 0.9 m.
-pub(crate) fn metres_per_unit(leg: f64) -> f64 {
-    let metres = LEG_METRES / leg;
-    let error = |unit: f64| (unit / metres - 1.0).abs();
-    let nearest = UNITS.iter().map(|&(unit, _)| unit).min_by(|&a, &b| error(a).total_cmp(&error(b)));
-    nearest.filter(|&unit| error(unit) <= 0.1).unwrap_or(metres)
-}
-
-/// Returns the name of a unit of `metres_per_unit`, if it is a known one.
-pub fn unit_name(metres_per_unit: f64) -> Option<&'static str> {
-    UNITS.iter().find(|(unit, _)| (unit / metres_per_unit - 1.0).abs() < 1e-9).map(|&(_, name)| name)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,16 +102,5 @@ mod tests {
             }
         }
         assert!("w".parse::<Up>().is_err());
-    }
-
-    #[test]
-    fn units_are_recognised_by_leg_length() {
-        assert_eq!(metres_per_unit(0.95), 1.0);
-        assert_eq!(metres_per_unit(88.0), 0.01);
-        assert_eq!(metres_per_unit(16.5), 0.0564);
-        assert_eq!(metres_per_unit(3.0), 0.3048);
-        assert_eq!(unit_name(0.0254), Some("in"));
-        let other = metres_per_unit(60.0);
-        assert!((other - 0.015).abs() < 1e-12 && unit_name(other).is_none());
     }
 }

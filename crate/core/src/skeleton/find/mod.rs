@@ -1,0 +1,108 @@
+//! Roles by the evidence of names, structure and motion.
+
+mod leg;
+mod named_legs;
+mod tree;
+mod trunk;
+mod unnamed_legs;
+
+use crate::bvh::Clip;
+use crate::foot::Side;
+use crate::skeleton::names::{BodyPart, LimbPair};
+use crate::skeleton::{LegRoles, Reason, Roles};
+use leg::Leg;
+use tree::Tree;
+
+/// Result of the search for roles.
+pub(crate) struct Found {
+    /// The roles.
+    pub roles: Roles,
+    /// True if the skeleton has fore limbs that stand on the ground.
+    pub is_quadruped: bool,
+}
+
+/// Assigns the roles in the skeleton below `root`.
+pub(crate) fn assign_roles(clip: &Clip, root: usize) -> Found {
+    let tree = Tree::new(clip, root);
+    let mut roles = Roles::default();
+    let legs = match named_legs::find(&tree) {
+        [Some(left), Some(right)] => [Some(left), Some(right)],
+        [None, None] => unnamed_legs::find(&tree).map_or([None, None], |legs| legs.map(Some)),
+        one_leg => one_leg,
+    };
+    for (index, side) in Side::BOTH.into_iter().enumerate() {
+        if let Some(leg) = legs[index] {
+            assign_leg(&tree, side, &leg, legs[1 - index].as_ref(), &mut roles);
+        }
+    }
+    trunk::assign(&tree, &mut roles);
+    let has_fore_limbs = tree.members().any(|joint| tree.name(joint).limb_pair == Some(LimbPair::Fore));
+    let is_quadruped = roles.has_feet() && (has_fore_limbs || trunk::hands_stand(&tree, &roles));
+    Found { roles, is_quadruped }
+}
+
+/// Assigns the roles of one leg with their evidence.
+fn assign_leg(tree: &Tree, side: Side, leg: &Leg, other: Option<&Leg>, roles: &mut Roles) {
+    let joints = |leg: &Leg| [leg.thigh, leg.shank, leg.ankle, leg.toe, leg.tip];
+    let LegRoles { thigh, shank, ankle, toe, tip } = LegRoles::for_side(side);
+    let named: [&[BodyPart]; 5] = [
+        &[BodyPart::Thigh, BodyPart::Hip, BodyPart::Leg],
+        &[BodyPart::Shank, BodyPart::Leg],
+        &[BodyPart::Ankle, BodyPart::Foot],
+        &[BodyPart::Toe],
+        &[BodyPart::Toe],
+    ];
+    let others = other.map(joints).unwrap_or_default();
+    let own = joints(leg);
+    for (index, role) in [thigh, shank, ankle, toe, tip].into_iter().enumerate() {
+        let Some(joint) = own[index] else { continue };
+        let name = tree.name(joint);
+        let mut reasons = Vec::new();
+        if name.part.is_some_and(|part| named[index].contains(&part)) {
+            reasons.push(if name.unknown_words == 0 { Reason::Name } else { Reason::PartOfName });
+        } else {
+            reasons.push(Reason::Structure);
+        }
+        let above = index.checked_sub(1).and_then(|above| own[above]);
+        let below = own.get(index + 1).copied().flatten();
+        let is_in_chain = above.is_some_and(|above| tree.is_within(joint, above))
+            || below.is_some_and(|below| tree.is_within(below, joint));
+        if is_in_chain {
+            reasons.push(Reason::Chain);
+        }
+        if others[index].is_some_and(|other| tree.is_mirrored(joint, other)) {
+            reasons.push(Reason::Mirrored);
+        }
+        roles.assign(role, joint, reasons);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::bvh;
+    use crate::skeleton::{Overrides, Skeleton};
+
+    /// A body of nameless limbs, each with three bones and a tip, at the given offsets.
+    fn body(limbs: &[&str]) -> String {
+        let mut text = String::from("HIERARCHY\nROOT q\n{\nOFFSET 0 0 0\n");
+        for (limb, offset) in limbs.iter().enumerate() {
+            text += &format!(
+                "JOINT a{limb}\n{{\nOFFSET {offset}\nJOINT b{limb}\n{{\nOFFSET 0 -4 0\nJOINT c{limb}\n{{\n\
+                 OFFSET 0 -4 0\nEnd Site\n{{\nOFFSET 0 0 1\n}}\n}}\n}}\n}}\n"
+            );
+        }
+        text + "}\n"
+    }
+
+    fn has_feet(limbs: &[&str]) -> bool {
+        let clip = bvh::parse(body(limbs).as_bytes(), bvh::Options::default()).expect("a body").clip;
+        Skeleton::main(&clip, &Overrides::default()).roles.has_feet()
+    }
+
+    #[test]
+    fn quadrupeds_have_no_unique_pair_of_feet() {
+        assert!(has_feet(&["1 0 0", "-1 0 0"]));
+        assert!(!has_feet(&["1 0 0", "-1 0 0", "1 0 -6", "-1 0 -6"]));
+        assert!(!has_feet(&["1 0 0"]));
+    }
+}

@@ -1,0 +1,204 @@
+//! Legs by the structure of the skeleton, for names that tell nothing.
+
+use nalgebra::Vector3;
+
+use super::leg::{self, Leg};
+use super::tree::{MIRROR_TOLERANCE, Tree};
+use crate::foot::Side;
+use crate::kinematics::Track;
+use crate::numeric::sort;
+use crate::skeleton::names::{BodyPart, LimbPair};
+
+/// Number of branches of one joint that are compared: the longest ones.
+const MAX_BRANCHES: usize = 24;
+
+/// Reach of another pair of limbs, relative to the farthest, at which legs are undecided.
+const RIVAL_REACH: f64 = 0.8;
+
+/// Two mirrored limbs.
+struct LimbPairing {
+    /// Common joint.
+    fork: usize,
+    /// Chains from below the common joint to the tips.
+    chains: [Vec<usize>; 2],
+    /// Mean vector from the common joint to the tips, in file units.
+    reach: Vector3<f64>,
+}
+
+/// Returns the two mirrored chains that reach farthest from their common joint, left first.
+///
+/// Hands are near the hips and there is one head, so only feet are a pair far from the hips. Limbs
+/// with names of arms, heads or wings are no legs, nor are limbs that point towards the head. If two
+/// pairs reach about equally far (a quadruped), the hind ones are the legs if names tell them apart;
+/// otherwise the result is undecided.
+///
+/// Directions are those of the rest pose or, if it decides nothing, of the motion.
+pub(super) fn find(tree: &Tree) -> Option<[Leg; 2]> {
+    let rest: Vec<Track> = tree.rest_pose().into_iter().map(|position| vec![position]).collect();
+    let members = &tree.tracks()[tree.members()];
+    find_in(tree, &rest).or_else(|| find_in(tree, members))
+}
+
+/// Returns the legs by the directions of limbs in the tracks of the members.
+fn find_in(tree: &Tree, tracks: &[Track]) -> Option<[Leg; 2]> {
+    let pairs = tree.members().flat_map(|joint| pairs_below(tree, tracks, joint));
+    let mut pairs: Vec<LimbPairing> = pairs.collect();
+    let is_hind = |pair: &LimbPairing| is_limb(tree, pair, LimbPair::Hind);
+    if pairs.iter().any(is_hind) {
+        pairs.retain(is_hind);
+    }
+    let reaches: Vec<f64> = pairs.iter().map(|pair| pair.reach.norm()).collect();
+    let order = sort::argsort_descending(&reaches);
+    let best = &pairs[*order.first()?];
+    let is_rival = |&index: &usize| {
+        reaches[index] > RIVAL_REACH * best.reach.norm() && !shares_limb(tree, &pairs[index], best)
+    };
+    if order[1..].iter().any(is_rival) || best.chains.iter().any(|chain| chain.len() < 3) {
+        return None;
+    }
+    let legs = [&best.chains[0], &best.chains[1]].map(|chain| leg_of_chain(tree, chain));
+    // The names of either leg decide the sides, if they tell them.
+    let sides = [&best.chains[0], &best.chains[1]]
+        .map(|chain| chain.iter().rev().find_map(|&joint| tree.name(joint).side));
+    let is_first_left = match sides {
+        [Some(side), _] => side == Side::Left,
+        [None, Some(side)] => side == Side::Right,
+        [None, None] => is_first_left(tree, tracks, best.fork, &legs),
+    };
+    Some(if is_first_left { legs } else { [legs[1], legs[0]] })
+}
+
+fn is_limb(tree: &Tree, pair: &LimbPairing, limb: LimbPair) -> bool {
+    pair.chains.iter().flatten().any(|&joint| tree.name(joint).limb_pair == Some(limb))
+}
+
+fn shares_limb(tree: &Tree, pair: &LimbPairing, other: &LimbPairing) -> bool {
+    pair.chains
+        .iter()
+        .flatten()
+        .any(|&joint| other.chains.iter().any(|chain| tree.is_within(joint, chain[0])))
+}
+
+/// Returns the pairs of mirrored branches of one joint that may be legs.
+fn pairs_below(tree: &Tree, tracks: &[Track], joint: usize) -> Vec<LimbPairing> {
+    let mut branches: Vec<(f64, Vec<usize>)> = tree
+        .children(joint)
+        .filter(|&child| !is_excluded(tree, child))
+        .map(|child| main_chain(tree, child))
+        .collect();
+    if branches.len() < 2 {
+        return Vec::new();
+    }
+    branches.sort_by(|a, b| b.0.total_cmp(&a.0));
+    branches.truncate(MAX_BRANCHES);
+    let head = head_direction(tree, tracks, joint);
+    let mut pairs = Vec::new();
+    for (index, (_, a)) in branches.iter().enumerate() {
+        for (_, b) in &branches[index + 1..] {
+            if !are_mirrored(tree, a, b) {
+                continue;
+            }
+            let reach = mean_vector(tree, tracks, joint, &[a[a.len() - 1], b[b.len() - 1]]);
+            let points_to_head = head.is_some_and(|head| head.dot(&reach) > 0.0);
+            if !points_to_head {
+                pairs.push(LimbPairing { fork: joint, chains: [a.clone(), b.clone()], reach });
+            }
+        }
+    }
+    pairs
+}
+
+/// True if names within the branch say that it is no leg.
+fn is_excluded(tree: &Tree, branch: usize) -> bool {
+    std::iter::once(branch).chain(tree.descendants(branch)).any(|joint| {
+        let name = tree.name(joint);
+        name.part.is_some_and(BodyPart::excludes_leg) || name.limb_pair == Some(LimbPair::Fore)
+    }) || tree.name(branch).is_helper
+}
+
+/// Returns the longest chain of a branch with its length, without helpers and heels.
+fn main_chain(tree: &Tree, branch: usize) -> (f64, Vec<usize>) {
+    let mut best = (0.0, branch);
+    let mut stack = vec![(0.0, branch)];
+    while let Some((length, joint)) = stack.pop() {
+        if length > best.0 {
+            best = (length, joint);
+        }
+        for child in tree.children(joint) {
+            let name = tree.name(child);
+            if !name.is_helper && name.part != Some(BodyPart::Heel) {
+                stack.push((length + tree.distance(joint, child), child));
+            }
+        }
+    }
+    (best.0, tree.path(branch, best.1))
+}
+
+/// True if two chains have equal bone lengths.
+fn are_mirrored(tree: &Tree, a: &[usize], b: &[usize]) -> bool {
+    let bones = |chain: &[usize]| -> Vec<f64> {
+        chain.windows(2).map(|bone| tree.distance(bone[0], bone[1])).collect()
+    };
+    a.len() == b.len()
+        && bones(a).iter().zip(&bones(b)).all(|(a, b)| (a - b).abs() <= MIRROR_TOLERANCE * a.max(*b))
+}
+
+/// Returns the mean vector from `joint` to `tips`, over poses and tips.
+fn mean_vector(tree: &Tree, tracks: &[Track], joint: usize, tips: &[usize]) -> Vector3<f64> {
+    let track = |joint: usize| &tracks[joint - tree.root];
+    let sum: Vector3<f64> = tips
+        .iter()
+        .flat_map(|&tip| track(tip).iter().zip(track(joint)).map(|(tip, joint)| tip - joint))
+        .sum();
+    sum / (tips.len() * track(joint).len()) as f64
+}
+
+/// Returns the mean vector from `joint` to the head: by name, or to the end of the longest branch
+/// that has no mirrored one.
+fn head_direction(tree: &Tree, tracks: &[Track], joint: usize) -> Option<Vector3<f64>> {
+    let named = tree.descendants(joint).find(|&below| {
+        matches!(tree.part(below), Some(BodyPart::Head | BodyPart::Neck)) && tree.name(below).side.is_none()
+    });
+    if let Some(head) = named {
+        return Some(mean_vector(tree, tracks, joint, &[head]));
+    }
+    let chains: Vec<(f64, Vec<usize>)> =
+        tree.children(joint).take(MAX_BRANCHES).map(|child| main_chain(tree, child)).collect();
+    let is_single = |index: usize| {
+        chains
+            .iter()
+            .enumerate()
+            .all(|(other, (_, chain))| other == index || !are_mirrored(tree, chain, &chains[index].1))
+    };
+    let longest = (0..chains.len())
+        .filter(|&index| is_single(index))
+        .max_by(|&a, &b| chains[a].0.total_cmp(&chains[b].0))?;
+    let (length, chain) = &chains[longest];
+    let tip = *chain.last()?;
+    (*length > 0.0).then(|| mean_vector(tree, tracks, joint, &[tip]))
+}
+
+fn leg_of_chain(tree: &Tree, chain: &[usize]) -> Leg {
+    let at = leg::ankle_index(tree, chain);
+    let ankle = chain[at];
+    let (thigh, shank) = leg::thigh_and_shank(tree, &chain[..=at]);
+    let unnamed_toe = || chain.get(at + 1).copied().filter(|&joint| !tree.is_leaf(joint));
+    let toe = leg::named_toe(tree, ankle).or_else(unnamed_toe);
+    Leg { thigh, shank, ankle: Some(ankle), toe, tip: leg::tip(tree, toe.unwrap_or(ankle)) }
+}
+
+/// True if the first leg is the left one, judged by the direction of the feet and of the legs.
+///
+/// Evaluated per pose, as left has no fixed direction in the world when the character turns.
+fn is_first_left(tree: &Tree, tracks: &[Track], fork: usize, [leg, other]: &[Leg; 2]) -> bool {
+    let (Some(first), Some(second)) = (leg.ankle, other.ankle) else { return true };
+    let tips = [(leg, first), (other, second)].map(|(leg, ankle)| leg.tip.unwrap_or(ankle));
+    let joints = [first, second, tips[0], tips[1], fork].map(|joint| &tracks[joint - tree.root]);
+    let votes = (0..joints[0].len()).map(|frame| {
+        let [first, second, tip, other_tip, fork] = joints.map(|track| track[frame]);
+        let up = 2.0 * fork - first - second;
+        let forward = (tip - first) + (other_tip - second);
+        up.cross(&forward).dot(&(first - second))
+    });
+    votes.sum::<f64>() > 0.0
+}
