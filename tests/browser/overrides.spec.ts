@@ -57,3 +57,28 @@ test("resets overrides when another clip is opened", async ({ app, page }) => {
   await expect(rate).toHaveValue("");
   await expect(app.head).toContainText("24 Hz");
 });
+
+test("explains the joint of a role and marks it in the view", async ({ app, page }) => {
+  await app.openSample("bowling");
+  await app.tab("Clip");
+  const ankle = page.getByRole("combobox", { name: "Left ankle" });
+  await expect(ankle).toHaveAccessibleDescription(/by its name, connected to the limb.*\(9\d %\)/);
+  const view = page.getByRole("img", { name: /Skeleton of/ });
+  const unmarked = await view.screenshot();
+  await ankle.focus();
+  await expect.poll(async () => unmarked.equals(await view.screenshot())).toBe(false);
+  await ankle.blur();
+  await page.mouse.move(5, 5);
+  await expect.poll(async () => unmarked.equals(await view.screenshot())).toBe(true);
+  await ankle.selectOption({ index: 4 });
+  await expect(ankle).toHaveAccessibleDescription(/named by you \(100 %\)/);
+});
+
+test("overrides the unit", async ({ app, page }) => {
+  await app.openSample("bowling");
+  await app.tab("Clip");
+  const unit = page.getByRole("spinbutton", { name: "Metres per unit" });
+  await unit.fill("0.02");
+  await unit.press("Enter");
+  await expect(app.fact("Unit")).toHaveText("0.02 m");
+});

@@ -1,6 +1,8 @@
+import { useEffect } from "preact/hooks";
 import { setOverrides } from "../actions/detect";
 import type { Clip, Overrides, Up } from "../model/types";
 import { openClip, overrides, source } from "../store/session";
+import { markedJoint } from "../store/view";
 import { PropertyList } from "../ui/PropertyList";
 import { formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
 import { FootSkateSection } from "./FootSkateSection";
@@ -59,7 +61,7 @@ function changeOverride<K extends keyof Overrides>(key: K, value: Overrides[K] |
 }
 
 function ImportSettings({ clip }: { clip: Clip }) {
-  const { rate, up } = overrides.value;
+  const { rate, up, metresPerUnit } = overrides.value;
   return (
     <div class="form-rows">
       <label>
@@ -76,6 +78,22 @@ function ImportSettings({ clip }: { clip: Clip }) {
           onChange={(event) => {
             const value = event.currentTarget.valueAsNumber;
             changeOverride("rate", value >= 1 && value <= 1000 ? value : undefined);
+          }}
+        />
+      </label>
+      <label>
+        <span>Metres per unit</span>
+        <input
+          class="input"
+          type="number"
+          min="0"
+          step="any"
+          inputMode="decimal"
+          placeholder={`${Number(clip.metresPerUnit.toPrecision(3))} (${clip.unit ? `${clip.unit}, ` : ""}detected)`}
+          value={metresPerUnit === undefined ? "" : String(metresPerUnit)}
+          onChange={(event) => {
+            const value = event.currentTarget.valueAsNumber;
+            changeOverride("metresPerUnit", value > 0 && value < 1e6 ? value : undefined);
           }}
         />
       </label>
@@ -100,46 +118,79 @@ function ImportSettings({ clip }: { clip: Clip }) {
   );
 }
 
+/** Confidence below which a role is marked as uncertain. */
+const uncertain = 0.75;
+
 function FootJoints({ clip }: { clip: Clip }) {
+  useEffect(
+    () => () => {
+      markedJoint.value = null;
+    },
+    [],
+  );
+  return (
+    <div class="form-rows">
+      {clip.roleNames
+        .filter((role) => footRole.test(role))
+        .map((role) => (
+          <FootJoint key={role} clip={clip} role={role} />
+        ))}
+    </div>
+  );
+}
+
+/** The joint of one role and the evidence for it. The view marks the joint while the row is in use. */
+function FootJoint({ clip, role }: { clip: Clip; role: string }) {
   const overridden = overrides.value.roles ?? {};
-  const setRole = (role: string, value: string) => {
+  const override = overridden[role];
+  const joint = clip.roles[role];
+  const evidence = clip.roleEvidence[role];
+  const setRole = (value: string) => {
     const roles = { ...overridden };
     if (value === "") delete roles[role];
     else roles[role] = Number(value);
     changeOverride("roles", Object.keys(roles).length ? roles : undefined);
   };
+  const mark = () => {
+    markedJoint.value = joint ?? null;
+  };
+  const unmark = () => {
+    markedJoint.value = null;
+  };
+  const evidenceId = `evidence-${role}`;
   return (
-    <div class="form-rows">
-      {clip.roleNames
-        .filter((role) => footRole.test(role))
-        .map((role) => {
-          const override = overridden[role];
-          const detected = clip.roles[role];
-          return (
-            <label key={role}>
-              <span>{roleTitle(role)}</span>
-              <select
-                class="select"
-                value={override === undefined ? "" : String(override)}
-                onChange={(event) => setRole(role, event.currentTarget.value)}
-              >
-                <option value="">
-                  {override !== undefined
-                    ? "Detected"
-                    : detected === undefined
-                      ? "None detected"
-                      : jointName(clip, detected)}
-                </option>
-                <option value="-1">None</option>
-                {clip.joints.map((_, i) => (
-                  <option key={i} value={String(i)}>
-                    {jointName(clip, i)}
-                  </option>
-                ))}
-              </select>
-            </label>
-          );
-        })}
+    <div class="role-row" onPointerEnter={mark} onPointerLeave={unmark}>
+      <label>
+        <span>{roleTitle(role)}</span>
+        <select
+          class="select"
+          value={override === undefined ? "" : String(override)}
+          aria-describedby={evidence && evidenceId}
+          onFocus={mark}
+          onBlur={unmark}
+          onChange={(event) => setRole(event.currentTarget.value)}
+        >
+          <option value="">
+            {override !== undefined
+              ? "Detected"
+              : joint === undefined
+                ? "None detected"
+                : jointName(clip, joint)}
+          </option>
+          <option value="-1">None</option>
+          {clip.joints.map((_, i) => (
+            <option key={i} value={String(i)}>
+              {jointName(clip, i)}
+            </option>
+          ))}
+        </select>
+      </label>
+      {evidence && (
+        <p id={evidenceId} class="role-evidence">
+          {evidence.confidence < uncertain && <strong>Uncertain: </strong>}
+          {evidence.reasons.join(", ")} ({(100 * evidence.confidence).toFixed(0)} %)
+        </p>
+      )}
     </div>
   );
 }

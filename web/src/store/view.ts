@@ -34,6 +34,9 @@ export const followCamera = signal(true);
 /** True if the paths of toes and hips are drawn. */
 export const trailsVisible = signal(false);
 
+/** Joint that the view marks, because its row in a panel has the focus or the pointer; or null. */
+export const markedJoint = signal<number | null>(null);
+
 /** Number of requests to frame everything; the viewer responds to each change. */
 export const frameAllRequests = signal(0);
 

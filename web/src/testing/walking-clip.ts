@@ -163,6 +163,12 @@ export function createWalkingClip(name: string, seconds = 12): Clip {
     unit: "cm",
     leg: 0.86,
     roles: { ...walkingRoles },
+    roleEvidence: Object.fromEntries(
+      Object.keys(walkingRoles).map((role) => [
+        role,
+        { confidence: 0.95, reasons: ["by its name"] },
+      ]),
+    ),
     roleNames: Object.keys(walkingRoles),
     notices: [
       {

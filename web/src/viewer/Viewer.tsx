@@ -26,6 +26,7 @@ import {
   cameraView,
   followCamera,
   frameAllRequests,
+  markedJoint,
   stageHandle,
   trailsVisible,
 } from "../store/view";
@@ -175,11 +176,13 @@ function bindStage(stage: Stage): (() => void)[] {
       stage.setLabels(detection.peek(), plants.peek());
       stage.setCompanions(openClip.value ? companions.peek() : []);
       stage.setTrails(trailsVisible.peek());
+      stage.markJoint(markedJoint.peek());
       if (reframe) cameraView.value = "perspective";
       if (isNewClip) applyLinkedView(stage);
     }),
     effect(() => stage.setLabels(detection.value, plants.value)),
     effect(() => stage.setTrails(trailsVisible.value)),
+    effect(() => stage.markJoint(openClip.value ? markedJoint.value : null)),
     effect(() => stage.setCompanions(openClip.value ? companions.value : [])),
     effect(() => stage.seek(shownMoment.value)),
     effect(() => stage.setFollow(followCamera.value || isPreview.value)),

@@ -71,6 +71,11 @@ export class Figure {
     }
   }
 
+  /** Coordinates of all joints in the pose that is shown, as x, y, z per joint, in metres. */
+  get pose(): Float32Array {
+    return this.bones.pose;
+  }
+
   dispose() {
     this.bones.dispose();
     this.shadow.dispose();

@@ -82,6 +82,11 @@ export class MainCharacter {
     this.figure.update(playhead, groundHeight, detection);
   }
 
+  /** Coordinates of all joints in the pose that is shown, as x, y, z per joint, in metres. */
+  get pose(): Float32Array {
+    return this.figure.pose;
+  }
+
   dispose() {
     this.floor.dispose();
     this.figure.dispose();

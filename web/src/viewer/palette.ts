@@ -10,6 +10,7 @@ export interface Palette {
   joint: Color;
   left: Color;
   right: Color;
+  accent: Color;
   /** Opacity of shadows. */
   shadow: number;
 }
@@ -27,6 +28,7 @@ export function readPalette(from: Element): Palette {
     joint: color("--view-joint"),
     left: color("--left"),
     right: color("--right"),
+    accent: color("--accent"),
     shadow: Number(style.getPropertyValue("--view-shadow")),
   };
 }

@@ -8,6 +8,7 @@ import { Bones } from "./bones";
 import { Camera } from "./camera";
 import { CompanionFigure } from "./companion";
 import { Footprints } from "./footprints";
+import { JointMarker } from "./joint-marker";
 import { MainCharacter } from "./main-character";
 import { readPalette } from "./palette";
 import { Trails } from "./trails";
@@ -44,6 +45,7 @@ export class Stage {
   private ghost: Ghost | null = null;
   private companions: CompanionFigure[] = [];
   private trails: Trails | null = null;
+  private jointMarker: JointMarker | null = null;
   /** Replaced objects, disposed of after the next draw, so that shared shaders stay compiled. */
   private readonly retired: { dispose: () => void }[] = [];
   /** False after a new clip: the page layout changes, so the size is measured before drawing. */
@@ -111,6 +113,7 @@ export class Stage {
     this.setGhost(null);
     this.setCompanions([]);
     this.setTrails(false);
+    this.markJoint(null);
     this.removeMainCharacter();
     if (clip) this.addMainCharacter(clip);
     if (this.mainCharacter && reframe) {
@@ -150,6 +153,22 @@ export class Stage {
         ? new Trails(mainCharacter.clip, readPalette(this.host))
         : null;
     if (this.trails) this.scene.add(this.trails.group);
+    this.invalidate();
+  }
+
+  /** Puts a ring around a joint of the main character, or removes it. */
+  markJoint(joint: number | null) {
+    if (this.jointMarker) {
+      this.scene.remove(this.jointMarker.mesh);
+      this.retired.push(this.jointMarker);
+      this.jointMarker = null;
+    }
+    const { mainCharacter } = this;
+    if (mainCharacter && joint !== null) {
+      const { clip, size } = mainCharacter;
+      this.jointMarker = new JointMarker(clip, joint, size, readPalette(this.host));
+      this.scene.add(this.jointMarker.mesh);
+    }
     this.invalidate();
   }
 
@@ -305,6 +324,7 @@ export class Stage {
       const groundHeight = detection?.floor ?? mainCharacter.fallbackGroundHeight;
       mainCharacter.update(playhead, groundHeight, detection);
       this.ghost?.bones.setPose(this.ghost.clip, playhead, groundHeight);
+      this.jointMarker?.update(mainCharacter.pose);
       this.trails?.update(playhead, groundHeight);
       const seconds = this.playhead / clip.rate;
       this.visibleFootprints?.footprints.update(
@@ -331,6 +351,7 @@ export class Stage {
     this.setGhost(null);
     this.setCompanions([]);
     this.setTrails(false);
+    this.markJoint(null);
     cancelAnimationFrame(this.frameRequest);
     this.removeMainCharacter();
     dispose(this.retired);
