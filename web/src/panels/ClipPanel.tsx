@@ -188,7 +188,7 @@ function FootJoint({ clip, role }: { clip: Clip; role: string }) {
       {evidence && (
         <p id={evidenceId} class="role-evidence">
           {evidence.confidence < uncertain && <strong>Uncertain: </strong>}
-          {evidence.reasons.join(", ")} ({(100 * evidence.confidence).toFixed(0)} %)
+          {(100 * evidence.confidence).toFixed(0)} % by {evidence.reasons.join(", ")}
         </p>
       )}
     </div>

@@ -18,7 +18,7 @@ export class JointMarker {
       depthTest: false,
       transparent: true,
     });
-    this.mesh = new Mesh(new RingGeometry(0.026 * size, 0.036 * size, 40), material);
+    this.mesh = new Mesh(new RingGeometry(0.032 * size, 0.044 * size, 40), material);
     this.mesh.renderOrder = 10;
     this.mesh.onBeforeRender = (_renderer, _scene, camera) => {
       this.mesh.quaternion.copy(camera.quaternion);

@@ -189,15 +189,15 @@ impl Reason {
         }
     }
 
-    /// Returns a phrase that explains the reason.
+    /// Returns the evidence in a few words, to be read after "by".
     pub fn description(self) -> &'static str {
         match self {
-            Reason::Given => "named by you",
-            Reason::Name => "by its name",
-            Reason::PartOfName => "by a part of its name",
-            Reason::Structure => "by the structure of the skeleton",
-            Reason::Chain => "connected to the limb",
-            Reason::Mirrored => "mirrored on the other side",
+            Reason::Given => "your choice",
+            Reason::Name => "name",
+            Reason::PartOfName => "part of the name",
+            Reason::Structure => "structure",
+            Reason::Chain => "limb",
+            Reason::Mirrored => "other side",
         }
     }
 }

@@ -39,7 +39,7 @@ impl From<&plantigrade::bvh::Joint> for JointInfo {
 pub struct RoleEvidence {
     /// Confidence, from 0 to 1.
     pub confidence: f64,
-    /// Phrases that explain why, as in "by its name".
+    /// Kinds of evidence in a few words, as in "name" and "other side".
     pub reasons: Vec<String>,
 }
 
