@@ -3,7 +3,7 @@
 use plantigrade::foot::Side;
 use plantigrade::notice::Code;
 use plantigrade::skeleton::{LegRoles, Overrides, Role, Skeleton};
-use plantigrade_synth::rigs::{BodyKind, NAMINGS, Rig, generate};
+use plantigrade_synth::rigs::{BodyKind, NAMINGS, Posture, Rig, generate};
 
 /// Number of skeletons.
 const RIGS: u64 = 10_000;
@@ -27,6 +27,8 @@ struct Counts {
 #[test]
 fn roles_and_axes_of_generated_skeletons_are_found() {
     let mut counts = Counts::default();
+    // Rigs of one posture, and those whose up axis is right.
+    let mut postures = [[0_usize; 2]; Posture::ALL.len()];
     let mut failures: Vec<String> = Vec::new();
     for seed in 0..RIGS {
         let rig = Rig::random(seed);
@@ -79,6 +81,10 @@ fn roles_and_axes_of_generated_skeletons_are_found() {
                 counts.refused += 1;
             }
         }
+        if let [posture] = rig.postures[..] {
+            postures[posture as usize][0] += 1;
+            postures[posture as usize][1] += usize::from(skeleton.up == rig.up);
+        }
         if skeleton.up == rig.up {
             counts.up_right += 1;
         } else if !has_notice(Code::UpAxis) {
@@ -99,6 +105,9 @@ fn roles_and_axes_of_generated_skeletons_are_found() {
     assert_eq!(counts.refused, counts.without_feet, "{counts:?}");
     assert_eq!(counts.found + counts.refused_or_doubtful, counts.with_feet, "{counts:?}");
     assert!(share(counts.up_right, RIGS as usize) >= 0.995, "{counts:?}");
+    for (posture, [count, right]) in Posture::ALL.into_iter().zip(postures) {
+        assert!(count > 300 && share(right, count) >= 0.99, "{posture:?}: {right} of {count}");
+    }
     assert!(share(counts.unit_right, counts.with_feet) >= 0.99, "{counts:?}");
     assert!(share(counts.wrong_roles, counts.roles) <= 0.005, "{counts:?}");
 }
