@@ -24,6 +24,26 @@ const MAX_FOOT: f64 = 0.3;
 /// pelvis in front they have less than 0.96.
 const MIN_STRAIGHTNESS: f64 = 0.98;
 
+/// Returns the longest chain of a branch with its length, without helpers and without heels that have
+/// siblings.
+pub(super) fn main_chain(tree: &Tree, branch: usize) -> (f64, Vec<usize>) {
+    let mut best = (0.0, branch);
+    let mut stack = vec![(0.0, branch)];
+    while let Some((length, joint)) = stack.pop() {
+        if length > best.0 {
+            best = (length, joint);
+        }
+        let children: Vec<usize> =
+            tree.children(joint).filter(|&child| !tree.name(child).is_helper).collect();
+        let is_heel = |child: usize| tree.name(child).part == Some(BodyPart::Heel);
+        let are_all_heels = children.iter().all(|&child| is_heel(child));
+        for child in children.into_iter().filter(|&child| are_all_heels || !is_heel(child)) {
+            stack.push((length + tree.distance(joint, child), child));
+        }
+    }
+    (best.0, tree.path(branch, best.1))
+}
+
 /// Returns the index of the ankle in a chain of joints by bone lengths: the first joint after which
 /// only a foot is left.
 pub(super) fn ankle_index(tree: &Tree, chain: &[usize]) -> usize {

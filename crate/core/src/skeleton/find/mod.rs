@@ -80,7 +80,7 @@ fn assign_leg(tree: &Tree, side: Side, leg: &Leg, other: Option<&Leg>, roles: &m
 #[cfg(test)]
 mod tests {
     use crate::bvh;
-    use crate::skeleton::{Overrides, Skeleton};
+    use crate::skeleton::{Overrides, Role, Skeleton};
 
     /// A body of nameless limbs, each with three bones and a tip, at the given offsets.
     fn body(limbs: &[&str]) -> String {
@@ -92,6 +92,32 @@ mod tests {
             );
         }
         text + "}\n"
+    }
+
+    /// Returns the ankles of a skeleton of two legs, each a chain of names and lengths of bones.
+    fn ankles(bones: &[(&str, f64)]) -> [Option<String>; 2] {
+        let mut text = String::from("HIERARCHY\nROOT hips\n{\nOFFSET 0 0 0\n");
+        for (side, x) in [("Left", 10.0), ("Right", -10.0)] {
+            for (index, (name, length)) in bones.iter().enumerate() {
+                let x = if index == 0 { x } else { 0.0 };
+                text += &format!("JOINT {side}{name}\n{{\nOFFSET {x} -{length} 0\n");
+            }
+            text += "End Site\n{\nOFFSET 0 0 9\n}\n";
+            text += &"}\n".repeat(bones.len());
+        }
+        let clip = bvh::parse((text + "}\n").as_bytes(), bvh::Options::default()).expect("legs").clip;
+        let roles = Skeleton::main(&clip, &Overrides::default()).roles;
+        [Role::LeftAnkle, Role::RightAnkle]
+            .map(|role| roles.get(role).map(|joint| clip.joints()[joint].name.clone()))
+    }
+
+    #[test]
+    fn ankles_without_a_name_are_at_the_end_of_the_shank() {
+        let found = |name: &str| [Some(format!("Left{name}")), Some(format!("Right{name}"))];
+        assert_eq!(ankles(&[("Leg1", 5.0), ("Leg2", 40.0), ("Leg3", 40.0)]), found("Leg3"));
+        assert_eq!(ankles(&[("UpLeg", 5.0), ("LowLeg", 40.0), ("Bone3", 40.0)]), found("Bone3"));
+        assert_eq!(ankles(&[("Thigh", 5.0), ("Shin", 40.0), ("Heel", 40.0), ("Toe", 8.0)]), found("Heel"));
+        assert_eq!(ankles(&[("Hip", 5.0), ("Knee", 40.0), ("ANK", 40.0), ("TOE", 8.0)]), found("ANK"));
     }
 
     fn has_feet(limbs: &[&str]) -> bool {

@@ -65,25 +65,24 @@ fn candidates(tree: &Tree, side: Side) -> Vec<Candidate> {
     let feet = tree.members().filter(|&joint| is_foot(joint) && is_topmost(joint));
     let mut ankles: Vec<usize> = feet.take(MAX_CANDIDATES).collect();
     if ankles.is_empty() {
-        // No foot is named: the ankle is the end of the shank.
-        let shanks = tree.members().filter(|&joint| {
-            is_on_side(joint)
-                && matches!(tree.part(joint), Some(BodyPart::Shank | BodyPart::Leg))
-                && !tree.descendants(joint).any(|below| {
-                    matches!(tree.part(below), Some(BodyPart::Shank | BodyPart::Leg | BodyPart::Thigh))
-                })
+        // No foot is named: the ankle is at the end of the bones of a leg.
+        let is_leg = |joint: usize| is_on_side(joint) && tree.part(joint).is_some_and(BodyPart::is_of_leg);
+        let tops = tree.members().filter(|&joint| {
+            is_leg(joint) && tree.part(joint) != Some(BodyPart::Toe) && !tree.ancestors(joint).any(is_leg)
         });
-        ankles = shanks.filter_map(|shank| end_of_shank(tree, shank)).take(MAX_CANDIDATES).collect();
+        ankles = tops.filter_map(|top| unnamed_ankle(tree, top)).take(MAX_CANDIDATES).collect();
     }
     ankles.into_iter().map(|ankle| candidate(tree, side, ankle)).collect()
 }
 
-/// Returns the joint at the end of a shank: its child that is no helper, the one with the most
-/// descendants, rather than a heel.
-fn end_of_shank(tree: &Tree, shank: usize) -> Option<usize> {
-    tree.children(shank)
-        .filter(|&child| !tree.name(child).is_helper)
-        .max_by_key(|&child| (tree.name(child).part != Some(BodyPart::Heel), tree.descendants(child).len()))
+/// Returns the ankle below the topmost joint of a leg by bone lengths; never a joint named thigh or
+/// knee.
+fn unnamed_ankle(tree: &Tree, top: usize) -> Option<usize> {
+    let (_, chain) = leg::main_chain(tree, top);
+    let is_above =
+        |&joint: &usize| matches!(tree.part(joint), Some(BodyPart::Thigh | BodyPart::Hip | BodyPart::Shank));
+    let first = chain.iter().rposition(is_above).map_or(0, |last| last + 1);
+    chain.get(leg::ankle_index(tree, &chain).max(first)).copied()
 }
 
 fn candidate(tree: &Tree, side: Side, ankle: usize) -> Candidate {

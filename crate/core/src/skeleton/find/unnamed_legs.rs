@@ -84,7 +84,7 @@ fn pairs_below(tree: &Tree, tracks: &[Track], joint: usize) -> Vec<LimbPairing> 
     let mut branches: Vec<(f64, Vec<usize>)> = tree
         .children(joint)
         .filter(|&child| !is_excluded(tree, child))
-        .map(|child| main_chain(tree, child))
+        .map(|child| leg::main_chain(tree, child))
         .collect();
     if branches.len() < 2 {
         return Vec::new();
@@ -116,24 +116,6 @@ fn is_excluded(tree: &Tree, branch: usize) -> bool {
     }) || tree.name(branch).is_helper
 }
 
-/// Returns the longest chain of a branch with its length, without helpers and heels.
-fn main_chain(tree: &Tree, branch: usize) -> (f64, Vec<usize>) {
-    let mut best = (0.0, branch);
-    let mut stack = vec![(0.0, branch)];
-    while let Some((length, joint)) = stack.pop() {
-        if length > best.0 {
-            best = (length, joint);
-        }
-        for child in tree.children(joint) {
-            let name = tree.name(child);
-            if !name.is_helper && name.part != Some(BodyPart::Heel) {
-                stack.push((length + tree.distance(joint, child), child));
-            }
-        }
-    }
-    (best.0, tree.path(branch, best.1))
-}
-
 /// True if two chains have equal bone lengths.
 fn are_mirrored(tree: &Tree, a: &[usize], b: &[usize]) -> bool {
     let bones = |chain: &[usize]| -> Vec<f64> {
@@ -163,7 +145,7 @@ fn head_direction(tree: &Tree, tracks: &[Track], joint: usize) -> Option<Vector3
         return Some(mean_vector(tree, tracks, joint, &[head]));
     }
     let chains: Vec<(f64, Vec<usize>)> =
-        tree.children(joint).take(MAX_BRANCHES).map(|child| main_chain(tree, child)).collect();
+        tree.children(joint).take(MAX_BRANCHES).map(|child| leg::main_chain(tree, child)).collect();
     let is_single = |index: usize| {
         chains
             .iter()
