@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::bvh::Clip;
 use crate::foot::{Part, Side};
 use crate::formats::document::{FrameRange, Header, Origin, Source};
+use crate::formats::plants::events::foot_flat;
 use crate::intervals::intervals;
 use crate::notice::Notice;
 use crate::plants::{Detection, Edge};
@@ -92,10 +93,14 @@ pub struct Plant {
     pub frames: FrameRange,
     /// Origin of the plant.
     pub source: Origin,
-    /// Foot strike (of a part: the instant at which it lands); absent if it is known to the frame only.
+    /// Foot strike (of a part: heel strike or toe strike); absent if it is known to the frame only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strike: Option<Instant>,
-    /// Foot off (of a part: the instant at which it lifts); absent if it is known to the frame only.
+    /// Foot flat: the instant from which heel and toe are both down; of contact only, absent if it is
+    /// unknown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flat: Option<Instant>,
+    /// Foot off (of a part: heel off or toe off); absent if it is known to the frame only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub off: Option<Instant>,
 }
@@ -122,7 +127,7 @@ impl From<&Edge> for Instant {
 impl Plant {
     /// Creates a plant at `rate` Hz with instants known to the frame.
     pub fn new(range: Range<usize>, rate: f64, source: Origin) -> Plant {
-        Plant { frames: FrameRange::new(range, rate), source, strike: None, off: None }
+        Plant { frames: FrameRange::new(range, rate), source, strike: None, flat: None, off: None }
     }
 }
 
@@ -150,7 +155,9 @@ impl PlantsDocument {
                     let origin = if is_edited { Origin::Edited } else { Origin::Auto };
                     let [strike, off] =
                         [run.start, run.end].map(|frame| labels.edge(frame).map(Instant::from));
-                    Plant { strike, off, ..Plant::new(run, clip.rate(), origin) }
+                    let flat = (part == Part::Contact).then(|| foot_flat(detection, side, &run)).flatten();
+                    let flat = flat.and_then(|(_, instant)| instant);
+                    Plant { strike, flat, off, ..Plant::new(run, clip.rate(), origin) }
                 });
             }
             foot
@@ -232,6 +239,7 @@ mod tests {
         let labels = [true, false, true, true];
         let mut left = FootPlants::default();
         left.set(Part::Toe, &labels, |run| Plant {
+            flat: Some(Instant { time_s: 0.01, uncertainty_ms: 3.0 }),
             off: Some(Instant { time_s: 0.02, uncertainty_ms: 4.5 }),
             ..Plant::new(run, 30.0, Origin::Auto)
         });

@@ -29,6 +29,8 @@ registry! {
         Intervals => tables::INTERVALS,
         /// Table with one row per foot strike and foot off.
         Events => tables::EVENTS,
+        /// Table with one row per event of foot, heel and toe.
+        PartEvents => tables::PART_EVENTS,
         /// NumPy archive.
         Npz => npz::FORMAT_INFO,
         /// Blender script.

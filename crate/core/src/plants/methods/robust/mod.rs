@@ -127,6 +127,14 @@ impl Pipeline<'_> {
                 }
             }
         }
+        if is_clustered {
+            for foot in 0..2 {
+                for span in &self.motion.spans {
+                    let parts = [(Part::Heel, &mut heel.feet[foot]), (Part::Toe, &mut toe.feet[foot])];
+                    edges::refine_parts(self.feet, foot, span, &contact.feet[foot], parts);
+                }
+            }
+        }
         Output { parts: vec![contact, toe, heel], notices }
     }
 
