@@ -17,6 +17,7 @@ import load, {
   segmentFormats as listSegmentFormats,
   segmentMethods as listSegmentMethods,
   type MethodInfo,
+  type NoiseInfo,
   type NoticeInfo,
   type Overrides,
   type SegmentInfo,
@@ -36,6 +37,7 @@ export type {
   FormatInfo,
   GaitInfo,
   MethodInfo,
+  NoiseInfo,
   NoticeInfo,
   Overrides,
   SegmentInfo,
@@ -178,6 +180,11 @@ export class Plants {
   /** Height of the ground in the positions of the clip, in metres. */
   get floor(): number {
     return this.inner.floor;
+  }
+
+  /** Noise of planted feet; undefined if no foot is planted. */
+  get noise(): NoiseInfo | undefined {
+    return rethrow(() => this.inner.noise());
   }
 
   /** Assumptions and doubts of the method. */

@@ -1,11 +1,11 @@
 //! The detected plants of a clip.
 
 use plantigrade::intervals::intervals;
-use plantigrade::plants::{self, Detection, Edit, FootLabels, PartLabels};
+use plantigrade::plants::{self, CaptureNoise, Detection, Edit, FootLabels, PartLabels};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::types::{ArgumentError, EditInfo, Failure, NoticeInfo, from_js, parse_side, to_js};
+use crate::types::{ArgumentError, EditInfo, Failure, NoiseInfo, NoticeInfo, from_js, parse_side, to_js};
 
 /// The detected plants of a clip; series are addressed by part and side.
 #[wasm_bindgen]
@@ -71,6 +71,18 @@ impl WasmDetection {
     #[wasm_bindgen(getter)]
     pub fn floor(&self) -> f64 {
         self.core().ground_height * self.metres_per_unit
+    }
+
+    /// Noise of planted feet; undefined if no foot is planted.
+    ///
+    /// # Errors
+    /// Only if the conversion to JavaScript fails.
+    pub fn noise(&self) -> Result<Option<Ts<NoiseInfo>>, Failure> {
+        let info = |noise: CaptureNoise| NoiseInfo {
+            position: noise.position * self.metres_per_unit,
+            speed: noise.speed * self.metres_per_unit,
+        };
+        self.core().noise.map(|noise| to_js(&info(noise))).transpose()
     }
 
     /// Assumptions and warnings of the detector.

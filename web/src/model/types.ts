@@ -11,6 +11,7 @@ import type {
   SegmentOptions as CoreSegmentOptions,
   EvidenceInfo,
   Failure,
+  NoiseInfo,
   NoticeInfo,
   SegmentInfo,
   ThresholdInfo,
@@ -105,6 +106,8 @@ export interface Detection {
   parts: Partial<Record<Part, Tracks>>;
   /** Height of the ground in the positions of the clip, in metres. */
   floor: number;
+  /** Noise of planted feet; undefined if no foot is planted. */
+  noise?: NoiseInfo;
   notices: NoticeInfo[];
 }
 

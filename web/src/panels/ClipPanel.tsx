@@ -1,6 +1,6 @@
 import { setOverrides } from "../actions/detect";
-import type { Clip, Overrides, Up } from "../model/types";
-import { openClip, overrides, source } from "../store/session";
+import type { Clip, Detection, Overrides, Up } from "../model/types";
+import { detection, openClip, overrides, source } from "../store/session";
 import { PropertyList } from "../ui/PropertyList";
 import { formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
 import { FootSkateSection } from "./FootSkateSection";
@@ -43,8 +43,16 @@ function factsOf(clip: Clip) {
     ["Joints", formatCount(clip.joints.filter((joint) => joint.kind !== "end-site").length)],
     ["Up axis", axisText(clip.up)],
     ["Unit", clip.unit ?? `${Number(clip.metresPerUnit.toPrecision(3))} m`],
+    ["Foot noise", noiseText(detection.value)],
     ["Leg length", clip.leg !== undefined && `${(100 * clip.leg).toFixed(0)} cm`],
   ] as const;
+}
+
+/** Returns the noise of planted feet: `0.4 mm, 35 mm/s`. */
+function noiseText(detection: Detection | null) {
+  if (!detection?.noise) return undefined;
+  const [position, speed] = [1000 * detection.noise.position, 1000 * detection.noise.speed];
+  return `${position.toPrecision(2)} mm, ${speed.toFixed(0)} mm/s`;
 }
 
 /** Returns the display text of an axis: `Z`, `−Z`. */

@@ -28,6 +28,7 @@ pub fn apply_edits(detection: &Detection, edits: &[Edit], frame_time: f64) -> De
         params: detection.params,
         parts: parts.collect(),
         ground_height: detection.ground_height,
+        noise: detection.noise,
         notices: detection.notices.clone(),
         edits: edits.to_vec(),
     }
@@ -101,6 +102,7 @@ mod tests {
             params: ValidParams::default(),
             parts: vec![part(Part::Contact, contact), part(Part::Heel, heel)],
             ground_height: 0.0,
+            noise: None,
             notices: Vec::new(),
             edits: Vec::new(),
         }

@@ -5,6 +5,7 @@ use crate::notice::Notice;
 use crate::plants::edit::Edit;
 use crate::plants::labels::PartLabels;
 use crate::plants::params::ValidParams;
+use crate::plants::postprocess::capture_noise::CaptureNoise;
 
 /// Labels of a clip, with their evidence.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,8 @@ pub struct Detection {
     pub parts: Vec<PartLabels>,
     /// Height of the ground along the up axis, in file units.
     pub ground_height: f64,
+    /// Noise of planted feet; `None` if no foot is planted.
+    pub noise: Option<CaptureNoise>,
     /// Assumptions and warnings.
     pub notices: Vec<Notice>,
     /// Edits that were applied; empty in the result of a method.

@@ -35,6 +35,7 @@ pub use feet::{DetectError, Feet, FootTracks};
 pub use labels::{Edge, FootLabels, PartLabels};
 pub use methods::{Family, Method, Thresholds};
 pub use params::{ParamError, Params, ValidParams};
+pub use postprocess::capture_noise::CaptureNoise;
 pub use spectral::affinity::Kernel;
 pub use spectral::field::DegreeField;
 pub use spectral::threshold::Evidence;

@@ -57,6 +57,15 @@ impl TryFrom<&DetectOptions> for Params {
     }
 }
 
+/// Noise of planted feet: of the capture, and of feet that roll.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct NoiseInfo {
+    /// Standard deviation of each coordinate that changes from frame to frame, in metres.
+    pub position: f64,
+    /// Median speed, in metres per second.
+    pub speed: f64,
+}
+
 /// A detection method, for menus.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 pub struct MethodInfo {

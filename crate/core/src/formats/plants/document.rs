@@ -10,7 +10,7 @@ use crate::formats::document::{FrameRange, Header, Origin, Source};
 use crate::formats::plants::events::foot_flat;
 use crate::intervals::intervals;
 use crate::notice::Notice;
-use crate::plants::{Detection, Edge};
+use crate::plants::{CaptureNoise, Detection, Edge};
 use crate::skate::Contacts;
 use crate::skeleton::Skeleton;
 
@@ -26,6 +26,9 @@ pub struct PlantsDocument {
     /// Height of the ground along the up axis, in file units.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub floor: Option<f64>,
+    /// Noise of planted feet; absent if the plants are not detected or no foot is planted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub noise: Option<Noise>,
     /// Method with its parameters.
     pub method: MethodUsed,
     /// Plants of the left foot.
@@ -35,6 +38,29 @@ pub struct PlantsDocument {
     /// Notices of the reader and of the detector.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notices: Vec<Notice>,
+}
+
+/// Noise of planted feet; see [`CaptureNoise`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Noise {
+    /// Standard deviation of each coordinate that changes from frame to frame, in millimetres.
+    pub position_mm: f64,
+    /// Median speed, in millimetres per second.
+    pub speed_mm_per_s: f64,
+}
+
+impl Noise {
+    /// Converts from file units, and rounds to three significant digits.
+    fn new(noise: CaptureNoise, metres_per_unit: f64) -> Noise {
+        let [position_mm, speed_mm_per_s] =
+            [noise.position, noise.speed].map(|value| significant(1e3 * metres_per_unit * value));
+        Noise { position_mm, speed_mm_per_s }
+    }
+}
+
+/// Returns a value rounded to three significant digits.
+fn significant(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 /// Joints of both feet.
@@ -167,6 +193,7 @@ impl PlantsDocument {
             header: Header::new(PlantsDocument::FORMAT, source, clip, skeleton),
             joints: joints(Side::Left).zip(joints(Side::Right)).map(|(left, right)| Joints { left, right }),
             floor: Some(detection.ground_height),
+            noise: detection.noise.map(|noise| Noise::new(noise, skeleton.metres_per_unit)),
             method: MethodUsed {
                 name: params.method().name().into(),
                 r: Some(params.tolerance()),
@@ -254,6 +281,7 @@ mod tests {
             },
             joints: None,
             floor: None,
+            noise: Some(Noise { position_mm: 1.25, speed_mm_per_s: 38.0 }),
             method: MethodUsed { name: "paper".into(), r: Some(0.001), w: Some(1), sigma: None },
             left,
             right: FootPlants::default(),

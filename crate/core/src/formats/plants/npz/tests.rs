@@ -23,6 +23,7 @@ fn detection(parts: Vec<(Part, [Vec<bool>; 2])>) -> Detection {
         params: Params::default().check().unwrap(),
         parts: parts.into_iter().map(labels).collect(),
         ground_height: 0.0,
+        noise: None,
         notices: Vec::new(),
         edits: Vec::new(),
     }

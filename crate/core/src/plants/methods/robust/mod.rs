@@ -111,7 +111,8 @@ impl Pipeline<'_> {
         let mut heel = self.label(Part::Heel, heel);
         if is_clustered {
             // Heels and toes may rise slowly without a step, unless noise has made swings of contact.
-            if capture_noise::fill_swings(self.feet, &mut contact) {
+            if let Some(notice) = capture_noise::fill_swings(self.feet, &mut contact) {
+                notices.push(notice);
                 for labels in [&mut toe, &mut heel] {
                     capture_noise::fill_swings(self.feet, labels);
                 }
