@@ -3,6 +3,7 @@
 use crate::foot::Part;
 use crate::notice::Notice;
 use crate::plants::edit::Edit;
+use crate::plants::ground::Ground;
 use crate::plants::labels::PartLabels;
 use crate::plants::params::ValidParams;
 use crate::plants::postprocess::capture_noise::CaptureNoise;
@@ -16,6 +17,8 @@ pub struct Detection {
     pub parts: Vec<PartLabels>,
     /// Height of the ground along the up axis, in file units.
     pub ground_height: f64,
+    /// Ground on which the feet stand: plane, levels and belt.
+    pub ground: Ground,
     /// Noise of planted feet; `None` if no foot is planted.
     pub noise: Option<CaptureNoise>,
     /// Assumptions and warnings.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use crate::bvh::Clip;
@@ -10,7 +11,7 @@ use crate::formats::document::{FrameRange, Header, Origin, Source};
 use crate::formats::plants::events::foot_flat;
 use crate::intervals::intervals;
 use crate::notice::Notice;
-use crate::plants::{CaptureNoise, Detection, Edge};
+use crate::plants::{CaptureNoise, Detection, Edge, Ground};
 use crate::skate::Contacts;
 use crate::skeleton::Skeleton;
 
@@ -26,6 +27,9 @@ pub struct PlantsDocument {
     /// Height of the ground along the up axis, in file units.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub floor: Option<f64>,
+    /// Ground on which the feet stand; absent if the plants are not detected.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground: Option<GroundUsed>,
     /// Noise of planted feet; absent if the plants are not detected or no foot is planted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub noise: Option<Noise>,
@@ -38,6 +42,47 @@ pub struct PlantsDocument {
     /// Notices of the reader and of the detector.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notices: Vec<Notice>,
+}
+
+/// Ground on which the feet stand, in the axes of the file; see [`Ground`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GroundUsed {
+    /// Unit normal of the plane.
+    pub normal: [f64; 3],
+    /// Point of the plane, in file units.
+    pub origin: [f64; 3],
+    /// Tilt of the plane against the up axis, in degrees.
+    pub tilt_deg: f64,
+    /// Heights of the levels above the plane along the up axis, in file units, ascending.
+    pub levels: Vec<f64>,
+    /// Belt of a treadmill; absent if the ground is at rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub belt: Option<Belt>,
+}
+
+/// Belt of a treadmill.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Belt {
+    /// Speed, in metres per second.
+    pub speed_m_per_s: f64,
+    /// Unit vector in which the belt moves, in the axes of the file.
+    pub direction: [f64; 3],
+}
+
+impl GroundUsed {
+    fn new(ground: &Ground, skeleton: &Skeleton) -> GroundUsed {
+        let rounded = |vector: &Vector3<f64>| vector.map(|value| (value * 1e6).round() / 1e6).into();
+        GroundUsed {
+            normal: rounded(&ground.normal),
+            origin: rounded(&ground.origin),
+            tilt_deg: (ground.tilt_degrees(skeleton.up) * 100.0).round() / 100.0,
+            levels: ground.levels.iter().map(|level| (level * 1e6).round() / 1e6).collect(),
+            belt: ground.belt.map(|velocity| Belt {
+                speed_m_per_s: significant(velocity.norm() * skeleton.metres_per_unit),
+                direction: rounded(&velocity.normalize()),
+            }),
+        }
+    }
 }
 
 /// Noise of planted feet; see [`CaptureNoise`].
@@ -193,6 +238,7 @@ impl PlantsDocument {
             header: Header::new(PlantsDocument::FORMAT, source, clip, skeleton),
             joints: joints(Side::Left).zip(joints(Side::Right)).map(|(left, right)| Joints { left, right }),
             floor: Some(detection.ground_height),
+            ground: Some(GroundUsed::new(&detection.ground, skeleton)),
             noise: detection.noise.map(|noise| Noise::new(noise, skeleton.metres_per_unit)),
             method: MethodUsed {
                 name: params.method().name().into(),
@@ -281,6 +327,13 @@ mod tests {
             },
             joints: None,
             floor: None,
+            ground: Some(GroundUsed {
+                normal: [0.0, 1.0, 0.0],
+                origin: [0.0, 0.5, 0.0],
+                tilt_deg: 0.0,
+                levels: vec![0.0, 0.17],
+                belt: Some(Belt { speed_m_per_s: 1.25, direction: [0.0, 0.0, -1.0] }),
+            }),
             noise: Some(Noise { position_mm: 1.25, speed_mm_per_s: 38.0 }),
             method: MethodUsed { name: "paper".into(), r: Some(0.001), w: Some(1), sigma: None },
             left,

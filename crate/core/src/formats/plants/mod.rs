@@ -8,7 +8,9 @@ mod json;
 mod npz;
 mod tables;
 
-pub use document::{FootJoints, FootPlants, Instant, Joints, MethodUsed, Noise, Plant, PlantsDocument};
+pub use document::{
+    Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantsDocument,
+};
 pub use export::PlantExport;
 
 use crate::formats::document::ReadError;
