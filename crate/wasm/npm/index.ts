@@ -12,6 +12,7 @@ import load, {
   type Failure,
   type FormatInfo,
   type GaitInfo,
+  type GroundInfo,
   methods as listMethods,
   plantFormats as listPlantFormats,
   segmentFormats as listSegmentFormats,
@@ -36,6 +37,7 @@ export type {
   EditInfo,
   FormatInfo,
   GaitInfo,
+  GroundInfo,
   MethodInfo,
   NoiseInfo,
   NoticeInfo,
@@ -180,6 +182,11 @@ export class Plants {
   /** Height of the ground in the positions of the clip, in metres. */
   get floor(): number {
     return this.inner.floor;
+  }
+
+  /** Ground on which the feet stand: plane, levels and belt. */
+  get ground(): GroundInfo {
+    return rethrow(() => this.inner.ground());
   }
 
   /** Noise of planted feet; undefined if no foot is planted. */

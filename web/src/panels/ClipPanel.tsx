@@ -1,4 +1,5 @@
 import { setOverrides } from "../actions/detect";
+import { groundText } from "../model/ground";
 import type { Clip, Detection, Overrides, Up } from "../model/types";
 import { detection, openClip, overrides, source } from "../store/session";
 import { PropertyList } from "../ui/PropertyList";
@@ -43,6 +44,7 @@ function factsOf(clip: Clip) {
     ["Joints", formatCount(clip.joints.filter((joint) => joint.kind !== "end-site").length)],
     ["Up axis", axisText(clip.up)],
     ["Unit", clip.unit ?? `${Number(clip.metresPerUnit.toPrecision(3))} m`],
+    ["Ground", detection.value ? groundText(detection.value.ground) : undefined],
     ["Foot noise", noiseText(detection.value)],
     ["Leg length", clip.leg !== undefined && `${(100 * clip.leg).toFixed(0)} cm`],
   ] as const;

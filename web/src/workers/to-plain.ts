@@ -34,6 +34,7 @@ export function detectionToPlain(detection: WasmDetection, options: DetectOption
     options,
     parts: parts as Detection["parts"],
     floor: detection.floor,
+    ground: detection.ground(),
     ...(noise && { noise }),
     notices: detection.notices(),
   };

@@ -1,10 +1,12 @@
 //! Result of a detection.
 
-use crate::foot::Part;
+use std::ops::Range;
+
+use crate::foot::{Part, Side};
 use crate::notice::Notice;
 use crate::plants::edit::Edit;
 use crate::plants::ground::Ground;
-use crate::plants::labels::PartLabels;
+use crate::plants::labels::{Edge, PartLabels};
 use crate::plants::params::ValidParams;
 use crate::plants::postprocess::capture_noise::CaptureNoise;
 
@@ -31,6 +33,15 @@ impl Detection {
     /// Returns the labels of one part, if the method labels it.
     pub fn part(&self, part: Part) -> Option<&PartLabels> {
         self.parts.iter().find(|labels| labels.part == part)
+    }
+
+    /// Returns the first frame of a plant from which heel and toe are both planted, with the instant of foot
+    /// flat, if that is known more exactly; `None` if they never are.
+    pub fn foot_flat(&self, side: Side, plant: &Range<usize>) -> Option<(usize, Option<&Edge>)> {
+        let [heel, toe] = [self.part(Part::Heel)?, self.part(Part::Toe)?].map(|part| part.foot(side));
+        let frame = plant.clone().find(|&frame| heel.planted[frame] && toe.planted[frame])?;
+        let landings = [heel, toe].into_iter().filter_map(|labels| labels.edge(frame));
+        Some((frame, landings.max_by(|a, b| a.time.total_cmp(&b.time))))
     }
 
     /// Returns the labels that define the plants: contact, or the toe if there is no contact.

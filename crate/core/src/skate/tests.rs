@@ -81,7 +81,7 @@ fn clips_without_plants_are_unchanged() {
 /// Returns the clip on a treadmill whose belt moves along the Z axis, given its speed in file units per second.
 fn on_treadmill(clip: &Clip, speed: f64) -> Clip {
     let root = Skeleton::main(clip, &Overrides::default()).root;
-    let is_z = |channel: &Channel| *channel == Channel::Position(crate::bvh::Axis::Z);
+    let is_z = |channel: &Channel| *channel == Channel::Position(bvh::Axis::Z);
     let slot = clip.channel_range(root).start
         + clip.joints()[root].channels.iter().position(is_z).expect("a position channel");
     let mut values = clip.values().to_vec();

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::bvh::Clip;
 use crate::foot::{Part, Side};
 use crate::formats::document::{FrameRange, Header, Origin, Source};
-use crate::formats::plants::events::foot_flat;
 use crate::intervals::intervals;
 use crate::notice::Notice;
 use crate::plants::{CaptureNoise, Detection, Edge, Ground};
@@ -226,8 +225,8 @@ impl PlantsDocument {
                     let origin = if is_edited { Origin::Edited } else { Origin::Auto };
                     let [strike, off] =
                         [run.start, run.end].map(|frame| labels.edge(frame).map(Instant::from));
-                    let flat = (part == Part::Contact).then(|| foot_flat(detection, side, &run)).flatten();
-                    let flat = flat.and_then(|(_, instant)| instant);
+                    let flat = (part == Part::Contact).then(|| detection.foot_flat(side, &run)).flatten();
+                    let flat = flat.and_then(|(_, edge)| edge).map(Instant::from);
                     Plant { strike, flat, off, ..Plant::new(run, clip.rate(), origin) }
                 });
             }

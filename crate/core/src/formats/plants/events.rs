@@ -7,7 +7,7 @@ use crate::formats::csv::seconds;
 use crate::formats::plants::document::Instant;
 use crate::intervals::intervals;
 use crate::numeric::sort;
-use crate::plants::{Detection, FootLabels};
+use crate::plants::{Detection, Edge, FootLabels};
 
 /// Beginning or end of the contact of a foot or a part.
 #[derive(Clone, Copy)]
@@ -103,8 +103,13 @@ pub(super) fn part_events(detection: &Detection, frame_time: f64) -> Vec<GaitEve
             events.extend(labels.into_iter().flat_map(|labels| edges(labels, side, kinds)));
         }
         for plant in intervals(&detection.principal().foot(side).planted) {
-            let flat = foot_flat(detection, side, &plant).filter(|(frame, _)| *frame > 0);
-            let event = |(frame, instant)| GaitEvent { frame, side, kind: EventKind::FootFlat, instant };
+            let flat = detection.foot_flat(side, &plant).filter(|(frame, _)| *frame > 0);
+            let event = |(frame, edge): (usize, Option<&Edge>)| GaitEvent {
+                frame,
+                side,
+                kind: EventKind::FootFlat,
+                instant: edge.map(Instant::from),
+            };
             events.extend(flat.map(event));
         }
     }
@@ -115,20 +120,6 @@ pub(super) fn part_events(detection: &Detection, frame_time: f64) -> Vec<GaitEve
     }
     let order = |event: &GaitEvent| ((event.time(frame_time) * 1e6).round() as usize, event.kind as usize);
     sort::sort_by_frames(events, order)
-}
-
-/// Returns the frame of foot flat of a plant, from which heel and toe are both planted, with its instant,
-/// if that is known more exactly; `None` if they never are.
-pub(super) fn foot_flat(
-    detection: &Detection,
-    side: Side,
-    plant: &Range<usize>,
-) -> Option<(usize, Option<Instant>)> {
-    let [heel, toe] = [detection.part(Part::Heel)?, detection.part(Part::Toe)?].map(|part| part.foot(side));
-    let frame = plant.clone().find(|&frame| heel.planted[frame] && toe.planted[frame])?;
-    let strikes = [heel, toe].into_iter().filter_map(|labels| labels.edge(frame));
-    let last = strikes.max_by(|a, b| a.time.total_cmp(&b.time));
-    Some((frame, last.map(Instant::from)))
 }
 
 /// Returns the beginnings and ends of the plants of one foot.
