@@ -28,7 +28,7 @@ export const groundUniform = { value: new Vector3() };
 /** Shader function of the height of the ground at a position (x, z). */
 export const groundHeight = /* glsl */ `
   uniform vec3 uGround;
-  float groundHeight(vec2 position) { return dot(uGround, vec3(position, 1.0)); }
+  float groundHeight(vec2 point) { return dot(uGround, vec3(point, 1.0)); }
 `;
 
 /** Material parameters of everything on the floor: drawn in `renderOrder`, under the skeleton. */
