@@ -291,7 +291,14 @@ export class App {
 
   /** Saves labels by a button of the Labels tab. */
   async save(
-    button: "Labels" | "Every frame" | "Intervals" | "Gait events" | "Arrays" | "Blender",
+    button:
+      | "Labels"
+      | "Every frame"
+      | "Intervals"
+      | "Gait events"
+      | "Events of parts"
+      | "Arrays"
+      | "Blender",
   ): Promise<SavedFile> {
     await this.tab("Labels");
     await this.expandSaveMenu();

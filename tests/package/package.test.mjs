@@ -57,6 +57,7 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
         sameIntervals: clip.detect({ method: "robust", r: 0.001, w: 1 }).intervals("toe", "right").join(),
         frames: clip.info().frames,
         parts: plants.parts,
+        hasNoise: plants.noise.position < 0.001 && plants.noise.speed > 0.01,
         left: plants.intervals("contact", "left").length / 2,
         cadence: plants.gait().cadence,
         rows: table.trim().split("\\n").length,
@@ -72,6 +73,7 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
   assert.equal(result.intervals, result.sameIntervals);
   assert.equal(result.frames, 245);
   assert.deepEqual(result.parts, ["contact", "toe", "heel"]);
+  assert.ok(result.hasNoise);
   assert.equal(result.left, 2);
   assert.ok(Math.abs(result.cadence - 112) < 4);
   assert.equal(result.rows, 246);

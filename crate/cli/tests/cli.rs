@@ -145,12 +145,30 @@ fn detect_writes_all_formats() {
         .map(|line| line.split(',').nth(1).and_then(|f| f.parse().ok()).expect(line))
         .collect();
     assert!(frames.is_sorted() && !frames.is_empty());
+    let part_events = detect("part-events", "robust");
+    assert!(times(&part_events).is_sorted());
+    assert!(events.lines().all(|line| part_events.contains(line)));
+    let names: Vec<&str> = part_events
+        .lines()
+        .filter(|line| line.contains("Left"))
+        .filter_map(|line| line.split(',').nth(3))
+        .collect();
+    let stance = ["Foot Strike", "Heel Strike", "Toe Strike", "Foot Flat", "Heel Off", "Toe Off", "Foot Off"];
+    assert!(names.windows(7).any(|events| events == stance), "{names:?}");
 
     let json: Value = serde_json::from_str(&detect("json", "robust")).expect("JSON");
     assert_eq!((&json["format"], &json["version"]), (&"plantigrade-labels".into(), &1.into()));
     assert_eq!((&json["frames"], &json["method"]["name"]), (&245.into(), &"robust".into()));
     assert_eq!(json["source"]["sha256"].as_str().map(str::len), Some(64));
     assert_eq!(json["left"]["contact"][0]["source"], "auto");
+    let time = |instant: &Value| instant["time_s"].as_f64().expect("a time");
+    let (contact, heel, toe) =
+        (&json["left"]["contact"][1], &json["left"]["heel"][1], &json["left"]["toe"][1]);
+    assert_eq!(
+        (&heel["strike"], &toe["strike"], &toe["off"]),
+        (&contact["strike"], &contact["flat"], &contact["off"])
+    );
+    assert!(time(&contact["strike"]) < time(&contact["flat"]) && time(&contact["flat"]) < time(&heel["off"]));
 }
 
 #[test]

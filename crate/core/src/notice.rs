@@ -75,6 +75,8 @@ pub enum Code {
     ShortClip,
     /// The character stands still; every frame is contact.
     StandingStill,
+    /// Movements of the feet are noise of the capture rather than steps.
+    CaptureNoise,
     /// A foot moves along the ground: it is dragged and not planted.
     Dragged,
     /// The skeleton lacks joints that a method measures.

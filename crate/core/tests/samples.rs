@@ -63,6 +63,44 @@ fn paper_toe_plants_agree_with_truth() {
 }
 
 #[test]
+fn foot_flat_and_heel_off_agree_with_truth() {
+    let mut errors: [Vec<f64>; 2] = Default::default();
+    for path in samples() {
+        let clip = support::read(&path).clip;
+        // Slower clips have no exact truth.
+        if clip.rate() < 59.0 {
+            continue;
+        }
+        let text = fs::read_to_string(path.with_extension("json")).expect("truth");
+        let truth: PlantsDocument = serde_json::from_str(&text).expect("a plants document");
+        let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default())).expect("feet");
+        let detection = plants::detect(&feet, Params::default().check().expect("defaults"));
+        for side in Side::BOTH {
+            let [heel, toe] =
+                [Part::Heel, Part::Toe].map(|part| truth.labels(side, part).expect("truth of the part"));
+            let of_part = |part| detection.part(part).expect("labels").foot(side);
+            // The true toe lands while the heel is down, and the true heel lifts while the toe is down.
+            for frame in 1..heel.len() {
+                let time = (frame as f64 - 0.5) * clip.frame_time();
+                let (events, edges) = if heel[frame - 1] && heel[frame] && !toe[frame - 1] && toe[frame] {
+                    (&mut errors[0], &of_part(Part::Toe).edges)
+                } else if toe[frame - 1] && toe[frame] && heel[frame - 1] && !heel[frame] {
+                    (&mut errors[1], &of_part(Part::Heel).edges)
+                } else {
+                    continue;
+                };
+                let nearest = edges.iter().map(|edge| (edge.time - time).abs()).fold(0.15, f64::min);
+                events.push(nearest);
+            }
+        }
+    }
+    for mut errors in errors {
+        errors.sort_by(f64::total_cmp);
+        assert!(errors.len() >= 8 && errors[errors.len() / 2] < 0.012, "{errors:?}");
+    }
+}
+
+#[test]
 fn legs_are_identified_by_shape_without_names() {
     for path in samples() {
         let clip = support::read(&path).clip;

@@ -63,6 +63,8 @@ pub fn document(
         notices: Vec::new(),
         joints: Some(Joints { left: joints(Side::Left), right: joints(Side::Right) }),
         floor,
+        ground: None,
+        noise: None,
         method: MethodUsed { name: "truth".into(), ..MethodUsed::default() },
         left: foot(Side::Left),
         right: foot(Side::Right),

@@ -12,11 +12,13 @@ import load, {
   type Failure,
   type FormatInfo,
   type GaitInfo,
+  type GroundInfo,
   methods as listMethods,
   plantFormats as listPlantFormats,
   segmentFormats as listSegmentFormats,
   segmentMethods as listSegmentMethods,
   type MethodInfo,
+  type NoiseInfo,
   type NoticeInfo,
   type Overrides,
   type SegmentInfo,
@@ -35,7 +37,9 @@ export type {
   EditInfo,
   FormatInfo,
   GaitInfo,
+  GroundInfo,
   MethodInfo,
+  NoiseInfo,
   NoticeInfo,
   Overrides,
   SegmentInfo,
@@ -178,6 +182,16 @@ export class Plants {
   /** Height of the ground in the positions of the clip, in metres. */
   get floor(): number {
     return this.inner.floor;
+  }
+
+  /** Ground on which the feet stand: plane, levels and belt. */
+  get ground(): GroundInfo {
+    return rethrow(() => this.inner.ground());
+  }
+
+  /** Noise of planted feet; undefined if no foot is planted. */
+  get noise(): NoiseInfo | undefined {
+    return rethrow(() => this.inner.noise());
   }
 
   /** Assumptions and doubts of the method. */

@@ -136,7 +136,7 @@ impl WasmClip {
                 }
             }
         };
-        Ok(WasmDetection::new(detection, self.skeleton.metres_per_unit, self.clip.frame_time()))
+        Ok(WasmDetection::new(detection, &self.skeleton, self.clip.frame_time()))
     }
 
     /// Returns the plants of a detection as a file in a format that `plantFormats` lists.

@@ -1,11 +1,14 @@
 //! The detected plants of a clip.
 
 use plantigrade::intervals::intervals;
-use plantigrade::plants::{self, Detection, Edit, FootLabels, PartLabels};
+use plantigrade::plants::{self, CaptureNoise, Detection, Edit, FootLabels, PartLabels};
+use plantigrade::skeleton::{Skeleton, Up};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::types::{ArgumentError, EditInfo, Failure, NoticeInfo, from_js, parse_side, to_js};
+use crate::types::{
+    ArgumentError, EditInfo, Failure, GroundInfo, NoiseInfo, NoticeInfo, from_js, parse_side, to_js,
+};
 
 /// The detected plants of a clip; series are addressed by part and side.
 #[wasm_bindgen]
@@ -14,12 +17,14 @@ pub struct WasmDetection {
     /// The detection with edits applied, if there are any.
     edited: Option<Detection>,
     metres_per_unit: f64,
+    up: Up,
     frame_time: f64,
 }
 
 impl WasmDetection {
-    pub(crate) fn new(detected: Detection, metres_per_unit: f64, frame_time: f64) -> WasmDetection {
-        WasmDetection { detected, edited: None, metres_per_unit, frame_time }
+    pub(crate) fn new(detected: Detection, skeleton: &Skeleton, frame_time: f64) -> WasmDetection {
+        let Skeleton { metres_per_unit, up, .. } = *skeleton;
+        WasmDetection { detected, edited: None, metres_per_unit, up, frame_time }
     }
 
     pub(crate) fn core(&self) -> &Detection {
@@ -71,6 +76,34 @@ impl WasmDetection {
     #[wasm_bindgen(getter)]
     pub fn floor(&self) -> f64 {
         self.core().ground_height * self.metres_per_unit
+    }
+
+    /// Ground on which the feet stand.
+    ///
+    /// # Errors
+    /// Only if the conversion to JavaScript fails.
+    pub fn ground(&self) -> Result<Ts<GroundInfo>, Failure> {
+        let ground = &self.core().ground;
+        let metres = |vector| (self.up.to_y_up(vector) * self.metres_per_unit).into();
+        to_js(&GroundInfo {
+            normal: self.up.to_y_up(ground.normal).into(),
+            origin: metres(ground.origin),
+            tilt: ground.tilt_degrees(self.up),
+            levels: ground.levels.iter().map(|level| level * self.metres_per_unit).collect(),
+            belt: ground.belt.map(metres),
+        })
+    }
+
+    /// Noise of planted feet; undefined if no foot is planted.
+    ///
+    /// # Errors
+    /// Only if the conversion to JavaScript fails.
+    pub fn noise(&self) -> Result<Option<Ts<NoiseInfo>>, Failure> {
+        let info = |noise: CaptureNoise| NoiseInfo {
+            position: noise.position * self.metres_per_unit,
+            speed: noise.speed * self.metres_per_unit,
+        };
+        self.core().noise.map(|noise| to_js(&info(noise))).transpose()
     }
 
     /// Assumptions and warnings of the detector.

@@ -15,7 +15,7 @@ import {
   splitPlant,
   withoutEditsOf,
 } from "../model/edits";
-import { principalPart } from "../model/plants";
+import { instantsOf, principalPart } from "../model/plants";
 import type { Detection, Edit, EditedParts, Part, Side, Track } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
 import { reportFailure } from "../store/errors";
@@ -55,6 +55,7 @@ export const selection = computed(() => {
     plantRef,
     track,
     plant: plant || undefined,
+    instants: instantsOf(tracks[plantRef.side], plantRef.start),
     isEdited: isEdited(tracks[plantRef.side], plantRef),
   };
 });

@@ -21,6 +21,7 @@ beforeEach(() => {
     options: { method: "paper", r: 0.001, w: 1 },
     parts: { toe },
     floor: 0,
+    ground: { normal: [0, 1, 0], origin: [0, 0, 0], tilt: 0, levels: [0] },
     notices: [],
   };
 });

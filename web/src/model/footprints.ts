@@ -10,6 +10,8 @@ export interface Footprint {
   dx: number;
   dz: number;
   length: number;
+  /** Height of the lowest joint of the foot in the positions of the clip, in metres. */
+  y: number;
 }
 
 /** Extent of the sole behind the ankle and in front of the tip, relative to ankle to tip. */
@@ -90,6 +92,7 @@ export function footprintOf(
     dx,
     dz,
     length,
+    y: Math.min(at(middle, foot.ankle, 1), at(middle, foot.toe, 1), at(middle, foot.tip, 1)),
   };
 }
 

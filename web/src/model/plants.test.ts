@@ -29,6 +29,7 @@ const detection: Detection = {
   options: { method: "paper", r: 0.001, w: 1 },
   parts: { toe },
   floor: 0,
+  ground: { normal: [0, 1, 0], origin: [0, 0, 0], tilt: 0, levels: [0] },
   notices: [],
 };
 
@@ -60,6 +61,8 @@ describe("plantsOf", () => {
     expect(first?.off).toEqual({ time: 0.07, uncertainty: 0.005 });
     expect(third?.strike).toEqual({ time: 0.13, uncertainty: 0.01 });
     expect(third?.off).toBeUndefined();
+    expect(plants.instantsOf(left, 4)).toEqual({ strike: third?.strike, off: undefined });
+    expect(plants.instantsOf(left, 5)).toEqual({ strike: undefined, off: undefined });
   });
   it("averages the confidence of each plant", () => {
     const left = track("1100111000", 0.9);

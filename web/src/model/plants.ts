@@ -1,6 +1,6 @@
 import { firstIndexWhere } from "../util/binary-search";
 import { pushRanges } from "./intervals";
-import type { Detection, Part, Side, Track } from "./types";
+import type { Detection, Labels, Part, Side, Track } from "./types";
 
 /** A plant of the principal part of one foot; frames half-open. */
 export interface Plant {
@@ -67,6 +67,15 @@ export function plantsOf(detection: Detection): Plant[] {
     plant.number = i + 1;
   });
   return plants;
+}
+
+/** Returns the instants of the plant of a part that starts at a frame. */
+export function instantsOf({ intervals, instants }: Labels, start: number) {
+  for (let i = 0; i < intervals.length; i += 2) {
+    if (intervals[i] !== start) continue;
+    return { strike: instantAt(instants, 2 * i), off: instantAt(instants, 2 * i + 2) };
+  }
+  return { strike: undefined, off: undefined };
 }
 
 function instantAt(instants: Float64Array, index: number): Instant | undefined {

@@ -11,6 +11,8 @@ import type {
   SegmentOptions as CoreSegmentOptions,
   EvidenceInfo,
   Failure,
+  GroundInfo,
+  NoiseInfo,
   NoticeInfo,
   SegmentInfo,
   ThresholdInfo,
@@ -24,6 +26,7 @@ export type {
   Failure,
   FormatInfo as FileFormat,
   GaitInfo as Gait,
+  GroundInfo as Ground,
   JointInfo as Joint,
   MethodInfo as DetectionMethod,
   NoticeInfo as Notice,
@@ -105,6 +108,10 @@ export interface Detection {
   parts: Partial<Record<Part, Tracks>>;
   /** Height of the ground in the positions of the clip, in metres. */
   floor: number;
+  /** Ground on which the feet stand, in the positions of the clip. */
+  ground: GroundInfo;
+  /** Noise of planted feet; undefined if no foot is planted. */
+  noise?: NoiseInfo;
   notices: NoticeInfo[];
 }
 

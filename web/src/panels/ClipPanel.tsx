@@ -1,7 +1,8 @@
 import { useEffect } from "preact/hooks";
 import { setOverrides } from "../actions/detect";
-import type { Clip, Overrides, Up } from "../model/types";
-import { openClip, overrides, source } from "../store/session";
+import { groundText } from "../model/ground";
+import type { Clip, Detection, Overrides, Up } from "../model/types";
+import { detection, openClip, overrides, source } from "../store/session";
 import { markedJoint } from "../store/view";
 import { PropertyList } from "../ui/PropertyList";
 import { formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
@@ -45,8 +46,17 @@ function factsOf(clip: Clip) {
     ["Joints", formatCount(clip.joints.filter((joint) => joint.kind !== "end-site").length)],
     ["Up axis", axisText(clip.up)],
     ["Unit", clip.unit ?? `${Number(clip.metresPerUnit.toPrecision(3))} m`],
+    ["Ground", detection.value ? groundText(detection.value.ground) : undefined],
+    ["Foot noise", noiseText(detection.value)],
     ["Leg length", clip.leg !== undefined && `${(100 * clip.leg).toFixed(0)} cm`],
   ] as const;
+}
+
+/** Returns the noise of planted feet: `0.4 mm, 35 mm/s`. */
+function noiseText(detection: Detection | null) {
+  if (!detection?.noise) return undefined;
+  const [position, speed] = [1000 * detection.noise.position, 1000 * detection.noise.speed];
+  return `${position.toPrecision(2)} mm, ${speed.toFixed(0)} mm/s`;
 }
 
 /** Returns the display text of an axis: `Z`, `−Z`. */

@@ -56,7 +56,8 @@ function HistoryButton({ id }: { id: "undo" | "redo" }) {
 function SelectedPlant() {
   const selected = selection.value;
   if (!selected) return null;
-  const { plantRef, plant, isEdited } = selected;
+  const { plantRef, plant, instants, isEdited } = selected;
+  const name = { contact: "Foot", heel: "Heel", toe: "Toe" }[plantRef.part];
   return (
     <>
       <p class={`plant-title ${plantRef.side}`}>
@@ -65,10 +66,10 @@ function SelectedPlant() {
         {plant && `, plant ${plant.number}`}
         {isEdited && <span class="muted"> · edited</span>}
       </p>
-      {plant && (
+      {(instants.strike || instants.off) && (
         <p class="note plant-instants">
-          <InstantText name="Foot strike" instant={plant.strike} />
-          <InstantText name="Foot off" instant={plant.off} />
+          <InstantText name={`${name} strike`} instant={instants.strike} />
+          <InstantText name={`${name} off`} instant={instants.off} />
         </p>
       )}
       <div class="form-rows plant-edges">

@@ -86,6 +86,7 @@ export function createFakeEngine(): ClipEngine {
         options,
         parts: method === "paper" ? { toe } : { contact, toe, heel },
         floor: 0,
+        ground: { normal: [0, 1, 0], origin: [0, 0, 0], tilt: 0, levels: [0] },
         notices: [],
       };
       return { ok: true, detection };

@@ -12,6 +12,7 @@ const robust: Detection = {
   options: { method: "robust", r: 0.001, w: 1 },
   parts: { contact: tracks, toe: tracks, heel: tracks },
   floor: 0,
+  ground: { normal: [0, 1, 0], origin: [0, 0, 0], tilt: 0, levels: [0] },
   notices: [],
 };
 const emptyInput: LayoutInput = {

@@ -2,9 +2,10 @@ import { DynamicDrawUsage, type InstancedBufferAttribute, Mesh, ShaderMaterial }
 import type { FootWithSole } from "../model/footprints";
 import type { Bones } from "./bones";
 import type { Palette } from "./palette";
-import { createQuads, floorMaterialOptions } from "./quads";
+import { createQuads, floorMaterialOptions, groundHeight, groundUniform } from "./quads";
 
 const vertexShader = /* glsl */ `
+  ${groundHeight}
   uniform float uSize;
   attribute vec4 aFoot;
   attribute vec2 aState;
@@ -25,7 +26,7 @@ const vertexShader = /* glsl */ `
     vPosition = local / uSize;
     vec2 ground = 0.5 * (aFoot.xy + aFoot.zw) + along * local.x + across * local.y;
     vColor = aColor;
-    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, 0.0, ground.y, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, groundHeight(ground) + aState.y, ground.y, 1.0);
   }
 `;
 
@@ -77,15 +78,18 @@ export class ContactRings {
       ...floorMaterialOptions,
       vertexShader,
       fragmentShader,
-      uniforms: { uSize: { value: size } },
+      uniforms: { uGround: groundUniform, uSize: { value: size } },
     });
     this.mesh = new Mesh(geometry, this.material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = -4;
   }
 
-  /** `left` and `right` are contact weights, 0 … 1. */
-  update(bones: Bones, left: number, right: number) {
+  /**
+   * `left` and `right` are contact weights, 0 … 1; `levelAt` returns the height of the level that is nearest
+   * to a height above the floor.
+   */
+  update(bones: Bones, left: number, right: number, levelAt: (height: number) => number) {
     const { pose } = bones;
     for (let i = 0; i < 2; i++) {
       const entry = this.feet[i];
@@ -96,6 +100,10 @@ export class ContactRings {
       const z = pose[3 * foot.ankle + 2] as number;
       const dx = (pose[3 * foot.tip] as number) - x;
       const dz = (pose[3 * foot.tip + 2] as number) - z;
+      const heights = [foot.ankle, foot.toe, foot.tip].map(
+        (joint) => pose[3 * joint + 1] as number,
+      );
+      this.states.array[2 * i + 1] = levelAt(Math.min(...heights));
       // To the front end of the sole; shorter if the foot points down.
       const extension = 1 + sole.front / Math.max(sole.reach, Math.hypot(dx, dz));
       this.segments.array[4 * i] = x;

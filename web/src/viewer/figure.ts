@@ -1,5 +1,6 @@
 import type { Scene } from "three";
 import { footWithSole } from "../model/footprints";
+import { levelAt } from "../model/ground";
 import { contactWeight } from "../model/plants";
 import type { GroundPoint } from "../model/trajectory";
 import type { Clip, Detection } from "../model/types";
@@ -53,6 +54,7 @@ export class Figure {
       bones,
       Math.max(weights[1] as number, weights[2] as number),
       Math.max(weights[3] as number, weights[4] as number),
+      (height) => (detection ? levelAt(detection, height + groundHeight) : 0),
     );
   }
 

@@ -7,9 +7,10 @@ import {
   Vector2,
 } from "three";
 import { firstIndexWhere } from "../util/binary-search";
-import { createQuads, floorMaterialOptions } from "./quads";
+import { createQuads, floorMaterialOptions, groundHeight, groundUniform } from "./quads";
 
 const vertexShader = /* glsl */ `
+  ${groundHeight}
   uniform float uTime;
   uniform float uCurrent;
   uniform vec2 uRight;
@@ -19,6 +20,7 @@ const vertexShader = /* glsl */ `
   attribute vec4 aPlacement;
   attribute vec2 aPlant;
   attribute vec2 aVisible;
+  attribute float aLevel;
   varying vec2 vCell;
   varying float vNumber;
   varying float vDigits;
@@ -34,7 +36,7 @@ const vertexShader = /* glsl */ `
     float nearby = 1.0 - smoothstep(4.5, 6.5, abs(vNumber - uCurrent));
     float visibility = smoothstep(-0.1, 0.1, uTime - aVisible.x) * smoothstep(-0.1, 0.1, aVisible.y - uTime);
     vAlpha = 0.9 * nearby * visibility * exp(-age) * (1.0 - smoothstep(0.25, 0.8, length(aPlacement.xy - uCenter) / uFadeRadius));
-    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, 0.0, ground.y, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, groundHeight(ground) + aLevel, ground.y, 1.0);
   }
 `;
 
@@ -76,6 +78,7 @@ function digitsTexture(): CanvasTexture {
 }
 
 const uniforms = {
+  uGround: groundUniform,
   uTime: { value: 0 },
   uCurrent: { value: 0 },
   uRight: { value: new Vector2(1, 0) },
@@ -98,6 +101,8 @@ const material = new ShaderMaterial({
 export interface FloorNumber {
   x: number;
   z: number;
+  /** Height of its level above the plane of the ground, in metres. */
+  level: number;
   /** Height of the digits, metres. */
   height: number;
   number: number;
@@ -132,6 +137,7 @@ export class FloorNumbers {
         aPlacement: [4, placements],
         aPlant: [2, plantTimes],
         aVisible: [2, visibility],
+        aLevel: [1, Float32Array.from(numbers, ({ level }) => level)],
       }),
       material,
     );

@@ -1,13 +1,15 @@
 import { Mesh, PlaneGeometry, ShaderMaterial, Vector2 } from "three";
 import { gridStep } from "../model/trajectory";
 import type { Palette } from "./palette";
+import { groundHeight, groundUniform } from "./quads";
 
 const vertexShader = /* glsl */ `
+  ${groundHeight}
   uniform vec2 uCenter;
   varying vec2 vPosition;
   void main() {
     vPosition = position.xz + uCenter;
-    gl_Position = projectionMatrix * viewMatrix * vec4(vPosition.x, 0.0, vPosition.y, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * vec4(vPosition.x, groundHeight(vPosition), vPosition.y, 1.0);
   }
 `;
 
@@ -48,6 +50,7 @@ export class Floor {
       depthTest: false,
       depthWrite: false,
       uniforms: {
+        uGround: groundUniform,
         uCenter: { value: this.center },
         uStep: { value: gridStep(size) },
         uFadeRadius: { value: size * 5.5 },

@@ -5,8 +5,9 @@ import {
   footWithSole,
   visibilityIntervals,
 } from "../model/footprints";
+import { levelAt } from "../model/ground";
 import type { Plant } from "../model/plants";
-import type { Clip } from "../model/types";
+import type { Clip, Detection } from "../model/types";
 import { type FloorNumber, FloorNumbers } from "./floor-numbers";
 import type { Palette } from "./palette";
 import { Soles } from "./soles";
@@ -16,7 +17,13 @@ export class Footprints {
   private readonly soles: Soles;
   private readonly numbers: FloorNumbers;
 
-  constructor(clip: Clip, plants: readonly Plant[], size: number, palette: Palette) {
+  constructor(
+    clip: Clip,
+    detection: Detection,
+    plants: readonly Plant[],
+    size: number,
+    palette: Palette,
+  ) {
     const feet = { left: footWithSole(clip, "left"), right: footWithSole(clip, "right") };
     const items = plants.flatMap((plant) => {
       const entry = feet[plant.side];
@@ -24,7 +31,9 @@ export class Footprints {
       const footprint = footprintOf(clip, entry.foot, entry.sole, plant);
       return [{ plant, footprint, from: plant.start / clip.rate, to: plant.end / clip.rate }];
     });
-    const footprints = items.map(({ footprint }) => footprint);
+    const footprints = items.map(({ footprint }) => {
+      return { ...footprint, level: levelAt(detection, footprint.y) };
+    });
     const soleVisibility = visibilityIntervals(
       items.map(({ footprint: { x, z, length }, from, to }): FloorItem => {
         return { x, z, radius: 0.24 * length, start: from, end: to };
@@ -38,10 +47,11 @@ export class Footprints {
       palette,
     );
     const height = 0.062 * size;
-    const numbers = items.map(({ plant, footprint, from, to }): FloorNumber => {
+    const numbers = items.map(({ plant, footprint, from, to }, i): FloorNumber => {
       const distance = footprint.length * 0.5 + 0.06 * size;
       const [x, z] = [footprint.x - footprint.dx * distance, footprint.z - footprint.dz * distance];
-      return { x, z, height, number: plant.number, from, to };
+      const level = footprints[i]?.level ?? 0;
+      return { x, z, level, height, number: plant.number, from, to };
     });
     const numberVisibility = visibilityIntervals(
       numbers.map(({ x, z, from, to }): FloorItem => {

@@ -3,6 +3,7 @@ import {
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   PlaneGeometry,
+  Vector3,
 } from "three";
 
 /** Creates instanced quads; attributes are given as [item size, values] with one item per quad. */
@@ -20,6 +21,15 @@ export function createQuads(
   geometry.instanceCount = count;
   return geometry;
 }
+
+/** Uniform of the plane of the ground, shared by everything on it: slopes along x and z, and offset. */
+export const groundUniform = { value: new Vector3() };
+
+/** Shader function of the height of the ground at a position (x, z). */
+export const groundHeight = /* glsl */ `
+  uniform vec3 uGround;
+  float groundHeight(vec2 point) { return dot(uGround, vec3(point, 1.0)); }
+`;
 
 /** Material parameters of everything on the floor: drawn in `renderOrder`, under the skeleton. */
 export const floorMaterialOptions = {

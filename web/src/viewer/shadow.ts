@@ -1,8 +1,9 @@
 import { DynamicDrawUsage, type InstancedBufferAttribute, Mesh, ShaderMaterial } from "three";
 import type { Bones } from "./bones";
-import { createQuads, floorMaterialOptions } from "./quads";
+import { createQuads, floorMaterialOptions, groundHeight, groundUniform } from "./quads";
 
 const vertexShader = /* glsl */ `
+  ${groundHeight}
   uniform float uSize;
   attribute vec3 aFrom;
   attribute vec3 aTo;
@@ -23,7 +24,7 @@ const vertexShader = /* glsl */ `
     along = half_ > 1e-5 ? normalize(along) : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
     vPosition = 0.5 * (vFrom + vTo) + along * position.x * (half_ + vRadius) + across * position.y * vRadius;
-    gl_Position = projectionMatrix * viewMatrix * vec4(vPosition.x, 0.0, vPosition.y, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * vec4(vPosition.x, groundHeight(vPosition), vPosition.y, 1.0);
   }
 `;
 
@@ -65,7 +66,7 @@ export class Shadow {
       ...floorMaterialOptions,
       vertexShader,
       fragmentShader,
-      uniforms: { uSize: { value: size }, uStrength: { value: strength } },
+      uniforms: { uGround: groundUniform, uSize: { value: size }, uStrength: { value: strength } },
     });
     this.mesh = new Mesh(geometry, this.material);
     this.mesh.frustumCulled = false;

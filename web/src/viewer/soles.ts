@@ -2,14 +2,16 @@ import { Mesh, ShaderMaterial } from "three";
 import type { Footprint } from "../model/footprints";
 import type { Plant } from "../model/plants";
 import type { Palette } from "./palette";
-import { createQuads, floorMaterialOptions } from "./quads";
+import { createQuads, floorMaterialOptions, groundHeight, groundUniform } from "./quads";
 
 const vertexShader = /* glsl */ `
+  ${groundHeight}
   uniform float uTime;
   attribute vec4 aPlacement;
   attribute vec2 aShape;
   attribute vec2 aPlant;
   attribute vec2 aVisible;
+  attribute float aLevel;
   attribute vec3 aColor;
   varying vec2 vLocal;
   varying vec3 vColor;
@@ -30,7 +32,7 @@ const vertexShader = /* glsl */ `
     vFill = visibility * mix(0.34 * recency * step(future, 0.0), 0.6, current);
     vLine = visibility * mix(0.14 + 0.7 * recency * (future > 0.0 ? 0.55 : 1.0), 1.0, current);
     vColor = aColor;
-    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, 0.0, ground.y, 1.0);
+    gl_Position = projectionMatrix * viewMatrix * vec4(ground.x, groundHeight(ground) + aLevel, ground.y, 1.0);
   }
 `;
 
@@ -70,7 +72,7 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
-const uniforms = { uTime: { value: 0 } };
+const uniforms = { uTime: { value: 0 }, uGround: groundUniform };
 
 // Shared by all instances, so that the shader stays compiled while there are none.
 const material = new ShaderMaterial({
@@ -84,10 +86,13 @@ const material = new ShaderMaterial({
 export class Soles {
   readonly mesh: Mesh;
 
-  /** `visibility` holds the start and end of the visible time of each footprint, in seconds. */
+  /**
+   * `level` is the height above the plane of the ground, in metres; `visibility` holds the start and end
+   * of the visible time of each footprint, in seconds.
+   */
   constructor(
     plants: readonly Plant[],
-    footprints: readonly Footprint[],
+    footprints: readonly (Footprint & { level: number })[],
     visibility: Float32Array,
     rate: number,
     palette: Palette,
@@ -97,6 +102,7 @@ export class Soles {
     const shape = new Float32Array(2 * count);
     const plantTimes = new Float32Array(2 * count);
     const color = new Float32Array(3 * count);
+    const levels = Float32Array.from(footprints, ({ level }) => level);
     plants.forEach((plant, i) => {
       const footprint = footprints[i];
       if (!footprint) return;
@@ -111,6 +117,7 @@ export class Soles {
       aPlant: [2, plantTimes],
       aVisible: [2, visibility],
       aColor: [3, color],
+      aLevel: [1, levels],
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;

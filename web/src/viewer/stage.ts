@@ -1,5 +1,6 @@
 import { DirectionalLight, HemisphereLight, Scene, Vector2, WebGLRenderer } from "three";
 import { type PlantWindow, plantWindowAt } from "../model/footprints";
+import { groundPlane } from "../model/ground";
 import type { Plant } from "../model/plants";
 import type { Companion } from "../model/source";
 import type { Clip, Detection } from "../model/types";
@@ -11,6 +12,7 @@ import { Footprints } from "./footprints";
 import { JointMarker } from "./joint-marker";
 import { MainCharacter } from "./main-character";
 import { readPalette } from "./palette";
+import { groundUniform } from "./quads";
 import { Trails } from "./trails";
 
 /** The uncorrected clip, drawn translucent. */
@@ -219,7 +221,8 @@ export class Stage {
       return;
     const plantWindow = plantWindowAt(labels.plants, playhead);
     const plants = labels.plants.slice(plantWindow.from, plantWindow.to);
-    const footprints = new Footprints(clip, plants, size, readPalette(this.host));
+    const palette = readPalette(this.host);
+    const footprints = new Footprints(clip, labels.detection, plants, size, palette);
     this.hideFootprints();
     footprints.addTo(this.scene);
     this.visibleFootprints = { plantWindow, footprints };
@@ -322,6 +325,8 @@ export class Stage {
       const detection = this.labels?.detection ?? null;
       const playhead = Math.min(this.playhead, Math.max(clip.frames - 1, 0));
       const groundHeight = detection?.floor ?? mainCharacter.fallbackGroundHeight;
+      const { slopeX, slopeZ, offset } = groundPlane(detection);
+      groundUniform.value.set(slopeX, slopeZ, offset);
       mainCharacter.update(playhead, groundHeight, detection);
       this.ghost?.bones.setPose(this.ghost.clip, playhead, groundHeight);
       this.jointMarker?.update(mainCharacter.pose);

@@ -28,11 +28,14 @@ export function clipToPlain(clip: WasmClip, name: string): Clip {
 
 export function detectionToPlain(detection: WasmDetection, options: DetectOptions): Detection {
   const names = detection.parts() as Part[];
+  const noise = detection.noise();
   const parts = Object.fromEntries(names.map((part) => [part, tracksToPlain(detection, part)]));
   return {
     options,
     parts: parts as Detection["parts"],
     floor: detection.floor,
+    ground: detection.ground(),
+    ...(noise && { noise }),
     notices: detection.notices(),
   };
 }

@@ -11,8 +11,8 @@ mod segments;
 
 pub use document::{FrameRange, Header, Origin, ReadError, Source, VERSION, to_json};
 pub use plants::{
-    FootJoints, FootPlants, Instant, Joints, MethodUsed, Plant, PlantExport, PlantFormat, PlantsDocument,
-    read_plants,
+    Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantExport,
+    PlantFormat, PlantsDocument, read_plants,
 };
 pub use segments::{
     DocumentMotif, DocumentSegment, SegmentExport, SegmentFormat, SegmentsDocument, SegmentsMethod,

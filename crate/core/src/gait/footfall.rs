@@ -2,16 +2,18 @@
 
 use std::ops::Range;
 
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{Rotation3, Vector2, Vector3};
 
 use crate::foot::Side;
 use crate::intervals::intervals;
+use crate::kinematics::Track;
 use crate::numeric::{sort, stats};
-use crate::plants::Feet;
+use crate::plants::{Feet, Ground};
 
 /// One plant of one foot with its location on the ground.
 ///
-/// Locations are (x, z) coordinates in metres, with Y up.
+/// Locations are (x, z) coordinates on the plane of the ground in metres, with Y along its normal; on a
+/// treadmill they move with the belt.
 pub(crate) struct Footfall {
     pub side: Side,
     pub frames: Range<usize>,
@@ -25,8 +27,11 @@ pub(crate) struct Footfall {
 ///
 /// If both feet are down when the clip begins, the one that leaves first comes first.
 pub(crate) fn footfalls(feet: &Feet, planted: [&[bool]; 2]) -> Vec<Footfall> {
-    let footfalls: Vec<Footfall> =
-        Side::BOTH.into_iter().flat_map(|side| plants_of_foot(feet, side, planted[side as usize])).collect();
+    let ground = Ground::new(feet, planted);
+    let footfalls: Vec<Footfall> = Side::BOTH
+        .into_iter()
+        .flat_map(|side| plants_of_foot(feet, &ground, side, planted[side as usize]))
+        .collect();
     sort::sort_by_frames(footfalls, |footfall| (footfall.frames.start, footfall.frames.end))
 }
 
@@ -34,14 +39,17 @@ pub(crate) fn footfalls(feet: &Feet, planted: [&[bool]; 2]) -> Vec<Footfall> {
 ///
 /// The heel location is computed from the toe, which stays in place until foot off, and not from
 /// the ankle, which moves as the foot rolls. A plant that the clip cuts off has a location too.
-fn plants_of_foot(feet: &Feet, side: Side, planted: &[bool]) -> Vec<Footfall> {
+fn plants_of_foot(feet: &Feet, ground: &Ground, side: Side, planted: &[bool]) -> Vec<Footfall> {
     let tracks = &feet.tracks[side as usize];
     let median = |values: &mut dyn Iterator<Item = f64>| stats::median_high(values).unwrap_or_default();
-    let ground = |position: &Vector3<f64>| {
-        let y_up = feet.up.to_y_up(*position) * feet.metres_per_unit;
+    let to_level = Rotation3::rotation_between(&feet.up.to_y_up(ground.normal), &Vector3::y());
+    let to_level = to_level.unwrap_or_else(Rotation3::identity);
+    let on_ground = |track: &Track, frame: usize| {
+        let position = track[frame] - ground.displacement(frame, feet.frame_time);
+        let y_up = to_level * feet.up.to_y_up(position) * feet.metres_per_unit;
         Vector2::new(y_up.x, y_up.z)
     };
-    let sole = |frame: usize| ground(&tracks.toe[frame]) - ground(&tracks.ankle[frame]);
+    let sole = |frame: usize| on_ground(&tracks.toe, frame) - on_ground(&tracks.ankle, frame);
     let frames = || (0..planted.len()).filter(|&frame| planted[frame]);
     // Most frames of stance are foot flat: the median is the distance of toe and ankle on the
     // ground.
@@ -51,7 +59,7 @@ fn plants_of_foot(feet: &Feet, side: Side, planted: &[bool]) -> Vec<Footfall> {
     };
     let footfall = |frames: Range<usize>| {
         let heading = median_point(frames.clone(), &sole).try_normalize(f64::EPSILON).unwrap_or_default();
-        let toe = median_point(frames.clone(), &|frame| ground(&tracks.toe[frame]));
+        let toe = median_point(frames.clone(), &|frame| on_ground(&tracks.toe, frame));
         Footfall { side, frames, heel: toe - length * heading, heading }
     };
     intervals(planted).into_iter().map(footfall).collect()

@@ -10,8 +10,8 @@
 //! Only complete strides count; strides cut off by the clip are not measured. A stride counts if
 //! the other foot steps once in between, if it takes at most [`MAX_STRIDE_TIME`] and if it moves
 //! the foot by at least [`MIN_STRIDE_LENGTH`]. Standing, turning on the spot, hopping and jumping
-//! contain no such stride. Neither does a treadmill clip, in which feet strike where they struck
-//! before.
+//! contain no such stride. Lengths are measured along the plane of the ground, and on a treadmill relative
+//! to its belt ([`Ground`](crate::plants::Ground)).
 
 mod footfall;
 mod spread;
@@ -49,7 +49,7 @@ pub struct Gait {
     pub strides: usize,
     /// Steps per minute: 120 s over the mean stride time.
     pub cadence_steps_per_min: Option<f64>,
-    /// Speed over ground: total stride length over total stride time.
+    /// Speed over ground, or relative to the belt of a treadmill: total stride length over total stride time.
     pub speed_m_per_s: Option<f64>,
     /// Time from foot strike to foot off.
     pub stance_s: PerSide,

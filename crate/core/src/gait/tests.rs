@@ -181,3 +181,34 @@ fn measures_round_trip_through_json() {
     let text = serde_json::to_string(&gait).unwrap();
     assert_eq!(serde_json::from_str::<Gait>(&text).unwrap(), gait);
 }
+
+#[test]
+fn measures_on_a_treadmill_are_relative_to_the_belt() {
+    let (mut feet, planted) = SYMMETRIC.feet(10.0, Up::Y, 1.0);
+    let overground = Gait::measure(&feet, planted.each_ref().map(Vec::as_slice));
+    for tracks in &mut feet.tracks {
+        for track in [&mut tracks.ankle, &mut tracks.toe] {
+            for (frame, position) in track.iter_mut().enumerate() {
+                position.z -= 1.4 * frame as f64 / SYMMETRIC.rate;
+            }
+        }
+    }
+    let treadmill = Gait::measure(&feet, planted.each_ref().map(Vec::as_slice));
+    assert_eq!(treadmill.strides, overground.strides);
+    assert_near(treadmill.speed_m_per_s, 1.4, 1e-6);
+    let step = |gait: &Gait| gait.step_length_m.left.map(|step| step.mean);
+    assert_near(step(&treadmill), step(&overground).unwrap(), 1e-6);
+}
+
+#[test]
+fn lengths_are_measured_along_the_slope() {
+    let (mut feet, planted) = SYMMETRIC.feet(10.0, Up::Y, 1.0);
+    let slope = 12_f64.to_radians().tan();
+    for tracks in &mut feet.tracks {
+        for track in [&mut tracks.ankle, &mut tracks.toe] {
+            track.iter_mut().for_each(|position| position.y += slope * position.z);
+        }
+    }
+    let gait = Gait::measure(&feet, planted.each_ref().map(Vec::as_slice));
+    assert_near(gait.speed_m_per_s, 1.4 / 12_f64.to_radians().cos(), 1e-3);
+}

@@ -28,6 +28,8 @@ pub fn apply_edits(detection: &Detection, edits: &[Edit], frame_time: f64) -> De
         params: detection.params,
         parts: parts.collect(),
         ground_height: detection.ground_height,
+        ground: detection.ground.clone(),
+        noise: detection.noise,
         notices: detection.notices.clone(),
         edits: edits.to_vec(),
     }
@@ -75,7 +77,7 @@ impl Detection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plants::ValidParams;
+    use crate::plants::{Ground, ValidParams};
 
     const FRAME_TIME: f64 = 0.05;
 
@@ -101,6 +103,8 @@ mod tests {
             params: ValidParams::default(),
             parts: vec![part(Part::Contact, contact), part(Part::Heel, heel)],
             ground_height: 0.0,
+            ground: Ground::level(),
+            noise: None,
             notices: Vec::new(),
             edits: Vec::new(),
         }

@@ -3,8 +3,9 @@
 use crate::kinematics::Track;
 use crate::notice::Notice;
 use crate::plants::methods::{DetectionCache, Input, Output};
+use crate::plants::postprocess::capture_noise::CaptureNoise;
 use crate::plants::postprocess::{ground_height, plausibility};
-use crate::plants::{Detection, Feet, ValidParams};
+use crate::plants::{Detection, Feet, Ground, ValidParams};
 
 /// Detects the frames in which each foot is planted.
 ///
@@ -63,5 +64,7 @@ fn run_with_summary(
     let Output { parts, mut notices } = params.method().detect(&mut input);
     notices.extend(summary.rate_notice.into_iter().chain(plausibility::airborne(&parts)));
     let ground_height = ground_height::height(&summary.lowest, &parts[0]);
-    Detection { params, ground_height, parts, notices, edits: Vec::new() }
+    let noise = CaptureNoise::new(feet, &parts[0]);
+    let ground = Ground::new(feet, parts[0].feet.each_ref().map(|foot| foot.planted.as_slice()));
+    Detection { params, ground_height, ground, noise, parts, notices, edits: Vec::new() }
 }

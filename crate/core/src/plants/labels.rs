@@ -26,16 +26,20 @@ pub struct FootLabels {
     /// Speed, in file units per second.
     pub speed: Vec<f32>,
     /// Instants at which plants begin and end according to the mechanics of the foot, in order of
-    /// time; see [`FootLabels::edge`].
+    /// frames; see [`FootLabels::edge`].
     pub edges: Vec<Edge>,
 }
 
 /// Instant at which a plant begins or ends.
+///
+/// Contact changes with the first frame after the instant. The labels of heel and toe come from the
+/// clustering, for which a part that rolls slowly is planted: they change up to a tenth of a second before
+/// or after the instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
-    /// First frame after the instant.
+    /// Frame at which the label changes.
     pub frame: usize,
-    /// Time from the first frame of the clip, in seconds; at most one frame before `frame`.
+    /// Time from the first frame of the clip, in seconds.
     pub time: f64,
     /// Standard deviation of the error of `time`, in seconds.
     pub uncertainty: f64,

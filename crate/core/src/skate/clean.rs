@@ -53,7 +53,8 @@ pub struct CleanedPlant {
     /// Frames in which heel or toe is planted.
     pub frames: Range<usize>,
     /// Position to which the foot is constrained, in file units and axes: its toe, or its heel if
-    /// the toe is never planted. `None` if the plant is not constrained.
+    /// the toe is never planted. `None` if the plant is not constrained. On a treadmill, the foot is there in
+    /// the first frame and moves with the belt.
     pub position: Option<Vector3<f64>>,
     /// Slide before the clean-up, in metres; see [`crate::skate::Slide::distance`].
     pub before: f64,
@@ -66,7 +67,7 @@ pub struct CleanedPlant {
 /// Reason why a plant is not constrained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SkipReason {
-    /// The foot moves too far for a planted foot, as on a treadmill.
+    /// The foot moves too far for a planted foot.
     MovesTooFar,
     /// Hip joint or knee is unknown or cannot rotate.
     NoLeg,
@@ -102,7 +103,8 @@ const CONSTRAINT_TOLERANCE: f64 = 0.001;
 /// Movements smaller than this count as zero, in leg lengths.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Constrains every planted foot to one position. Only the rotations of legs and feet and the position of the hips
+/// Constrains every planted foot to one position on the [`Ground`](crate::plants::Ground) that the plants
+/// define; on a treadmill the position moves with the belt. Only the rotations of legs and feet and the position of the hips
 /// change.
 ///
 /// Heel and toe are constrained as labelled: the foot rolls over its heel, is flat, and rolls over its
@@ -134,6 +136,7 @@ fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> C
         window: frames(options.blend).max(2),
         ankle_half_width: frames(ANKLE_SMOOTHING),
         level: options.level,
+        ground: feet.ground.clone(),
     };
     let max_slide = options.max_slide * feet.length * skeleton.metres_per_unit;
     let mut skip_reasons: Vec<Option<SkipReason>> = before
@@ -150,7 +153,7 @@ fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> C
         })
         .collect();
 
-    let FootData { legs, phases, plants, heels, length } = feet;
+    let FootData { legs, phases, plants, heels, length, ground } = feet;
     let split = plants[0].len();
     let mut phases = phases.into_iter();
     let mut plants = plants.into_iter();
@@ -190,12 +193,15 @@ fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> C
     }
     .write();
 
+    let mut cleaned_legs = leg::legs(&cleaned, legs.each_ref().map(|leg| leg.joints));
+    cleaned_legs.iter_mut().for_each(|leg| leg.subtract_belt(&ground, clip.frame_time()));
     let after = FootData {
-        legs: leg::legs(&cleaned, legs.each_ref().map(|leg| leg.joints)),
+        legs: cleaned_legs,
         phases: planted.each_ref().map(|foot| foot.phases.clone()),
         plants: planted.each_ref().map(|foot| foot.plants.clone()),
         heels,
         length,
+        ground: ground.clone(),
     }
     .skate(skeleton);
     let positions = corrections.iter().flat_map(|correction| correction.positions.clone());
@@ -204,10 +210,13 @@ fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> C
         .into_iter()
         .zip(after.plants)
         .zip(positions.zip(&mut skip_reasons))
-        .map(|((before, after), (position, skip_reason))| CleanedPlant {
+        .map(|((before, after), (position, skip_reason))| {
+            (before.frames.start, before, after, position, skip_reason)
+        })
+        .map(|(start, before, after, position, skip_reason)| CleanedPlant {
             side: before.side,
             frames: before.frames,
-            position,
+            position: position.map(|position| position + ground.displacement(start, clip.frame_time())),
             before: before.distance,
             after: after.distance,
             skip_reason: skip_reason

@@ -5,9 +5,10 @@ use std::ops::Range;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::numeric::stats::median_low;
-use crate::skate::leg::{Leg, scaled_axis, smallest_rotation, up_vector};
+use crate::plants::{self, Ground, up_vector};
+use crate::skate::blend;
+use crate::skate::leg::{Leg, scaled_axis, smallest_rotation};
 use crate::skate::phases::{Phase, runs};
-use crate::skate::{blend, ground};
 use crate::skeleton::Up;
 
 /// Maximum rotation of a flat foot from its mean orientation that is removed, in radians.
@@ -37,7 +38,6 @@ pub(crate) struct Correction {
 }
 
 /// Options of the clean-up in frames and file units.
-#[derive(Clone, Copy)]
 pub(crate) struct Settings {
     pub up: Up,
     /// Leg length.
@@ -47,8 +47,9 @@ pub(crate) struct Settings {
     /// Half-width of the window that smooths the ankle while the foot rolls over its toe, in
     /// frames.
     pub ankle_half_width: usize,
-    /// True if plants are moved to common levels.
+    /// True if plants are moved to common levels of the ground.
     pub level: bool,
+    pub ground: Ground,
 }
 
 /// Frame range in which the toe is at a fixed position.
@@ -147,9 +148,11 @@ impl Planted {
             })
             .collect();
         if settings.level {
-            let heights: Vec<f64> = holds.iter().map(|hold| up.height(&hold.toe)).collect();
-            for (hold, level) in holds.iter_mut().zip(ground::levels(&heights, settings.length)) {
-                hold.toe += up_direction * (level - up.height(&hold.toe));
+            let heights: Vec<f64> =
+                holds.iter().map(|hold| settings.ground.height_above(&hold.toe, up)).collect();
+            let levels = plants::levels(&heights, settings.length);
+            for ((hold, height), level) in holds.iter_mut().zip(heights).zip(levels) {
+                hold.toe += up_direction * (level - height);
             }
         }
         holds

@@ -6,6 +6,8 @@ use nalgebra::Vector3;
 
 use crate::bvh::Clip;
 use crate::foot::Side;
+use crate::kinematics::Track;
+use crate::plants::{Feet, FootTracks, Ground};
 use crate::skate::contacts::Contacts;
 use crate::skate::heel;
 use crate::skate::leg::{self, Joints, Leg};
@@ -40,6 +42,21 @@ pub fn measure(clip: &Clip, skeleton: &Skeleton, contacts: &Contacts) -> Result<
     Ok(FootData::new(clip, skeleton, contacts)?.skate(skeleton))
 }
 
+/// Estimates the ground on which the feet stand.
+fn ground(legs: &[Leg; 2], phases: &[Vec<Phase>; 2], clip: &Clip, skeleton: &Skeleton, leg: f64) -> Ground {
+    let tracks = legs.each_ref().map(|leg| FootTracks {
+        ankle: leg.ankle.clone(),
+        toe: leg.toe.clone(),
+        tip: Some(leg.tip.clone()),
+    });
+    let Skeleton { up, metres_per_unit, .. } = *skeleton;
+    let feet = Feet { tracks, hips: Track::new(), up, leg, metres_per_unit, frame_time: clip.frame_time() };
+    let planted = phases
+        .each_ref()
+        .map(|phases| -> Vec<bool> { phases.iter().map(|&phase| phase != Phase::Free).collect() });
+    Ground::new(&feet, planted.each_ref().map(Vec::as_slice))
+}
+
 /// Tracks, phases and plants of both feet.
 pub(crate) struct FootData {
     pub legs: [Leg; 2],
@@ -48,6 +65,8 @@ pub(crate) struct FootData {
     pub heels: [Vector3<f64>; 2],
     /// Leg length, in file units.
     pub length: f64,
+    /// Ground on which the feet stand. The positions of the legs are relative to its belt.
+    pub ground: Ground,
 }
 
 impl FootData {
@@ -63,13 +82,15 @@ impl FootData {
         let ([Some(left), Some(right)], Some(length)) = (joints, skeleton.leg) else {
             return Err(SkateError::NoFeet);
         };
-        let (legs, up) = (leg::legs(clip, [left, right]), skeleton.up);
+        let (mut legs, up) = (leg::legs(clip, [left, right]), skeleton.up);
         let phases =
             Side::BOTH.map(|side| phases::phases(&legs[side as usize], contacts.foot(side), up, length));
+        let ground = ground(&legs, &phases, clip, skeleton, length);
+        legs.iter_mut().for_each(|leg| leg.subtract_belt(&ground, clip.frame_time()));
         let plants = [0, 1].map(|foot| phases::plants(&legs[foot], &phases[foot], length));
         let heels =
             [0, 1].map(|foot| heel::locate_heel(&legs[foot], &phases[foot], &plants[foot], up, length));
-        Ok(FootData { legs, phases, plants, heels, length })
+        Ok(FootData { legs, phases, plants, heels, length, ground })
     }
 
     /// Returns the slides of all plants.

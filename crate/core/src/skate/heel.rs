@@ -5,7 +5,8 @@ use std::ops::Range;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::numeric::stats::median_low;
-use crate::skate::leg::{Leg, up_vector};
+use crate::plants::up_vector;
+use crate::skate::leg::Leg;
 use crate::skate::phases::{Phase, runs};
 use crate::skeleton::Up;
 

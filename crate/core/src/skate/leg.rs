@@ -5,7 +5,8 @@ use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use crate::bvh::Clip;
 use crate::foot::Side;
 use crate::kinematics::{self, Kinematics, Track};
-use crate::skeleton::{LegRoles, Skeleton, Up};
+use crate::plants::Ground;
+use crate::skeleton::{LegRoles, Skeleton};
 
 /// Joints of one leg.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +58,21 @@ pub(crate) struct Leg {
     pub hinge: Vector3<f64>,
 }
 
+impl Leg {
+    /// Makes the positions relative to the belt on which the feet stand, if there is one; it starts at its place
+    /// in the file.
+    pub fn subtract_belt(&mut self, ground: &Ground, frame_time: f64) {
+        if ground.belt.is_none() {
+            return;
+        }
+        for track in [&mut self.hip, &mut self.knee, &mut self.ankle, &mut self.toe, &mut self.tip] {
+            for (frame, position) in track.iter_mut().enumerate() {
+                *position -= ground.displacement(frame, frame_time);
+            }
+        }
+    }
+}
+
 /// Computes both legs of a clip in one pass.
 pub(crate) fn legs(clip: &Clip, joints: [Joints; 2]) -> [Leg; 2] {
     let count = kinematics::pose_count(clip);
@@ -103,11 +119,6 @@ impl Leg {
     pub fn sole(&self, frame: usize) -> Vector3<f64> {
         self.toe[frame] - self.ankle[frame]
     }
-}
-
-/// Returns the unit vector of the up axis.
-pub(crate) fn up_vector(up: Up) -> Vector3<f64> {
-    Vector3::ith(up.axis.index(), if up.negative { -1.0 } else { 1.0 })
 }
 
 /// Returns a rotation as axis times angle. It is exact for small rotations, for which the trace of

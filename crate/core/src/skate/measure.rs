@@ -5,7 +5,8 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use crate::foot::Side;
-use crate::skate::leg::{Leg, up_vector};
+use crate::plants::up_vector;
+use crate::skate::leg::Leg;
 use crate::skate::phases::{Phase, runs};
 use crate::skeleton::Up;
 
@@ -16,7 +17,7 @@ pub struct Skate {
     pub plants: Vec<Slide>,
 }
 
-/// Horizontal slide of one plant.
+/// Horizontal slide of one plant; on a treadmill, relative to the belt.
 ///
 /// The part that is planted is measured: the toe joint during toe contact, the heel during heel
 /// contact; the larger value counts.

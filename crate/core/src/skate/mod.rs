@@ -15,7 +15,6 @@ mod constraints;
 mod contacts;
 mod euler;
 mod foot_data;
-mod ground;
 mod heel;
 mod knee;
 mod leg;

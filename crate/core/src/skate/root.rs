@@ -2,9 +2,10 @@
 
 use nalgebra::{Matrix3, SVector, Vector3};
 
+use crate::plants::up_vector;
 use crate::skate::constraints::{Correction, Settings};
 use crate::skate::knee;
-use crate::skate::leg::{Leg, up_vector};
+use crate::skate::leg::Leg;
 
 /// Weight of a free foot relative to a planted one.
 const FREE_WEIGHT: f64 = 0.05;

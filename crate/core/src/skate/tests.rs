@@ -78,6 +78,37 @@ fn clips_without_plants_are_unchanged() {
     }
 }
 
+/// Returns the clip on a treadmill whose belt moves along the Z axis, given its speed in file units per second.
+fn on_treadmill(clip: &Clip, speed: f64) -> Clip {
+    let root = Skeleton::main(clip, &Overrides::default()).root;
+    let is_z = |channel: &Channel| *channel == Channel::Position(bvh::Axis::Z);
+    let slot = clip.channel_range(root).start
+        + clip.joints()[root].channels.iter().position(is_z).expect("a position channel");
+    let mut values = clip.values().to_vec();
+    for (frame, row) in values.chunks_exact_mut(clip.channel_count()).enumerate() {
+        row[slot] += speed * frame as f64 * clip.frame_time();
+    }
+    Clip::new(clip.joints().to_vec(), clip.frame_time(), values)
+}
+
+#[test]
+fn feet_on_a_treadmill_move_with_the_belt() {
+    let (clip, contacts) = sample();
+    let skeleton = Skeleton::main(&clip, &Overrides::default());
+    let speed = 1.0 / skeleton.metres_per_unit;
+    let overground = clean_checked(&clip, &contacts);
+    let treadmill = clean_checked(&on_treadmill(&clip, speed), &contacts);
+    assert_eq!(treadmill.constrained_count(), treadmill.plants.len(), "{:?}", treadmill.plants);
+    assert!(treadmill.plants.iter().all(|plant| plant.after < 1e-3));
+    // The belt's velocity is estimated from the feet, so that their own slide remains unknown.
+    let stance = treadmill.plants[0].frames.clone();
+    let toe = skeleton.toe(Side::Left).expect("a toe");
+    let track = &crate::kinematics::tracks(&treadmill.clip, &[toe])[0];
+    let moved = (track[stance.start + 20] - track[stance.start]) / (20.0 * clip.frame_time());
+    assert!((moved.z - speed).abs() < 0.1 * speed, "{moved} {speed}");
+    assert_eq!(treadmill.plants.len(), overground.plants.len());
+}
+
 #[test]
 fn labels_of_another_clip_are_rejected() {
     let (clip, contacts) = sample();

@@ -57,6 +57,33 @@ impl TryFrom<&DetectOptions> for Params {
     }
 }
 
+/// Ground on which the feet stand, with Y up.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct GroundInfo {
+    /// Unit normal of the plane.
+    pub normal: [f64; 3],
+    /// Point of the plane, in metres.
+    pub origin: [f64; 3],
+    /// Tilt of the plane, in degrees.
+    pub tilt: f64,
+    /// Heights of the levels above the plane, in metres, ascending; one of them is 0.
+    pub levels: Vec<f64>,
+    /// Velocity of a treadmill belt, in metres per second; absent if the ground is at rest.
+    #[tsify(optional)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub belt: Option<[f64; 3]>,
+}
+
+/// Noise of planted feet: of the capture, and of feet that roll.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct NoiseInfo {
+    /// Standard deviation of each coordinate that changes from frame to frame, in metres.
+    pub position: f64,
+    /// Median speed, in metres per second.
+    pub speed: f64,
+}
+
 /// A detection method, for menus.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 pub struct MethodInfo {

@@ -56,6 +56,14 @@ fn labels_equal_those_of_the_core() {
     let expected = plants::detect(&feet, plants::ValidParams::default());
     let detection = walk().detect(options("robust")).unwrap();
     assert_eq!(detection.parts(), ["contact", "toe", "heel"]);
+    let ground = detection.ground().unwrap().to_rust().unwrap();
+    assert_eq!(
+        (ground.normal, ground.tilt, &ground.levels[..], ground.belt),
+        ([0.0, 1.0, 0.0], 0.0, &[0.0][..], None)
+    );
+    assert!((ground.origin[1] - detection.floor()).abs() < 0.02, "{ground:?}");
+    let noise = detection.noise().unwrap().unwrap().to_rust().unwrap();
+    assert!((1e-4..1e-3).contains(&noise.position) && (0.03..0.1).contains(&noise.speed), "{noise:?}");
     for labels in &expected.parts {
         let part = labels.part.name();
         for (side, foot) in ["left", "right"].into_iter().zip(&labels.feet) {

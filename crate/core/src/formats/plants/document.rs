@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use crate::bvh::Clip;
@@ -9,7 +10,7 @@ use crate::foot::{Part, Side};
 use crate::formats::document::{FrameRange, Header, Origin, Source};
 use crate::intervals::intervals;
 use crate::notice::Notice;
-use crate::plants::{Detection, Edge};
+use crate::plants::{CaptureNoise, Detection, Edge, Ground};
 use crate::skate::Contacts;
 use crate::skeleton::Skeleton;
 
@@ -25,6 +26,12 @@ pub struct PlantsDocument {
     /// Height of the ground along the up axis, in file units.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub floor: Option<f64>,
+    /// Ground on which the feet stand; absent if the plants are not detected.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground: Option<GroundUsed>,
+    /// Noise of planted feet; absent if the plants are not detected or no foot is planted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub noise: Option<Noise>,
     /// Method with its parameters.
     pub method: MethodUsed,
     /// Plants of the left foot.
@@ -34,6 +41,70 @@ pub struct PlantsDocument {
     /// Notices of the reader and of the detector.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notices: Vec<Notice>,
+}
+
+/// Ground on which the feet stand, in the axes of the file; see [`Ground`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GroundUsed {
+    /// Unit normal of the plane.
+    pub normal: [f64; 3],
+    /// Point of the plane, in file units.
+    pub origin: [f64; 3],
+    /// Tilt of the plane against the up axis, in degrees.
+    pub tilt_deg: f64,
+    /// Heights of the levels above the plane along the up axis, in file units, ascending.
+    pub levels: Vec<f64>,
+    /// Belt of a treadmill; absent if the ground is at rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub belt: Option<Belt>,
+}
+
+/// Belt of a treadmill.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Belt {
+    /// Speed, in metres per second.
+    pub speed_m_per_s: f64,
+    /// Unit vector in which the belt moves, in the axes of the file.
+    pub direction: [f64; 3],
+}
+
+impl GroundUsed {
+    fn new(ground: &Ground, skeleton: &Skeleton) -> GroundUsed {
+        let rounded = |vector: &Vector3<f64>| vector.map(|value| (value * 1e6).round() / 1e6).into();
+        GroundUsed {
+            normal: rounded(&ground.normal),
+            origin: rounded(&ground.origin),
+            tilt_deg: (ground.tilt_degrees(skeleton.up) * 100.0).round() / 100.0,
+            levels: ground.levels.iter().map(|level| (level * 1e6).round() / 1e6).collect(),
+            belt: ground.belt.map(|velocity| Belt {
+                speed_m_per_s: significant(velocity.norm() * skeleton.metres_per_unit),
+                direction: rounded(&velocity.normalize()),
+            }),
+        }
+    }
+}
+
+/// Noise of planted feet; see [`CaptureNoise`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Noise {
+    /// Standard deviation of each coordinate that changes from frame to frame, in millimetres.
+    pub position_mm: f64,
+    /// Median speed, in millimetres per second.
+    pub speed_mm_per_s: f64,
+}
+
+impl Noise {
+    /// Converts from file units, and rounds to three significant digits.
+    fn new(noise: CaptureNoise, metres_per_unit: f64) -> Noise {
+        let [position_mm, speed_mm_per_s] =
+            [noise.position, noise.speed].map(|value| significant(1e3 * metres_per_unit * value));
+        Noise { position_mm, speed_mm_per_s }
+    }
+}
+
+/// Returns a value rounded to three significant digits.
+fn significant(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 /// Joints of both feet.
@@ -92,10 +163,14 @@ pub struct Plant {
     pub frames: FrameRange,
     /// Origin of the plant.
     pub source: Origin,
-    /// Foot strike (of a part: the instant at which it lands); absent if it is known to the frame only.
+    /// Foot strike (of a part: heel strike or toe strike); absent if it is known to the frame only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strike: Option<Instant>,
-    /// Foot off (of a part: the instant at which it lifts); absent if it is known to the frame only.
+    /// Foot flat: the instant from which heel and toe are both down; of contact only, absent if it is
+    /// unknown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flat: Option<Instant>,
+    /// Foot off (of a part: heel off or toe off); absent if it is known to the frame only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub off: Option<Instant>,
 }
@@ -122,7 +197,7 @@ impl From<&Edge> for Instant {
 impl Plant {
     /// Creates a plant at `rate` Hz with instants known to the frame.
     pub fn new(range: Range<usize>, rate: f64, source: Origin) -> Plant {
-        Plant { frames: FrameRange::new(range, rate), source, strike: None, off: None }
+        Plant { frames: FrameRange::new(range, rate), source, strike: None, flat: None, off: None }
     }
 }
 
@@ -150,7 +225,9 @@ impl PlantsDocument {
                     let origin = if is_edited { Origin::Edited } else { Origin::Auto };
                     let [strike, off] =
                         [run.start, run.end].map(|frame| labels.edge(frame).map(Instant::from));
-                    Plant { strike, off, ..Plant::new(run, clip.rate(), origin) }
+                    let flat = (part == Part::Contact).then(|| detection.foot_flat(side, &run)).flatten();
+                    let flat = flat.and_then(|(_, edge)| edge).map(Instant::from);
+                    Plant { strike, flat, off, ..Plant::new(run, clip.rate(), origin) }
                 });
             }
             foot
@@ -160,6 +237,8 @@ impl PlantsDocument {
             header: Header::new(PlantsDocument::FORMAT, source, clip, skeleton),
             joints: joints(Side::Left).zip(joints(Side::Right)).map(|(left, right)| Joints { left, right }),
             floor: Some(detection.ground_height),
+            ground: Some(GroundUsed::new(&detection.ground, skeleton)),
+            noise: detection.noise.map(|noise| Noise::new(noise, skeleton.metres_per_unit)),
             method: MethodUsed {
                 name: params.method().name().into(),
                 r: Some(params.tolerance()),
@@ -232,6 +311,7 @@ mod tests {
         let labels = [true, false, true, true];
         let mut left = FootPlants::default();
         left.set(Part::Toe, &labels, |run| Plant {
+            flat: Some(Instant { time_s: 0.01, uncertainty_ms: 3.0 }),
             off: Some(Instant { time_s: 0.02, uncertainty_ms: 4.5 }),
             ..Plant::new(run, 30.0, Origin::Auto)
         });
@@ -246,6 +326,14 @@ mod tests {
             },
             joints: None,
             floor: None,
+            ground: Some(GroundUsed {
+                normal: [0.0, 1.0, 0.0],
+                origin: [0.0, 0.5, 0.0],
+                tilt_deg: 0.0,
+                levels: vec![0.0, 0.17],
+                belt: Some(Belt { speed_m_per_s: 1.25, direction: [0.0, 0.0, -1.0] }),
+            }),
+            noise: Some(Noise { position_mm: 1.25, speed_mm_per_s: 38.0 }),
             method: MethodUsed { name: "paper".into(), r: Some(0.001), w: Some(1), sigma: None },
             left,
             right: FootPlants::default(),

@@ -8,7 +8,9 @@ mod json;
 mod npz;
 mod tables;
 
-pub use document::{FootJoints, FootPlants, Instant, Joints, MethodUsed, Plant, PlantsDocument};
+pub use document::{
+    Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantsDocument,
+};
 pub use export::PlantExport;
 
 use crate::formats::document::ReadError;
@@ -29,6 +31,8 @@ registry! {
         Intervals => tables::INTERVALS,
         /// Table with one row per foot strike and foot off.
         Events => tables::EVENTS,
+        /// Table with one row per event of foot, heel and toe.
+        PartEvents => tables::PART_EVENTS,
         /// NumPy archive.
         Npz => npz::FORMAT_INFO,
         /// Blender script.

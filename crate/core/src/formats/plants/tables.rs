@@ -8,7 +8,7 @@ use crate::foot::{Part, Side};
 use crate::formats::csv::{self, root_field, seconds, table_header};
 use crate::formats::document::ReadError;
 use crate::formats::format_info::{FormatInfo, text_of};
-use crate::formats::plants::events::events;
+use crate::formats::plants::events::{GaitEvent, events, part_events};
 use crate::formats::plants::export::{DetectionRef, PlantExport, Reader, Writer};
 use crate::intervals::intervals;
 use crate::plants::{Annotation, Detection};
@@ -39,7 +39,17 @@ pub(super) const EVENTS: FormatInfo<Writer, Reader> = FormatInfo {
     description: "One row per foot strike and foot off.",
     extension: "events.csv",
     media_type: "text/csv",
-    write: |export| events_csv(export).into_bytes(),
+    write: |export| events_csv(export, |detection, _| events(detection)).into_bytes(),
+    read: None,
+};
+
+pub(super) const PART_EVENTS: FormatInfo<Writer, Reader> = FormatInfo {
+    name: "part-events",
+    title: "Events of parts",
+    description: "Gait events, with heel strike, toe strike, foot flat, heel off and toe off.",
+    extension: "part-events.csv",
+    media_type: "text/csv",
+    write: |export| events_csv(export, part_events).into_bytes(),
     read: None,
 };
 
@@ -96,17 +106,19 @@ fn intervals_csv(export: &PlantExport) -> String {
     text
 }
 
-/// Returns one row per gait event: `time,frame,context,event,uncertainty_ms` with `Left` or `Right` and
-/// `Foot Strike` or `Foot Off`, in order of time.
+/// Returns one row per event that `events_of` returns, given the time between frames:
+/// `time,frame,context,event,uncertainty_ms` with `Left` or `Right` and a name such as `Foot Strike`, in
+/// order of time.
 ///
 /// Times are in seconds; if an event is known to the frame only, its time is that of the frame and its
-/// uncertainty is empty. Contact that begins or ends with the clip is not an event.
-fn events_csv(export: &PlantExport) -> String {
+/// uncertainty is empty. The frame is the first one after the event. Contact that begins or ends with the
+/// clip is not an event.
+fn events_csv(export: &PlantExport, events_of: fn(&Detection, f64) -> Vec<GaitEvent>) -> String {
     let labelled = export.labelled();
     let roots = labelled.iter().map(|labelled| labelled.root);
     let mut text = table_header(roots, "time,frame,context,event,uncertainty_ms\n");
     for DetectionRef { root, detection } in labelled {
-        for event in events(detection) {
+        for event in events_of(detection, export.clip.frame_time()) {
             let (root, time) = (root_field(root), event.time(export.clip.frame_time()));
             let uncertainty =
                 event.instant.map_or_else(String::new, |instant| instant.uncertainty_ms.to_string());

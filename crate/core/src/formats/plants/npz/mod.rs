@@ -13,9 +13,9 @@ mod tests;
 
 use crate::foot::{Part, Side};
 use crate::formats::format_info::FormatInfo;
-use crate::formats::plants::events::{GaitEvent, events};
+use crate::formats::plants::events::{GaitEvent, events, part_events};
 use crate::formats::plants::export::{DetectionRef, Reader, Writer};
-use crate::plants::FootLabels;
+use crate::plants::{Detection, FootLabels};
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "npz",
@@ -34,6 +34,13 @@ const CONTACTS_COLUMNS: [(Side, Part); 4] =
 /// Columns of `contact`.
 const CONTACT_COLUMNS: [(Side, Part); 2] = [(Side::Left, Part::Contact), (Side::Right, Part::Contact)];
 
+/// Files of events: names, times, uncertainties, roots.
+const EVENT_FILES: [&str; 4] = ["event.npy", "event_time.npy", "event_uncertainty.npy", "event_root.npy"];
+
+/// Files of events of heel and toe, likewise.
+const PART_EVENT_FILES: [&str; 4] =
+    ["part_event.npy", "part_event_time.npy", "part_event_uncertainty.npy", "part_event_root.npy"];
+
 /// Returns an archive of arrays for a clip of F frames named `source`.
 ///
 /// | array | shape and type | content |
@@ -46,13 +53,15 @@ const CONTACT_COLUMNS: [(Side, Part); 2] = [(Side::Left, Part::Contact), (Side::
 /// | `event` | (E) text | foot strikes and foot offs in order of time: `left_strike`, `left_off`, ... |
 /// | `event_time` | (E) float64 | time of each event, in seconds |
 /// | `event_uncertainty` | (E) float64 | standard deviation of the error of each time, in seconds; NaN if the event is known to the frame only |
+/// | `part_event` | (P) text | these events and those of heel and toe: `left_heel_strike`, `left_toe_strike`, `left_foot_flat`, `left_heel_off`, `left_toe_off`, ... |
+/// | `part_event_time`, `part_event_uncertainty` | (P) float64 | times and uncertainties of these events, likewise |
 /// | `time` | (F) float64 | time from the start of the clip, in seconds |
 /// | `rate` | () float64 | frame rate, in Hz |
 /// | `source` | () text | file name of the clip |
 ///
 /// Parts without labels have no columns; the names list the columns that exist. With R skeletons the
 /// arrays of labels and confidence have a first axis of length R, as in (R, F, 4), `roots` (R) has the
-/// names of the root joints, and `event_root` (E) has that of each event.
+/// names of the root joints, and `event_root` (E) and `part_event_root` (P) have that of each event.
 ///
 /// # Panics
 /// If the archive would exceed 4 GiB.
@@ -90,18 +99,27 @@ fn npz(labelled: &[DetectionRef], source: &str, frame_time: f64) -> Vec<u8> {
         ("rate.npy", npy::write("<f8", &[], &(1.0 / frame_time).to_le_bytes())),
         ("source.npy", npy::texts(&[], &[source])),
     ];
-    files.extend(event_arrays(labelled, frame_time));
+    files.extend(event_arrays(EVENT_FILES, labelled, frame_time, |detection, _| events(detection)));
+    files.extend(event_arrays(PART_EVENT_FILES, labelled, frame_time, part_events));
     if !roots.is_empty() {
         files.push(("roots.npy", npy::texts(&[roots.len()], &roots)));
     }
     zip::store(&files)
 }
 
-/// Returns the arrays of the events of all skeletons.
-fn event_arrays(labelled: &[DetectionRef], frame_time: f64) -> Vec<(&'static str, Vec<u8>)> {
+/// Returns the arrays of the events that `events_of` returns for each skeleton; `files` are the names for
+/// events, times, uncertainties and roots.
+fn event_arrays(
+    files: [&'static str; 4],
+    labelled: &[DetectionRef],
+    frame_time: f64,
+    events_of: fn(&Detection, f64) -> Vec<GaitEvent>,
+) -> Vec<(&'static str, Vec<u8>)> {
     let events: Vec<(Option<&str>, GaitEvent)> = labelled
         .iter()
-        .flat_map(|labelled| events(labelled.detection).into_iter().map(|event| (labelled.root, event)))
+        .flat_map(|DetectionRef { root, detection }| {
+            events_of(detection, frame_time).into_iter().map(|event| (*root, event))
+        })
         .collect();
     let names: Vec<String> =
         events.iter().map(|(_, event)| format!("{}_{}", event.side.name(), event.kind.name())).collect();
@@ -110,19 +128,18 @@ fn event_arrays(labelled: &[DetectionRef], frame_time: f64) -> Vec<(&'static str
         let values: Vec<u8> = events.iter().flat_map(|(_, event)| value(event).to_le_bytes()).collect();
         npy::write("<f8", &[events.len()], &values)
     };
-    let mut files = vec![
-        ("event.npy", npy::texts(&[names.len()], &names)),
-        ("event_time.npy", floats(&|event| event.time(frame_time))),
-        (
-            "event_uncertainty.npy",
-            floats(&|event| event.instant.map_or(f64::NAN, |instant| instant.uncertainty_ms / 1e3)),
-        ),
+    let uncertainty =
+        |event: &GaitEvent| event.instant.map_or(f64::NAN, |instant| instant.uncertainty_ms / 1e3);
+    let mut arrays = vec![
+        (files[0], npy::texts(&[names.len()], &names)),
+        (files[1], floats(&|event| event.time(frame_time))),
+        (files[2], floats(&uncertainty)),
     ];
     let roots: Vec<&str> = events.iter().filter_map(|(root, _)| *root).collect();
     if labelled.iter().any(|labelled| labelled.root.is_some()) {
-        files.push(("event_root.npy", npy::texts(&[roots.len()], &roots)));
+        arrays.push((files[3], npy::texts(&[roots.len()], &roots)));
     }
-    files
+    arrays
 }
 
 /// Returns a value per skeleton, frame and column, in this order.

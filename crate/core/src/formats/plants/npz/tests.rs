@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::formats::{ReadError, read_plants};
-use crate::plants::{Detection, FootLabels, Params, PartLabels};
+use crate::plants::{Detection, FootLabels, Ground, Params, PartLabels};
 
 fn foot(planted: Vec<bool>) -> FootLabels {
     let rest = vec![0.0; planted.len()];
@@ -23,6 +23,8 @@ fn detection(parts: Vec<(Part, [Vec<bool>; 2])>) -> Detection {
         params: Params::default().check().unwrap(),
         parts: parts.into_iter().map(labels).collect(),
         ground_height: 0.0,
+        ground: Ground::level(),
+        noise: None,
         notices: Vec::new(),
         edits: Vec::new(),
     }

@@ -111,7 +111,8 @@ impl Pipeline<'_> {
         let mut heel = self.label(Part::Heel, heel);
         if is_clustered {
             // Heels and toes may rise slowly without a step, unless noise has made swings of contact.
-            if capture_noise::fill_swings(self.feet, &mut contact) {
+            if let Some(notice) = capture_noise::fill_swings(self.feet, &mut contact) {
+                notices.push(notice);
                 for labels in [&mut toe, &mut heel] {
                     capture_noise::fill_swings(self.feet, labels);
                 }
@@ -124,6 +125,14 @@ impl Pipeline<'_> {
             for (foot, contact) in part.feet.iter_mut().zip(&contact.feet) {
                 for (planted, contact) in foot.planted.iter_mut().zip(&contact.planted) {
                     *planted &= contact;
+                }
+            }
+        }
+        if is_clustered {
+            for foot in 0..2 {
+                for span in &self.motion.spans {
+                    let parts = [(Part::Heel, &mut heel.feet[foot]), (Part::Toe, &mut toe.feet[foot])];
+                    edges::refine_parts(self.feet, foot, span, &contact.feet[foot], parts);
                 }
             }
         }

@@ -8,8 +8,11 @@
 
 mod cues;
 mod off;
+mod parts;
 mod series;
 mod strike;
+
+pub(crate) use parts::refine_parts;
 
 use std::ops::Range;
 

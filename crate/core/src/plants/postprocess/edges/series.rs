@@ -206,7 +206,8 @@ impl Series {
         self
     }
 
-    fn time(&self, index: f64) -> f64 {
+    /// Returns the time at an index.
+    pub fn time(&self, index: f64) -> f64 {
         self.start + index * self.step
     }
 }
