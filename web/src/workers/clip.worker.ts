@@ -49,7 +49,7 @@ import {
   segmentationToPlain,
   transferables,
 } from "./to-plain";
-import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
+import { readClip, rewriteFile, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
 import { ZipWriter } from "./zip-writer";
 
 export type Opened = Result<{ clip: Clip }>;
@@ -229,7 +229,7 @@ const api = {
     const open = current();
     if (!open.detection) throw new Error("The clean-up requires labels.");
     open.cleaned ??= open.clip.clean(open.detection);
-    return new Blob([open.cleaned.bvh() as Uint8Array<ArrayBuffer>], { type: "text/plain" });
+    return rewriteFile(open.file, open.cleaned.rewriter());
   },
 
   /** Returns the agreement of the detection with the reference, part by part. */
@@ -255,12 +255,13 @@ const api = {
 
   /** Writes parts of the clip as BVH files into a zip archive. */
   async cut(parts: readonly ClipPart[], onProgress?: OnProgress): Promise<Blob> {
-    const { clip } = current();
+    const { file, clip } = current();
     const report = throttle(onProgress);
     const zip = new ZipWriter();
     // One at a time, as all texts together might not fit into memory.
     for (const [i, { name, start, end }] of parts.entries()) {
-      zip.add(name, clip.cut(start, end));
+      const part = await rewriteFile(file, clip.cut(start, end));
+      zip.add(name, new Uint8Array(await part.arrayBuffer()));
       report((i + 1) / parts.length);
     }
     return zip.finish();
