@@ -383,8 +383,11 @@ mod tests {
         }
 
         fn values(&self) -> Vec<&str> {
-            let value = |piece| if let &Piece::Value(ref text) = piece { Some(text.as_str()) } else { None };
-            self.pieces.iter().filter_map(value).collect()
+            let values = self.pieces.iter().filter_map(|piece| match piece {
+                Piece::Value(text) => Some(text.as_str()),
+                Piece::Bytes(_) => None,
+            });
+            values.collect()
         }
     }
 

@@ -12,7 +12,9 @@ use crate::plants::{Feet, PartLabels};
 const MAX_SPEED: f64 = 25.0;
 /// Speed of feet during travel below which their swings are measured, in leg lengths per second.
 const SLOW_SPEED: f64 = 2.5;
-/// Minimum travel of the hips for that check, in leg lengths.
+/// Minimum plausible speed of feet during travel with too few swings, in leg lengths per second.
+const MIN_SPEED: f64 = 2.0;
+/// Minimum travel of the hips for both checks, in leg lengths.
 const MIN_TRAVEL: f64 = 2.0;
 /// Maximum plausible median duration of swings, in seconds. The largest of 90 recorded clips with
 /// travel is 0.63 s, and slow walks have ordinary swings.
@@ -49,12 +51,18 @@ pub(crate) fn rate(feet: &Feet) -> Option<Notice> {
     let swing = median_swing(&speeds, SWING_SPEED * fastest, feet.frame_time);
     let problem = if fastest > MAX_SPEED {
         format!("the feet are implausibly fast ({fastest:.1} leg lengths per second)")
-    } else if let Some(swing) =
-        swing.filter(|&swing| fastest < SLOW_SPEED && travel > MIN_TRAVEL && swing > MAX_SWING)
-    {
-        format!("the feet swing implausibly slowly (for {swing:.1} s)")
-    } else {
+    } else if travel < MIN_TRAVEL {
         return None;
+    } else {
+        match swing {
+            Some(swing) if fastest < SLOW_SPEED && swing > MAX_SWING => {
+                format!("the feet swing implausibly slowly (for {swing:.1} s)")
+            }
+            None if fastest < MIN_SPEED => format!(
+                "the feet are too slow for the distance that the hips travel ({fastest:.1} leg lengths per second)"
+            ),
+            _ => return None,
+        }
     };
     let text = format!(
         "At {:.4} Hz {problem}; the file may state a wrong frame time. Set the frame rate if you know it.",
@@ -93,4 +101,53 @@ pub(crate) fn airborne(parts: &[PartLabels]) -> Option<Notice> {
         );
         Notice::new(Code::ImplausibleAirborne, text)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plants::FootTracks;
+    use crate::skeleton::Up;
+
+    /// Feet that step in turn, 0.4 leg lengths in 0.4 s, and rest for `rest` seconds after each step, at
+    /// 50 Hz with each pose written `repeats` times.
+    fn steps(rest: f64, repeats: usize) -> Feet {
+        let period = 0.8 + 2.0 * rest;
+        let foot = |delay: f64| -> Track {
+            let position = |pose: usize| {
+                let time = pose as f64 / 50.0 - delay;
+                let (step, within) = ((time / period).floor(), time.rem_euclid(period));
+                Vector3::x() * (0.4 * (step + (within / 0.4).min(1.0)))
+            };
+            (0..(12.0 * period * 50.0) as usize)
+                .flat_map(|pose| std::iter::repeat_n(position(pose), repeats))
+                .collect()
+        };
+        let tracks =
+            [0.0, 0.4 + rest].map(|delay| FootTracks { ankle: foot(delay), toe: foot(delay), tip: None });
+        let hips = tracks[0].ankle.clone();
+        let frame_time = 0.02 / repeats as f64;
+        Feet { tracks, hips, up: Up::Y, leg: 1.0, metres_per_unit: 1.0, frame_time }
+    }
+
+    fn has_notice(feet: &Feet, factor: f64) -> bool {
+        rate(&Feet { frame_time: factor * feet.frame_time, ..feet.clone() }).is_some()
+    }
+
+    #[test]
+    fn slow_walks_have_plausible_rates() {
+        for rest in [0.0, 0.5, 3.0] {
+            let feet = steps(rest, 1);
+            assert!(!has_notice(&feet, 1.0) && !has_notice(&feet, 1.5), "{rest}");
+            assert!(has_notice(&feet, 3.0) && has_notice(&feet, 10.0) && has_notice(&feet, 0.03), "{rest}");
+        }
+    }
+
+    #[test]
+    fn repeated_poses_do_not_make_rates_implausible() {
+        let feet = steps(0.2, 30);
+        assert_eq!(steps(0.2, 4).repeats(), 4);
+        assert!(!has_notice(&feet, 1.0));
+        assert!(has_notice(&feet, 0.03) && has_notice(&feet, 3.0));
+    }
 }
