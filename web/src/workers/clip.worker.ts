@@ -49,7 +49,15 @@ import {
   segmentationToPlain,
   transferables,
 } from "./to-plain";
-import { readClip, rewriteFile, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
+import {
+  readClip,
+  rewriteFile,
+  sha256,
+  startWasm,
+  throttle,
+  toResult,
+  wasmReady,
+} from "./wasm-runtime";
 import { ZipWriter } from "./zip-writer";
 
 export type Opened = Result<{ clip: Clip }>;
