@@ -41,6 +41,7 @@ import {
   type WasmSegmentation,
 } from "../wasm/plantigrade";
 import { evidenceToPlain } from "./evidence-to-plain";
+import { rewriteFile } from "./rewrite-file";
 import {
   annotationToPlain,
   clipToPlain,
@@ -49,15 +50,7 @@ import {
   segmentationToPlain,
   transferables,
 } from "./to-plain";
-import {
-  readClip,
-  rewriteFile,
-  sha256,
-  startWasm,
-  throttle,
-  toResult,
-  wasmReady,
-} from "./wasm-runtime";
+import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
 import { ZipWriter } from "./zip-writer";
 
 export type Opened = Result<{ clip: Clip }>;

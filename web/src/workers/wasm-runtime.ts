@@ -1,7 +1,7 @@
 /** Functions shared by the workers: starting the wasm module, reading a clip, reporting failures. */
 
 import type { Failure, OnProgress } from "../model/types";
-import init, { type WasmClip, WasmReader, type WasmRewriter } from "../wasm/plantigrade";
+import init, { type WasmClip, WasmReader } from "../wasm/plantigrade";
 import { readChunks } from "./read-blob";
 
 const PROGRESS_INTERVAL_MS = 50;
@@ -57,21 +57,6 @@ export async function readClip(
     throw error;
   }
   return reader.finish();
-}
-
-/** Returns the bytes of a file with the numbers that the writer replaces. */
-export async function rewriteFile(file: Blob, rewriter: WasmRewriter): Promise<Blob> {
-  const written: Uint8Array<ArrayBuffer>[] = [];
-  try {
-    for await (const chunk of readChunks(file)) {
-      written.push(rewriter.push(chunk) as Uint8Array<ArrayBuffer>);
-    }
-  } catch (error) {
-    rewriter.free();
-    throw error;
-  }
-  written.push(rewriter.finish() as Uint8Array<ArrayBuffer>);
-  return new Blob(written, { type: "text/plain" });
 }
 
 /** Returns the SHA-256 of a file in hexadecimal; undefined if the browser does not offer it. */
