@@ -43,10 +43,11 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
       import { readFileSync } from "node:fs";
       import { Clip, init, methods, segmentMethods } from "plantigrade";
       await init();
-      const clip = Clip.read(readFileSync(process.argv[2]));
+      const file = readFileSync(process.argv[2]);
+      const clip = Clip.read(file);
       const plants = clip.detect();
       const table = new TextDecoder().decode(plants.save("csv", "walk.bvh"));
-      const cleaned = Clip.read(new TextEncoder().encode(plants.clean()));
+      const cleaned = Clip.read(plants.clean(file));
       const worst = Math.max(...plants.skate().map(({ maxDistance }) => maxDistance));
       const [start, end] = plants.intervals("contact", "left");
       plants.edit([{ side: "left", part: "contact", start, end, planted: false }]);

@@ -58,7 +58,9 @@ pub struct ReadArgs {
     /// Up axis: x, y or z; a leading - reverses it [default: detected from the motion]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
-    /// Joint of a role, such as left_ankle=LFoot; an empty name means no joint. May be repeated
+    /// Joint of a role, such as left_ankle=LFoot; an empty name means no joint. May be repeated.
+    /// If several joints have the name: left_ankle=2/LFoot for that of the second skeleton of the
+    /// file, or left_ankle=LShin/LFoot for that below LShin
     /// [default: detected from names and shape; info --format json lists the roles]
     #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = parse_joint)]
     pub joints: Vec<(Role, String)>,

@@ -1,13 +1,12 @@
 //! Batch processing: one result per input, on standard output or in a folder.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::args::{ReadArgs, WriteArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input, LoadedClip};
-use crate::output::{Origin, OutputFolder};
+use crate::output::{self, Origin, OutputFolder};
 use crate::parallel;
 
 /// Inputs, outputs and options of a batch.
@@ -34,7 +33,7 @@ impl Batch<'_> {
             None => {
                 let (_, failures) = parallel::map(&inputs, self.write.jobs, |input| {
                     let result = compute(input, &input::load(input, self.read)?)?;
-                    let written = io::stdout().write_all(result.as_ref());
+                    let written = output::print_bytes(result.as_ref());
                     written.map_err(|error| InputError::Write { path: "<stdout>".into(), error })
                 });
                 Ok(failures)

@@ -95,6 +95,16 @@ pub enum InputError {
         /// The joint name.
         joint: String,
     },
+    /// Several joints of the clip have a name given on the command line.
+    #[error("{name}: error: several joints are named {joint:?}: use {choices}", name = display_name(.path))]
+    AmbiguousJoint {
+        /// The file.
+        path: PathBuf,
+        /// The joint name.
+        joint: String,
+        /// Names of the joints that are unambiguous.
+        choices: String,
+    },
     /// Labels or truth cannot be used.
     #[error("{name}: error: {error}", name = display_name(.path))]
     Labels {

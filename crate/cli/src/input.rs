@@ -1,12 +1,14 @@
 //! Input files: from paths to clips.
 
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{self, Clip, Limits, Options, Parsed, Reader};
 use plantigrade::formats::Source;
-use plantigrade::skeleton::{Overrides, Role};
+use plantigrade::notice::{Code, Notice};
+use plantigrade::skeleton::{Overrides, Role, Skeleton};
 use sha2::{Digest, Sha256};
 use walkdir::WalkDir;
 
@@ -29,18 +31,63 @@ pub struct LoadedClip {
     /// SHA-256 of the file in hexadecimal.
     pub sha256: String,
     /// Joints, up axis and unit given on the command line.
-    pub overrides: Overrides,
+    overrides: Overrides,
 }
 
 impl LoadedClip {
     /// Returns the source entry of documents about the clip.
     pub fn source(&self, input: &Input) -> Source {
         let name = input.path.file_name().unwrap_or(input.path.as_os_str());
-        Source { name: name.to_string_lossy().into_owned(), sha256: Some(self.sha256.clone()) }
+        Source {
+            name: name.to_string_lossy().into_owned(),
+            sha256: Some(self.sha256.clone()),
+            name_encoding: self.parsed.layout.name_encoding().map(Into::into),
+        }
+    }
+
+    /// Returns the skeletons of the clip, one per root.
+    pub fn skeletons(&self) -> Vec<Skeleton> {
+        let clip = &self.parsed.clip;
+        clip.roots().map(|root| Skeleton::from_root(clip, root, &self.overrides_of(root))).collect()
+    }
+
+    /// Returns the skeleton of which a joint is named on the command line, the first skeleton with
+    /// feet, or the first one.
+    pub fn main_skeleton(&self) -> Skeleton {
+        let clip = &self.parsed.clip;
+        let mut all = self.skeletons();
+        let owner = self.overrides.roles.iter().find_map(|&(_, joint)| Some(root_of(clip, joint?)));
+        let is_main =
+            |skeleton: &Skeleton| owner.map_or(skeleton.roles.has_feet(), |owner| skeleton.root == owner);
+        let mut main = all.swap_remove(all.iter().position(is_main).unwrap_or(0));
+        if !all.is_empty() {
+            let text = format!("The feet of {} are measured.", clip.joints()[main.root].name);
+            main.notices.push(Notice::new(Code::SeveralRoots, text));
+        }
+        main
+    }
+
+    /// Returns the overrides without the joints of other skeletons.
+    fn overrides_of(&self, root: usize) -> Overrides {
+        let clip = &self.parsed.clip;
+        let is_own = |joint: Option<usize>| joint.is_none_or(|joint| root_of(clip, joint) == root);
+        let roles = self.overrides.roles.iter().copied().filter(|&(_, joint)| is_own(joint)).collect();
+        Overrides { roles, ..self.overrides.clone() }
     }
 }
 
-/// Collects the input files. Folders are searched recursively for BVH files.
+/// Returns the root of the skeleton that owns `joint`.
+fn root_of(clip: &Clip, joint: usize) -> usize {
+    ancestors(clip, joint).last().unwrap_or(joint)
+}
+
+/// Returns the joint and its ancestors, up to the root.
+fn ancestors(clip: &Clip, joint: usize) -> impl Iterator<Item = usize> + '_ {
+    std::iter::successors(Some(joint), |&joint| clip.joints()[joint].parent)
+}
+
+/// Collects the input files. Folders are searched recursively for BVH files; the companion files
+/// that macOS adds to archives are left out.
 pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
     let mut inputs = Vec::new();
     for path in &args.paths {
@@ -57,7 +104,9 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
 
 fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageError> {
     let count_before = inputs.len();
-    for entry in WalkDir::new(folder).sort_by_file_name() {
+    let is_companion = |name: &OsStr| name == "__MACOSX" || name.as_encoded_bytes().starts_with(b"._");
+    let entries = WalkDir::new(folder).sort_by_file_name().into_iter();
+    for entry in entries.filter_entry(|entry| entry.depth() == 0 || !is_companion(entry.file_name())) {
         let path = entry?.into_path();
         if path.is_file() && path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("bvh")) {
             let stem = path.strip_prefix(folder).unwrap_or(&path).with_extension("");
@@ -70,21 +119,67 @@ fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageErr
     Ok(())
 }
 
-/// Returns the overrides of the command line, or the first joint name that the clip lacks.
-fn overrides(clip: &Clip, args: &ReadArgs) -> Result<Overrides, String> {
+/// Returns the overrides of the command line.
+fn overrides(path: &Path, clip: &Clip, args: &ReadArgs) -> Result<Overrides, InputError> {
     let joint = |(role, name): &(Role, String)| match &name[..] {
         "" => Ok((*role, None)),
-        name => match clip.joints().iter().position(|joint| joint.name == name) {
-            Some(joint) => Ok((*role, Some(joint))),
-            None => Err(name.to_owned()),
-        },
+        name => Ok((*role, Some(find_joint(path, clip, name)?))),
     };
     let roles = args.joints.iter().map(joint).collect::<Result<_, _>>()?;
     Ok(Overrides { roles, up: args.up, metres_per_unit: args.unit })
 }
 
+/// Returns the joint with a name. If several have it, `SKELETON/NAME` names one of them: by the number
+/// of its skeleton, from 1, or by a joint above it.
+fn find_joint(path: &Path, clip: &Clip, name: &str) -> Result<usize, InputError> {
+    let named = |name: &str| -> Vec<usize> {
+        (0..clip.joints().len()).filter(|&joint| clip.joints()[joint].name == name).collect()
+    };
+    let mut found = named(name);
+    if let ([], Some((above, name))) = (&found[..], name.split_once('/')) {
+        let root = above.parse().ok().and_then(|number: usize| clip.roots().nth(number.checked_sub(1)?));
+        let is_above = |joint: usize| root == Some(joint) || clip.joints()[joint].name == above;
+        found = named(name);
+        found.retain(|&joint| ancestors(clip, joint).any(is_above));
+    }
+    let (path, joint) = (path.to_owned(), name.to_owned());
+    match found[..] {
+        [] => Err(InputError::UnknownJoint { path, joint }),
+        [found] => Ok(found),
+        _ => {
+            let name = name.rsplit_once('/').map_or(name, |(_, name)| name);
+            let choices = found.iter().map(|&joint| {
+                let root = root_of(clip, joint);
+                let number = clip.roots().position(|other| other == root).map_or(0, |index| index + 1);
+                let is_only = found.iter().filter(|&&other| root_of(clip, other) == root).count() == 1;
+                match clip.joints()[joint].parent {
+                    Some(parent) if !is_only => format!("{}/{name}", clip.joints()[parent].name),
+                    _ => format!("{number}/{name}"),
+                }
+            });
+            Err(InputError::AmbiguousJoint { path, joint, choices: choices.collect::<Vec<_>>().join(" or ") })
+        }
+    }
+}
+
 /// Reads one file.
 pub fn load(input: &Input, args: &ReadArgs) -> Result<LoadedClip, InputError> {
+    load_chunks(input, args, |_| {})
+}
+
+/// Reads one file and returns its bytes, too.
+pub fn load_with_bytes(input: &Input, args: &ReadArgs) -> Result<(LoadedClip, Vec<u8>), InputError> {
+    let mut bytes = Vec::new();
+    let loaded = load_chunks(input, args, |chunk| bytes.extend_from_slice(chunk))?;
+    Ok((loaded, bytes))
+}
+
+/// Reads one file and passes its bytes to `on_chunk`.
+fn load_chunks(
+    input: &Input,
+    args: &ReadArgs,
+    mut on_chunk: impl FnMut(&[u8]),
+) -> Result<LoadedClip, InputError> {
     let path = &input.path;
     let read_error = |error| InputError::Read { path: path.clone(), error };
     let parse_error = |error: bvh::Error| InputError::Parse { path: path.clone(), error: error.into() };
@@ -111,13 +206,13 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<LoadedClip, InputError> {
         }
         hash.update(&chunk[..count]);
         reader.push(&chunk[..count]).map_err(parse_error)?;
+        on_chunk(&chunk[..count]);
     }
     let mut parsed = reader.finish().map_err(parse_error)?;
     if let Some(fps) = args.fps {
         parsed.clip.set_frame_time(1.0 / fps);
     }
     let sha256 = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-    let overrides = overrides(&parsed.clip, args);
-    let overrides = overrides.map_err(|joint| InputError::UnknownJoint { path: path.clone(), joint })?;
+    let overrides = overrides(path, &parsed.clip, args)?;
     Ok(LoadedClip { parsed, sha256, overrides })
 }

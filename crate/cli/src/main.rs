@@ -19,7 +19,7 @@ fn main() -> ExitCode {
         Ok(failures) => ExitCode::from(u8::from(failures > 0)),
         // Same format as clap's own usage errors.
         Err(error) => {
-            eprintln!("error: {error}\n\nFor more information, try '--help'.");
+            output::report(format_args!("error: {error}\n\nFor more information, try '--help'."));
             ExitCode::from(2)
         }
     }

@@ -1,6 +1,7 @@
 //! Output: JSON on standard output; files that are written atomically and reused while up to date.
 
 use std::collections::BTreeMap;
+use std::fmt::Arguments;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -9,12 +10,40 @@ use std::sync::{Mutex, PoisonError};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use crate::error::InputError;
+
 /// Name of the file in an output folder that records the origin of its results.
 const RECORD_FILE: &str = ".plantigrade.json";
 
+/// Exit code of a program that is ended by the signal for a closed pipe, as shells report it.
+const CLOSED_PIPE: i32 = 141;
+
 /// Prints a value as indented JSON.
 pub fn print_json(value: &impl Serialize) {
-    println!("{}", serde_json::to_string_pretty(value).expect("text, numbers and lists"));
+    let json = serde_json::to_string_pretty(value).expect("text, numbers and lists");
+    print(format_args!("{json}\n"));
+}
+
+/// Prints text on standard output. Ends the program if that is impossible.
+pub fn print(text: Arguments<'_>) {
+    if let Err(error) = print_bytes(text.to_string().as_bytes()) {
+        report(format_args!("{}", InputError::Write { path: "<stdout>".into(), error }));
+        std::process::exit(1);
+    }
+}
+
+/// Writes bytes to standard output. Ends the program quietly if the reader has closed the pipe.
+pub fn print_bytes(bytes: &[u8]) -> io::Result<()> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => std::process::exit(CLOSED_PIPE),
+        result => result,
+    }
+}
+
+/// Prints a line on standard error, unless its reader has closed the pipe.
+pub fn report(line: Arguments<'_>) {
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// A folder of results.

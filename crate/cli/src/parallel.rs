@@ -10,6 +10,7 @@ use rayon::iter::{ParallelBridge, ParallelIterator};
 
 use crate::error::InputError;
 use crate::input::Input;
+use crate::output;
 
 /// Applies `work` to each input, `jobs` at a time (default: one per processor).
 ///
@@ -28,7 +29,7 @@ pub fn map<R: Send>(
     let run = |input: &Input| {
         let result = catch_unwind(AssertUnwindSafe(|| work(input)))
             .unwrap_or_else(|_| Err(InputError::Panic { path: input.path.clone() }));
-        let result = result.map_err(|error| bar.suspend(|| eprintln!("{error}"))).ok();
+        let result = result.map_err(|error| bar.suspend(|| output::report(format_args!("{error}")))).ok();
         bar.inc(1);
         result
     };

@@ -79,3 +79,81 @@ fn clean_writes_nothing_if_it_fails() {
     }
     assert!(!folder.path().join("out.bvh").exists());
 }
+
+/// Returns a walk in a file with names in Shift-JIS, named end sites, comments, CRLF and unusual spacing.
+fn unusual_file() -> Vec<u8> {
+    let text = fs::read_to_string(project("samples/curved-walk.bvh")).expect("a sample");
+    let (header, motion) = text.split_once("MOTION\n").expect("motion");
+    let mut bytes = b"# a walk\r\n".to_vec();
+    for (index, line) in header.lines().enumerate() {
+        let line = line.replace('\t', "   ").replace("End Site", &format!("End Site  Tip_{index}"));
+        bytes.extend_from_slice(line.as_bytes());
+        if line.contains("Spine") || line.contains("Head") {
+            // The first character is 83 7B in Shift-JIS, whose second byte is a brace in ASCII.
+            bytes.extend_from_slice(b"_\x83\x7b\x81\x5b\x83\x93");
+        }
+        bytes.extend_from_slice(b" \r\n");
+    }
+    bytes.extend_from_slice(b"MOTION // 245 frames\r\n");
+    for line in motion.lines() {
+        bytes.extend_from_slice(format!(" {}\t\r\n", line.replace(' ', "  ")).as_bytes());
+    }
+    bytes.extend_from_slice(b"the end");
+    bytes
+}
+
+#[test]
+fn clean_changes_only_the_numbers_of_legs_and_hips() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let before = unusual_file();
+    fs::write(folder.path().join("in.bvh"), &before).expect("a file");
+    let (code, _, stderr) = run(folder.path(), &["clean", "in.bvh", "-o", "out.bvh"], b"");
+    assert_eq!(code, 0, "{stderr}");
+    let after = fs::read(folder.path().join("out.bvh")).expect("a file");
+
+    let clip = bvh::parse(&before, bvh::Options::default()).expect("BVH").clip;
+    let may_move: Vec<bool> = clip
+        .joints()
+        .iter()
+        .flat_map(|joint| {
+            let is_moved = joint.parent.is_none()
+                || ["Thigh", "Calf", "Foot", "Toe"].iter().any(|part| joint.name.contains(part));
+            joint.channels.iter().map(move |_| is_moved)
+        })
+        .collect();
+    let lines = |bytes: &[u8]| bytes.split(|&byte| byte == b'\n').map(<[u8]>::to_vec).collect::<Vec<_>>();
+    let (before, after) = (lines(&before), lines(&after));
+    assert_eq!(before.len(), after.len());
+    let first = before.iter().position(|line| line.starts_with(b" Frame  Time")).expect("a frame time") + 1;
+    assert_eq!(before[..first], after[..first]);
+    assert_eq!(before.last(), after.last());
+    let mut changed = 0;
+    for (before, after) in before.iter().zip(&after).skip(first) {
+        let [before, after] = [before, after].map(|line| String::from_utf8(line.clone()).expect("numbers"));
+        let (before, after) = (before.split(' '), after.split(' '));
+        let places = |number: &str| number.trim_end().split_once('.').map_or(0, |(_, places)| places.len());
+        let mut channel = 0;
+        for (before, after) in before.zip(after) {
+            if before != after {
+                assert!(may_move[channel], "channel {channel}: {before:?} became {after:?}");
+                assert!(places(after) >= places(before), "{before:?} became {after:?}");
+                assert_eq!(before.ends_with("\t\r"), after.ends_with("\t\r"));
+                changed += 1;
+            }
+            channel += usize::from(!before.trim().is_empty());
+        }
+    }
+    assert!(changed > 1000, "{changed}");
+}
+
+#[test]
+fn clean_writes_the_given_rate() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("in.bvh"), unusual_file()).expect("a file");
+    let (code, _, stderr) = run(folder.path(), &["clean", "in.bvh", "-o", "out.bvh", "--fps", "100"], b"");
+    assert_eq!(code, 0, "{stderr}");
+    let after = fs::read(folder.path().join("out.bvh")).expect("a file");
+    assert_eq!(clip(&folder.path().join("out.bvh")).frame_time(), 0.01);
+    let line = b" Frame  Time:  0.01\t\r\n";
+    assert!(after.windows(line.len()).any(|window| window == line));
+}

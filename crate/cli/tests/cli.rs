@@ -78,6 +78,107 @@ fn joints_and_unit_can_be_set() {
 }
 
 #[test]
+fn a_joint_belongs_to_one_skeleton() {
+    let two = fs::read_to_string(project("tests/files/good/two-skeletons.bvh")).expect("a file");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("two.bvh");
+    // Both skeletons have the same names.
+    fs::write(&path, two.replace("B:", "")).expect("a file");
+    let path = path.to_str().expect("a path");
+    let detect = |options: &[&str]| plantigrade(&[&["detect", path], options].concat());
+    let labels = |output: &Output| -> Vec<Value> { serde_json::from_str(&stdout(output)).expect("JSON") };
+    let detected = labels(&detect(&[]));
+    assert_eq!(detected.len(), 2);
+
+    let ambiguous = detect(&["--joint", "left_ankle=LeftLeg"]);
+    assert_eq!(code(&ambiguous), 1);
+    let message = "error: several joints are named \"LeftLeg\": use 1/LeftLeg or 2/LeftLeg";
+    assert!(stderr(&ambiguous).contains(message), "{}", stderr(&ambiguous));
+    for (skeleton, other) in [(0, 1), (1, 0)] {
+        let name = format!("left_toe={}/LeftFoot", skeleton + 1);
+        let overridden = labels(&detect(&["--joint", &name]));
+        assert_eq!(overridden[skeleton]["joints"]["left"]["toe"], "LeftFoot");
+        assert_eq!(overridden[other], detected[other]);
+    }
+    // Commands that describe one skeleton describe the one of the named joint.
+    let info = plantigrade(&["info", "--format", "json", path, "--joint", "left_toe=2/LeftFoot"]);
+    let info: Value = serde_json::from_str(&stdout(&info)).expect("JSON");
+    assert_eq!(info["roles"]["left_toe"], "LeftFoot");
+    for unknown in ["left_toe=3/LeftFoot", "left_toe=0/LeftFoot", "left_toe=Spine/LeftFoot"] {
+        assert!(stderr(&detect(&["--joint", unknown])).contains("unknown joint"), "{unknown}");
+    }
+    let single = project("tests/files/good/plain.bvh");
+    let single = single.to_str().expect("a path");
+    let info = plantigrade(&["info", single, "--joint", "left_toe=LeftLeg/LeftFoot"]);
+    assert!(stdout(&info).contains("toe LeftFoot"), "{}", stdout(&info));
+}
+
+#[test]
+fn joint_names_in_documents_are_readable_and_their_bytes_recoverable() {
+    let output = plantigrade(&["detect", "good/shift-jis-names.bvh", "--joint", "left_ankle=左ひざ"]);
+    let document: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    assert_eq!(document["joints"]["left"]["heel"], "左ひざ");
+    assert_eq!(document["source"]["name_encoding"], "Shift_JIS");
+    let output = plantigrade(&["detect", "good/plain.bvh"]);
+    assert!(!stdout(&output).contains("name_encoding"));
+}
+
+#[test]
+fn folders_are_read_without_companion_files_of_macos() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (clips, out) = (folder.path().join("clips"), folder.path().join("out"));
+    let plain = fs::read(project("tests/files/good/plain.bvh")).expect("a file");
+    for (name, bytes) in [
+        ("walk.bvh", &plain[..]),
+        ("._walk.bvh", b"\0\x05\x16\x07"),
+        ("take 1/._walk.BVH", b"\0\x05\x16\x07"),
+        ("__MACOSX/walk.bvh", b"\0\x05\x16\x07"),
+    ] {
+        let path = clips.join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, bytes).expect("a file");
+    }
+    let [clips, out] = [clips, out].map(|path| path.to_str().expect("a path").to_owned());
+    let output = plantigrade(&["detect", &clips, "--out", &out]);
+    assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+    assert!(Path::new(&out).join("walk.plants.json").is_file());
+    // A file that is named is read.
+    let output = plantigrade(&["info", &format!("{clips}/._walk.bvh")]);
+    assert!(stderr(&output).contains("binary data"), "{}", stderr(&output));
+}
+
+#[test]
+fn a_closed_pipe_ends_the_program_quietly() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for extension in ["bvh", "json"] {
+        let name = format!("curved-walk.{extension}");
+        fs::copy(project("samples").join(&name), folder.path().join(&name)).expect("a sample");
+    }
+    let folder = folder.path().to_str().expect("a path");
+    for args in [
+        &["info", folder][..],
+        &["info", folder, "--format", "json"],
+        &["detect", folder],
+        &["segment", folder],
+        &["gait", folder],
+        &["gait", folder, "--format", "csv"],
+        &["score", folder],
+    ] {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_plantigrade"));
+        let output = command.args(args).stdout(writer).output().expect("the program runs");
+        assert_eq!((code(&output), stderr(&output)), (141, String::new()), "{args:?}");
+    }
+    // So does a closed pipe of the messages.
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_plantigrade"));
+    let output = command.args(["info", "missing.bvh"]).stderr(writer).output().expect("the program runs");
+    assert_eq!((code(&output), stdout(&output)), (1, String::new()));
+}
+
+#[test]
 fn files_are_read_or_rejected_as_listed_in_expected_txt() {
     let expected = fs::read_to_string(project("tests/files/expected.txt")).expect("the list");
     let expected: Vec<&str> = expected.lines().filter(|line| !line.starts_with('#')).collect();
@@ -200,8 +301,8 @@ fn detect_processes_folders_despite_failures_and_reuses_results() {
     };
     let output = run(&[]);
     assert_eq!((code(&output), stdout(&output)), (1, String::new()));
-    // Eight files are invalid, and one has no motion.
-    assert_eq!(stderr(&output).lines().count(), 9);
+    // Nine files are invalid, and one has no motion.
+    assert_eq!(stderr(&output).lines().count(), 10);
     let modification_times = || {
         let files = fs::read_dir(out.path()).expect("a folder").filter_map(Result::ok);
         let tables = files.filter(|file| file.file_name().to_string_lossy().ends_with(".csv"));
@@ -210,7 +311,7 @@ fn detect_processes_folders_despite_failures_and_reuses_results() {
             .collect::<Vec<_>>()
     };
     let first = modification_times();
-    assert_eq!(first.len(), 9);
+    assert_eq!(first.len(), 15);
     run(&[]);
     assert_eq!(modification_times(), first, "results are reused");
     run(&["--r", "0.002"]);

@@ -5,8 +5,9 @@
 //! ```
 
 use std::error::Error;
+use std::sync::Arc;
 
-use plantigrade::bvh;
+use plantigrade::bvh::{self, Parsed};
 use plantigrade::plants::{self, Feet, ValidParams};
 use plantigrade::skate::{self, Contacts, Options};
 use plantigrade::skeleton::{Overrides, Skeleton};
@@ -16,7 +17,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (Some(input), Some(output)) = (arguments.next(), arguments.next()) else {
         return Err("usage: clean INPUT.bvh OUTPUT.bvh".into());
     };
-    let clip = bvh::parse(&std::fs::read(input)?, bvh::Options::default())?.clip;
+    let bytes = std::fs::read(input)?;
+    let Parsed { clip, layout, .. } = bvh::parse(&bytes, bvh::Options::default())?;
     let skeleton = Skeleton::main(&clip, &Overrides::default());
     let detection = plants::detect(&Feet::new(&clip, &skeleton)?, ValidParams::default());
 
@@ -25,6 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [before, after] = [plant.before, plant.after].map(|metres| 1e3 * metres);
         println!("{} from frame {}: {before:.1} -> {after:.1} mm", plant.side.name(), plant.frames.start);
     }
-    std::fs::write(output, bvh::write(&cleaned.clip))?;
+    let frames = 0..clip.frame_count();
+    std::fs::write(output, bvh::rewrite(&bytes, &layout, &Arc::new(cleaned.clip), frames))?;
     Ok(())
 }

@@ -64,6 +64,7 @@ impl<'a> Kinematics<'a> {
                     Channel::Position(axis) if is_added => position[axis.index()] += value,
                     Channel::Position(axis) => position[axis.index()] = *value,
                     Channel::Rotation(axis) => rotate_about(&mut rotation, *axis, value.to_radians()),
+                    Channel::Scale(_) => {}
                 }
             }
             if let Some(parent) = joint.parent {

@@ -29,12 +29,18 @@ pub enum Code {
     MissingName,
     /// A joint has no `OFFSET`, or more than one.
     Offset,
+    /// Joint names are neither UTF-8 nor UTF-16; their encoding was guessed.
+    NameEncoding,
+    /// Scale channels were read and are not used.
+    ScaleChannels,
     /// `CHANNELS` states a number that differs from the channels listed.
     ChannelCount,
     /// Several joints share a name.
     DuplicateName,
     /// The file contains more than one skeleton.
     SeveralRoots,
+    /// Another BVH file, or another motion, follows the first; it was left out.
+    SeveralMotions,
     /// Position channels are added to the offsets instead of replacing them.
     AddedPositions,
     /// `Frames:` is missing, unreadable or differs from the number of rows.

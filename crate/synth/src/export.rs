@@ -30,6 +30,7 @@ pub fn to_clip(character: &Character, poses: &[Pose], frame_time: f64) -> Clip {
                     let slot = axes.iter().position(|&a| a == axis.index()).expect("one of three axes");
                     rounded(angles[slot].to_degrees(), character.decimals.for_angles())
                 }
+                Channel::Scale(_) => 1.0,
             }));
         }
     }

@@ -121,7 +121,7 @@ impl VideoNoise {
                     Channel::Position(_) if joint.parent.is_none() => {
                         add(column, self.root / metres_per_unit, ROOT_CUTOFF);
                     }
-                    Channel::Position(_) => {}
+                    Channel::Position(_) | Channel::Scale(_) => {}
                 }
             }
         }

@@ -55,7 +55,7 @@ pub fn document(
         header: Header {
             format: PlantsDocument::FORMAT.into(),
             version: VERSION,
-            source: Source { name: format!("{name}.bvh"), sha256: None },
+            source: Source { name: format!("{name}.bvh"), sha256: None, name_encoding: None },
             root: None,
             frames: labels[0].len(),
             rate,

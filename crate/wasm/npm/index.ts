@@ -237,15 +237,23 @@ export class Plants {
     return rethrow(() => this.clip.skate(this.inner));
   }
 
-  /** Returns the clip without foot skate, as the text of a BVH file. */
-  clean(): string {
+  /**
+   * Returns the clip without foot skate, as the bytes of a BVH file: those of the file of the clip,
+   * except for the numbers that differ.
+   *
+   * @param file The bytes that `Clip.read` was given, or chunks of them.
+   */
+  clean(file: Uint8Array | Iterable<Uint8Array>): Uint8Array {
     return rethrow(() => {
       const cleaned = this.clip.clean(this.inner);
-      try {
-        return new TextDecoder().decode(cleaned.bvh());
-      } finally {
-        cleaned.free();
+      const rewriter = cleaned.rewriter();
+      cleaned.free();
+      const written: Uint8Array[] = [];
+      for (const chunk of file instanceof Uint8Array ? [file] : file) {
+        written.push(rewriter.push(chunk));
       }
+      written.push(rewriter.finish());
+      return concatenate(written);
     });
   }
 
@@ -307,6 +315,16 @@ export class Segmentation {
   [Symbol.dispose](): void {
     this.free();
   }
+}
+
+function concatenate(chunks: readonly Uint8Array[]): Uint8Array {
+  const bytes = new Uint8Array(chunks.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const chunk of chunks) {
+    bytes.set(chunk, at);
+    at += chunk.length;
+  }
+  return bytes;
 }
 
 /** Runs a call to the core and rethrows its failures, which are plain objects, as errors. */

@@ -1,7 +1,9 @@
 //! Clips and their reader.
 
+use std::sync::Arc;
+
 use js_sys::Float32Array;
-use plantigrade::bvh::{Clip, Options, Parsed, Reader};
+use plantigrade::bvh::{Clip, Layout, Options, Parsed, Reader, Rewriter};
 use plantigrade::formats::{PlantExport, PlantFormat, Source};
 use plantigrade::notice::Notice;
 use plantigrade::plants::{self, Detector, Feet, Params};
@@ -42,14 +44,15 @@ impl WasmReader {
     /// # Errors
     /// If the file as a whole cannot be read.
     pub fn finish(self) -> Result<WasmClip, Failure> {
-        let Parsed { clip, notices } = self.0.finish()?;
+        let Parsed { clip, notices, layout } = self.0.finish()?;
         let skeleton = Skeleton::main(&clip, &skeleton::Overrides::default());
-        Ok(WasmClip { original_frame_time: clip.frame_time(), clip, notices, skeleton, detector: None })
+        let (original_frame_time, clip) = (clip.frame_time(), Arc::new(clip));
+        Ok(WasmClip { original_frame_time, clip, layout, notices, skeleton, detector: None })
     }
 }
 
 impl WasmClip {
-    pub(crate) fn core(&self) -> &Clip {
+    pub(crate) fn core(&self) -> &Arc<Clip> {
         &self.clip
     }
 
@@ -60,12 +63,45 @@ impl WasmClip {
     pub(crate) fn notices(&self) -> &[Notice] {
         &self.notices
     }
+
+    pub(crate) fn layout(&self) -> &Arc<Layout> {
+        &self.layout
+    }
+
+    /// Returns the source entry of documents about the clip.
+    pub(crate) fn source(&self, name: String, sha256: Option<String>) -> Source {
+        Source { name, sha256, name_encoding: self.layout.name_encoding().map(Into::into) }
+    }
+}
+
+/// Writes a changed clip, or a part of a clip: copies its file and replaces the numbers that differ.
+#[wasm_bindgen]
+pub struct WasmRewriter(Rewriter);
+
+#[wasm_bindgen]
+impl WasmRewriter {
+    /// Reads the next chunk of the file and returns the next bytes of the result.
+    pub fn push(&mut self, chunk: &[u8]) -> Vec<u8> {
+        self.0.push(chunk)
+    }
+
+    /// Ends the file, consumes the writer and returns the last bytes of the result.
+    pub fn finish(self) -> Vec<u8> {
+        self.0.finish()
+    }
+}
+
+impl From<Rewriter> for WasmRewriter {
+    fn from(rewriter: Rewriter) -> WasmRewriter {
+        WasmRewriter(rewriter)
+    }
 }
 
 /// A clip with its skeleton.
 #[wasm_bindgen]
 pub struct WasmClip {
-    clip: Clip,
+    clip: Arc<Clip>,
+    layout: Arc<Layout>,
     original_frame_time: f64,
     notices: Vec<Notice>,
     skeleton: Skeleton,
@@ -113,7 +149,7 @@ impl WasmClip {
         let overrides = from_js(&overrides)?;
         let checked = overrides.check(self.clip.joints().len())?;
         let frame_time = overrides.rate.map_or(self.original_frame_time, |rate| 1.0 / rate);
-        self.clip.set_frame_time(frame_time);
+        Arc::make_mut(&mut self.clip).set_frame_time(frame_time);
         self.skeleton = Skeleton::main(&self.clip, &checked);
         self.detector = None;
         Ok(())
@@ -152,7 +188,7 @@ impl WasmClip {
     ) -> Result<Vec<u8>, Failure> {
         let format: PlantFormat = parse_name(format)?;
         Ok(format.write(&PlantExport {
-            source: Source { name, sha256 },
+            source: self.source(name, sha256),
             clip: &self.clip,
             notices: &self.notices,
             skeletons: vec![(&self.skeleton, detection.core())],

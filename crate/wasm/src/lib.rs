@@ -13,7 +13,7 @@ mod segmentation;
 mod skate;
 mod types;
 
-pub use clip::{WasmClip, WasmReader};
+pub use clip::{WasmClip, WasmReader, WasmRewriter};
 pub use compare::{DisagreementInfo, EventScoreInfo, ScoreInfo, ScoreRow, WasmAnnotation};
 pub use detection::WasmDetection;
 pub use evidence::{EvidenceInfo, ThresholdInfo};

@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use js_sys::Function;
-use plantigrade::formats::{self, SegmentExport, SegmentFormat, SegmentsDocument, Source};
+use plantigrade::bvh::Rewriter;
+use plantigrade::formats::{self, SegmentExport, SegmentFormat, SegmentsDocument};
 use plantigrade::score::{self, Tolerance, TrueCut};
 use plantigrade::segments::{self, Method, Segment, Segmentation};
 use serde::{Deserialize, Serialize};
@@ -11,11 +12,11 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::WasmClip;
 use crate::types::{
     ArgumentError, Failure, FormatInfo, NoticeInfo, SegmentInfo, SegmentMethodInfo, SegmentOptions, from_js,
     parse_name, to_js,
 };
+use crate::{WasmClip, WasmRewriter};
 
 /// All segmentation methods, the default first.
 ///
@@ -73,23 +74,23 @@ impl WasmClip {
         sha256: Option<String>,
     ) -> Result<Vec<u8>, Failure> {
         let format: SegmentFormat = parse_name(format)?;
-        let source = Source { name, sha256 };
+        let source = self.source(name, sha256);
         let mut document =
             SegmentsDocument::new(source, self.core(), self.skeleton(), &segmentation.0, self.notices());
         document.set_labels(&labels);
         Ok(format.write(&SegmentExport { documents: vec![document], as_array: false }))
     }
 
-    /// The frames `start..end` as the bytes of a BVH file.
+    /// Returns a writer of the frames `start..end`, to which the file of the clip is given.
     ///
     /// # Errors
     /// If the range is empty or extends beyond the clip.
-    pub fn cut(&self, start: usize, end: usize) -> Result<Vec<u8>, Failure> {
+    pub fn cut(&self, start: usize, end: usize) -> Result<WasmRewriter, Failure> {
         let frames = self.core().frame_count();
         if start >= end || end > frames {
             return Err(ArgumentError::FrameRange { start, end, frames }.into());
         }
-        Ok(plantigrade::bvh::write(&self.core().slice(start..end)).into_bytes())
+        Ok(Rewriter::new(self.layout().clone(), self.core().clone(), start..end).into())
     }
 }
 

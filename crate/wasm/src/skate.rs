@@ -1,8 +1,11 @@
 //! Measurement and clean-up of foot skate.
 
+use std::sync::Arc;
+
 use js_sys::Float32Array;
-use plantigrade::bvh::{self, Clip};
-use plantigrade::skate::{self, Cleaned, Contacts, Options, Slide};
+use plantigrade::bvh::{Clip, Layout, Rewriter};
+use plantigrade::notice::Notice;
+use plantigrade::skate::{self, Cleaned, CleanedPlant, Contacts, Options, Slide};
 use plantigrade::skeleton::Skeleton;
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
@@ -10,7 +13,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::positions;
 use crate::types::{Failure, NoticeInfo, to_js};
-use crate::{WasmClip, WasmDetection};
+use crate::{WasmClip, WasmDetection, WasmRewriter};
 
 /// The slide of one plant, over half-open frames.
 #[derive(Debug, Serialize, Deserialize, Tsify)]
@@ -51,7 +54,10 @@ pub struct CleanedPlantInfo {
 /// A clip with its foot skate removed.
 #[wasm_bindgen]
 pub struct WasmCleanedClip {
-    cleaned: Cleaned,
+    clip: Arc<Clip>,
+    plants: Vec<CleanedPlant>,
+    notices: Vec<Notice>,
+    layout: Arc<Layout>,
     skeleton: Skeleton,
 }
 
@@ -73,7 +79,9 @@ impl WasmClip {
     pub fn clean(&self, detection: &WasmDetection) -> Result<WasmCleanedClip, Failure> {
         let contacts = Contacts::from(detection.core());
         let cleaned = skate::clean(self.core(), self.skeleton(), &contacts, &Options::default())?;
-        Ok(WasmCleanedClip { cleaned, skeleton: self.skeleton().clone() })
+        let Cleaned { clip, plants, notices } = cleaned;
+        let (layout, skeleton) = (self.layout().clone(), self.skeleton().clone());
+        Ok(WasmCleanedClip { clip: Arc::new(clip), plants, notices, layout, skeleton })
     }
 }
 
@@ -84,7 +92,7 @@ impl WasmCleanedClip {
     /// # Errors
     /// Only if the conversion to JavaScript fails; the same holds for the notices.
     pub fn plants(&self) -> Result<Vec<Ts<CleanedPlantInfo>>, Failure> {
-        let plants = self.cleaned.plants.iter().map(|plant| CleanedPlantInfo {
+        let plants = self.plants.iter().map(|plant| CleanedPlantInfo {
             side: plant.side.name().into(),
             start: plant.frames.start,
             end: plant.frames.end,
@@ -97,21 +105,17 @@ impl WasmCleanedClip {
 
     /// Omissions and assumptions of the clean-up.
     pub fn notices(&self) -> Result<Vec<Ts<NoticeInfo>>, Failure> {
-        self.cleaned.notices.iter().map(|notice| to_js(&NoticeInfo::from(notice))).collect()
+        self.notices.iter().map(|notice| to_js(&NoticeInfo::from(notice))).collect()
     }
 
     /// Joint positions of all poses: frames × joints × 3, in metres, Y up.
     pub fn positions(&self) -> Float32Array {
-        positions::all(&self.skeleton, self.clip())
+        positions::all(&self.skeleton, &self.clip)
     }
 
-    /// The clip as the bytes of a BVH file; converting those of an hour to a string takes seconds.
-    pub fn bvh(&self) -> Vec<u8> {
-        bvh::write(self.clip()).into_bytes()
-    }
-
-    fn clip(&self) -> &Clip {
-        &self.cleaned.clip
+    /// Returns a writer of the clip, to which the file of the original clip is given.
+    pub fn rewriter(&self) -> WasmRewriter {
+        Rewriter::new(self.layout.clone(), self.clip.clone(), 0..self.clip.frame_count()).into()
     }
 }
 

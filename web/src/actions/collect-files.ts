@@ -6,7 +6,7 @@ import { maxFileBytes } from "../model/limits";
 import type { Source } from "../model/source";
 import { type ErrorReport, messageOf } from "../store/errors";
 import { runJob } from "../store/jobs";
-import { stemOf } from "../util/file-names";
+import { isMacCompanion, stemOf } from "../util/file-names";
 import { mapConcurrent } from "../util/map-concurrent";
 
 export interface CollectedFiles {
@@ -51,6 +51,7 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<DroppedFiles> 
     const next = queue.shift();
     if (!next) break;
     const { entry, isDropped } = next;
+    if (!isDropped && isMacCompanion(entry.name)) continue;
     if (entry.isDirectory) {
       const children = await listFolder(entry as FileSystemDirectoryEntry);
       children.sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));

@@ -11,3 +11,6 @@ export function uniqueNames(names: readonly string[]): string[] {
     return unique;
   });
 }
+
+/** True for the companion files and folders that macOS adds to archives. */
+export const isMacCompanion = (path: string) => /(^|\/)(__MACOSX(\/|$)|\._)/.test(path);

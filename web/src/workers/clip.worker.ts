@@ -41,6 +41,7 @@ import {
   type WasmSegmentation,
 } from "../wasm/plantigrade";
 import { evidenceToPlain } from "./evidence-to-plain";
+import { rewriteFile } from "./rewrite-file";
 import {
   annotationToPlain,
   clipToPlain,
@@ -229,7 +230,7 @@ const api = {
     const open = current();
     if (!open.detection) throw new Error("The clean-up requires labels.");
     open.cleaned ??= open.clip.clean(open.detection);
-    return new Blob([open.cleaned.bvh() as Uint8Array<ArrayBuffer>], { type: "text/plain" });
+    return rewriteFile(open.file, open.cleaned.rewriter());
   },
 
   /** Returns the agreement of the detection with the reference, part by part. */
@@ -255,12 +256,13 @@ const api = {
 
   /** Writes parts of the clip as BVH files into a zip archive. */
   async cut(parts: readonly ClipPart[], onProgress?: OnProgress): Promise<Blob> {
-    const { clip } = current();
+    const { file, clip } = current();
     const report = throttle(onProgress);
     const zip = new ZipWriter();
     // One at a time, as all texts together might not fit into memory.
     for (const [i, { name, start, end }] of parts.entries()) {
-      zip.add(name, clip.cut(start, end));
+      const part = await rewriteFile(file, clip.cut(start, end));
+      zip.add(name, new Uint8Array(await part.arrayBuffer()));
       report((i + 1) / parts.length);
     }
     return zip.finish();

@@ -3,6 +3,7 @@
 import * as Comlink from "comlink";
 import { Unzip, UnzipInflate } from "fflate";
 import type { Failure, Result } from "../model/types";
+import { isMacCompanion } from "../util/file-names";
 import { ZipWriter } from "./zip-writer";
 
 /** Limits on the content of an archive; they apply to what is unpacked, not to declared sizes. */
@@ -78,7 +79,7 @@ async function unpack(
   let total = 0;
   const unzip = new Unzip((entry) => {
     if (!extensions.some((extension) => entry.name.toLowerCase().endsWith(extension))) return;
-    if (/(^|\/)(__MACOSX\/|\._)/.test(entry.name)) return;
+    if (isMacCompanion(entry.name)) return;
     if (++entries > limits.files) throw tooManyFiles(limits.files);
     const parts: Uint8Array<ArrayBuffer>[] = [];
     let size = 0;

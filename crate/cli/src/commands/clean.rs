@@ -3,12 +3,12 @@
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use plantigrade::bvh;
 use plantigrade::formats;
 use plantigrade::plants::{self, Feet};
 use plantigrade::skate::{self, Cleaned, Contacts, Options};
-use plantigrade::skeleton::Skeleton;
 
 use crate::args::CleanArgs;
 use crate::error::{InputError, UsageError, display_name};
@@ -23,11 +23,12 @@ pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
     if args.labels.as_deref() == Some(Path::new("-")) && input.path == Path::new("-") {
         return Err(UsageError::StdinTwice);
     }
-    let result = input::load(&input, &args.read).and_then(|loaded| clean(&input, &loaded, params, args));
+    let result = input::load_with_bytes(&input, &args.read)
+        .and_then(|(loaded, bytes)| clean(&input, &loaded, &bytes, params, args));
     Ok(match result {
         Ok(()) => 0,
         Err(error) => {
-            eprintln!("{error}");
+            output::report(format_args!("{error}"));
             1
         }
     })
@@ -37,11 +38,12 @@ pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
 fn clean(
     input: &Input,
     loaded: &LoadedClip,
+    bytes: &[u8],
     params: plants::ValidParams,
     args: &CleanArgs,
 ) -> Result<(), InputError> {
     let clip = &loaded.parsed.clip;
-    let skeleton = Skeleton::main(clip, &loaded.overrides);
+    let skeleton = loaded.main_skeleton();
     let contacts = match &args.labels {
         Some(path) => {
             let labels_error = |error| InputError::Labels { path: path.clone(), error };
@@ -55,12 +57,15 @@ fn clean(
     };
     let cleaned = skate::clean(clip, &skeleton, &contacts, &Options::default());
     let cleaned = cleaned.map_err(|error| InputError::Clean { path: input.path.clone(), error })?;
-    let written = output::write_atomically(&args.out, bvh::write(&cleaned.clip).as_bytes());
+    let summary = summary(&cleaned);
+    let cleaned_clip = Arc::new(cleaned.clip);
+    let text = bvh::rewrite(bytes, &loaded.parsed.layout, &cleaned_clip, 0..clip.frame_count());
+    let written = output::write_atomically(&args.out, &text);
     written.map_err(|error| InputError::Write { path: args.out.clone(), error })?;
     let name = display_name(&input.path);
-    eprintln!("{name}: {}", summary(&cleaned));
+    output::report(format_args!("{name}: {summary}"));
     for notice in skeleton.notices.iter().chain(&cleaned.notices) {
-        eprintln!("{name}: {notice}");
+        output::report(format_args!("{name}: {notice}"));
     }
     Ok(())
 }

@@ -31,7 +31,7 @@ fn load_standing(path: &Path, args: &DetectArgs) -> Result<Feet, InputError> {
     let input = Input { path: path.into(), stem: PathBuf::new() };
     let loaded = input::load(&input, &args.read)?;
     let clip = &loaded.parsed.clip;
-    let feet = Feet::new(clip, &Skeleton::main(clip, &loaded.overrides));
+    let feet = Feet::new(clip, &loaded.main_skeleton());
     feet.map_err(|error| InputError::Detect { path: path.into(), error })
 }
 
@@ -48,7 +48,7 @@ pub fn detect_all(
     let clip = &loaded.parsed.clip;
     let mut detected: Vec<DetectedSkeleton> = Vec::new();
     let mut last_error = DetectError::NoFeet;
-    for skeleton in Skeleton::all(clip, &loaded.overrides) {
+    for skeleton in loaded.skeletons() {
         match Feet::new(clip, &skeleton) {
             Ok(feet) => {
                 let detection = match standing {
@@ -74,7 +74,7 @@ fn detect(
     standing: Option<&Feet>,
     args: &DetectArgs,
 ) -> Result<Vec<u8>, InputError> {
-    let Parsed { clip, notices } = &loaded.parsed;
+    let Parsed { clip, notices, .. } = &loaded.parsed;
     let detected = detect_all(input, loaded, params, standing)?;
     Ok(args.format.write(&PlantExport {
         source: loaded.source(input),

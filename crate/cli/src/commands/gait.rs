@@ -9,7 +9,7 @@ use super::detect::{self, DetectedSkeleton};
 use crate::args::{GaitArgs, GaitFormat};
 use crate::error::{InputError, UsageError, display_name};
 use crate::input::{self, Input};
-use crate::output::print_json;
+use crate::output::{self, print_json};
 use crate::parallel;
 
 /// Gait of one skeleton of a clip.
@@ -35,8 +35,8 @@ pub fn run(args: &GaitArgs) -> Result<usize, UsageError> {
     let (records, failures) = parallel::map(&inputs, args.jobs, |input| measure(input, args));
     let records: Vec<Record> = records.into_iter().flatten().collect();
     match args.format {
-        GaitFormat::Text => records.iter().for_each(|record| print!("{}", text(record))),
-        GaitFormat::Csv => print!("{}", csv(&records)),
+        GaitFormat::Text => records.iter().for_each(|record| output::print(format_args!("{}", text(record)))),
+        GaitFormat::Csv => output::print(format_args!("{}", csv(&records))),
         GaitFormat::Json => match &records[..] {
             [] if inputs.len() == 1 => {}
             [record] if inputs.len() == 1 => print_json(record),

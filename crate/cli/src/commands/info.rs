@@ -6,13 +6,13 @@ use std::fmt::Write;
 use plantigrade::bvh::{JointKind, Parsed};
 use plantigrade::foot::Side;
 use plantigrade::notice::Notice;
-use plantigrade::skeleton::{self, LegRoles, Reason, Role, Skeleton};
+use plantigrade::skeleton::{self, LegRoles, Reason, Role};
 use serde::Serialize;
 
 use crate::args::{InfoArgs, InfoFormat};
 use crate::error::{UsageError, display_name};
 use crate::input::{self, Input, LoadedClip};
-use crate::output::print_json;
+use crate::output::{self, print_json};
 
 /// Description of one file.
 #[derive(Serialize)]
@@ -52,13 +52,13 @@ pub fn run(args: &InfoArgs) -> Result<usize, UsageError> {
         match input::load(input, &args.read) {
             Ok(loaded) => infos.push(describe(input, &loaded)),
             Err(error) => {
-                eprintln!("{error}");
+                output::report(format_args!("{error}"));
                 failures += 1;
             }
         }
     }
     match args.format {
-        InfoFormat::Text => infos.iter().for_each(|info| print!("{}", text(info))),
+        InfoFormat::Text => infos.iter().for_each(|info| output::print(format_args!("{}", text(info)))),
         InfoFormat::Json if inputs.len() == 1 => infos.first().into_iter().for_each(print_json),
         InfoFormat::Json => print_json(&infos),
     }
@@ -66,8 +66,8 @@ pub fn run(args: &InfoArgs) -> Result<usize, UsageError> {
 }
 
 fn describe(input: &Input, loaded: &LoadedClip) -> Info {
-    let Parsed { clip, notices } = &loaded.parsed;
-    let skeleton = Skeleton::main(clip, &loaded.overrides);
+    let Parsed { clip, notices, .. } = &loaded.parsed;
+    let skeleton = loaded.main_skeleton();
     let joint_name = |role| Some(clip.joints()[skeleton.roles.get(role)?].name.clone());
     let evidence = |role| {
         let assignment = skeleton.roles.assignment(role)?;

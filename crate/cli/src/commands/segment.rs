@@ -3,7 +3,6 @@
 use plantigrade::bvh::Parsed;
 use plantigrade::formats::{SegmentExport, SegmentsDocument};
 use plantigrade::segments::{self, SegmentError, ValidParams};
-use plantigrade::skeleton::Skeleton;
 
 use crate::args::SegmentArgs;
 use crate::batch::Batch;
@@ -29,10 +28,10 @@ fn segment(
     params: ValidParams,
     args: &SegmentArgs,
 ) -> Result<Vec<u8>, InputError> {
-    let Parsed { clip, notices } = &loaded.parsed;
+    let Parsed { clip, notices, .. } = &loaded.parsed;
     let mut documents: Vec<SegmentsDocument> = Vec::new();
     let mut last_error = SegmentError::NoMotion;
-    for skeleton in Skeleton::all(clip, &loaded.overrides) {
+    for skeleton in loaded.skeletons() {
         match segments::segment(clip, &skeleton, params, &mut |_| Ok(())) {
             Ok(segmentation) => {
                 let source = loaded.source(input);

@@ -30,6 +30,8 @@ pub enum Channel {
     Position(Axis),
     /// Rotation about one axis, in degrees. Rotations apply in channel order.
     Rotation(Axis),
+    /// Factor of the size along one axis, which is read and written but not used.
+    Scale(Axis),
 }
 
 impl Channel {
@@ -42,6 +44,9 @@ impl Channel {
             Channel::Rotation(Axis::X) => "Xrotation",
             Channel::Rotation(Axis::Y) => "Yrotation",
             Channel::Rotation(Axis::Z) => "Zrotation",
+            Channel::Scale(Axis::X) => "Xscale",
+            Channel::Scale(Axis::Y) => "Yscale",
+            Channel::Scale(Axis::Z) => "Zscale",
         }
     }
 }
@@ -53,14 +58,14 @@ pub enum JointKind {
     Root,
     /// Joint with a parent (`JOINT`).
     Joint,
-    /// Tip of a bone, without a name or channels (`End Site`).
+    /// Tip of a bone, without channels (`End Site`).
     EndSite,
 }
 
 /// One joint of a hierarchy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// Name as written in the file; [`END_SITE`] for an end site.
+    /// Name in the file, decoded; [`END_SITE`] for an end site.
     pub name: String,
     /// Root, joint or end site.
     pub kind: JointKind,

@@ -1,4 +1,4 @@
-//! Conversion of UTF-8 and UTF-16, with or without a byte order mark, to UTF-8 bytes.
+//! Conversion of UTF-8 and UTF-16, with or without a byte order mark, to UTF-8 bytes and back.
 
 /// Decodes a file in chunks of any size.
 #[derive(Debug, Default)]
@@ -8,6 +8,7 @@ pub(crate) struct Decoder {
     pending: Vec<u8>,
     /// UTF-16 high surrogate whose low surrogate has not been read.
     surrogate: Option<u16>,
+    has_bom: bool,
     text: Vec<u8>,
 }
 
@@ -52,6 +53,28 @@ impl Decoder {
         &self.text
     }
 
+    /// Appends the byte order mark of the file, if it has one, after it has been decoded.
+    pub fn encode_bom(&self, bytes: &mut Vec<u8>) {
+        if self.has_bom {
+            self.encode("\u{feff}".as_bytes(), bytes);
+        }
+    }
+
+    /// Appends text in the encoding of the file: the inverse of decoding, except for characters that
+    /// are not valid UTF-16. The text must consist of whole characters.
+    pub fn encode(&self, text: &[u8], bytes: &mut Vec<u8>) {
+        match self.encoding {
+            Some(Encoding::Utf16 { big_endian }) => {
+                let units = String::from_utf8_lossy(text);
+                let units = units.encode_utf16();
+                bytes.extend(
+                    units.flat_map(|unit| if big_endian { unit.to_be_bytes() } else { unit.to_le_bytes() }),
+                );
+            }
+            Some(Encoding::Utf8) | None => bytes.extend_from_slice(text),
+        }
+    }
+
     fn detect_encoding(&mut self) {
         let (encoding, bom) = match self.pending[..] {
             [0xef, 0xbb, 0xbf, ..] => (Encoding::Utf8, 3),
@@ -63,6 +86,7 @@ impl Decoder {
             _ => (Encoding::Utf8, 0),
         };
         self.encoding = Some(encoding);
+        self.has_bom = bom > 0;
         self.pending.drain(..bom);
         match encoding {
             Encoding::Utf8 => self.text = std::mem::take(&mut self.pending),
@@ -122,6 +146,22 @@ mod tests {
                 for bom in [false, true] {
                     prop_assert_eq!(&decode(&encode(&text, big_endian, bom), chunk), &text);
                 }
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn decoded_text_is_encoded_to_the_same_bytes(tail in "\\PC{0,20}", big_endian in any::<bool>(), bom in any::<bool>()) {
+            let text = format!("HIERARCHY {tail}");
+            let utf8 = if bom { format!("\u{feff}{text}") } else { text.clone() };
+            for bytes in [encode(&text, big_endian, bom), utf8.into_bytes()] {
+                let mut decoder = Decoder::default();
+                let text = decoder.decode(&bytes).to_vec();
+                let mut encoded = Vec::new();
+                decoder.encode_bom(&mut encoded);
+                decoder.encode(&text, &mut encoded);
+                prop_assert_eq!(&encoded, &bytes);
             }
         }
     }

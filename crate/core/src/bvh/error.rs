@@ -20,7 +20,7 @@ pub enum ErrorKind {
         /// Text in the file.
         found: String,
     },
-    /// A channel is neither a position nor a rotation.
+    /// A channel is not a position, rotation or scale.
     #[error("unknown channel {0:?}")]
     UnknownChannel(String),
     /// The file ends within the hierarchy.
@@ -51,6 +51,17 @@ pub enum ErrorKind {
         found: usize,
         /// Frame, from 0.
         frame: usize,
+    },
+    /// Each row begins with a number that is not a channel: of the frame, or its time.
+    #[error(
+        "each row has {expected} numbers for {channels} channels and seems to begin with {column}",
+        expected = channels + 1
+    )]
+    ExtraColumn {
+        /// Number of channels.
+        channels: usize,
+        /// Content of the column.
+        column: &'static str,
     },
     /// The file has both decimal commas and decimal points.
     #[error("the file mixes decimal commas and decimal points")]
@@ -94,6 +105,9 @@ impl ErrorKind {
             }
             ErrorKind::RaggedRow { .. } => {
                 "Numbers are missing or superfluous here, or the CHANNELS lines belong to another motion."
+            }
+            ErrorKind::ExtraColumn { .. } => {
+                "Remove the first number of each row, or export the motion without numbered frames."
             }
             ErrorKind::MixedDecimals => "Replace all decimal commas by points.",
             ErrorKind::TooLarge(_) | ErrorKind::LineTooLong(_) => "Split the motion into shorter files.",

@@ -7,10 +7,16 @@ use crate::bvh::number::EXACT_POWERS;
 /// Accepts a line of numbers without exponents and commas, as many as there are `values`, each with
 /// no more digits than a double represents exactly. Returns `None` for any other line and for a
 /// line whose end has not been read; `values` are then unspecified, and the general reader must be
-/// used. Sets `points` at the first decimal point.
-pub(crate) fn read_row(text: &[u8], values: &mut [f64], points: &mut bool) -> Option<usize> {
+/// used. Sets `points` at the first decimal point, and raises `decimals` to the number of decimals
+/// of each value.
+pub(crate) fn read_row(
+    text: &[u8],
+    values: &mut [f64],
+    decimals: &mut [u8],
+    points: &mut bool,
+) -> Option<usize> {
     let mut cursor = Cursor { text, at: 0, byte: *text.first()? };
-    for value in values {
+    for (value, decimals) in values.iter_mut().zip(decimals) {
         cursor.skip_blanks()?;
         let negative = cursor.byte == b'-';
         if negative {
@@ -32,6 +38,7 @@ pub(crate) fn read_row(text: &[u8], values: &mut [f64], points: &mut bool) -> Op
         // Both operands are exact, so the quotient is correctly rounded.
         let magnitude = mantissa as f64 / EXACT_POWERS.get(fraction)?;
         *value = if negative { -magnitude } else { magnitude };
+        *decimals = (*decimals).max(fraction as u8);
     }
     cursor.skip_blanks()?;
     match (cursor.byte, text.get(cursor.at + 1)) {
@@ -93,7 +100,7 @@ mod tests {
 
     fn read_one(text: &str) -> Option<f64> {
         let mut values = [f64::NAN];
-        let len = read_row(text.as_bytes(), &mut values, &mut false)?;
+        let len = read_row(text.as_bytes(), &mut values, &mut [0], &mut false)?;
         assert_eq!(len, text.len());
         Some(values[0])
     }
@@ -112,14 +119,15 @@ mod tests {
             ("\n", None),
             ("", None),
         ] {
-            let (mut values, mut points) = ([0.0; 2], false);
-            assert_eq!(read_row(text.as_bytes(), &mut values, &mut points), expected, "{text:?}");
+            let (mut values, mut decimals, mut points) = ([0.0; 2], [0; 2], false);
+            let len = read_row(text.as_bytes(), &mut values, &mut decimals, &mut points);
+            assert_eq!(len, expected, "{text:?}");
             if expected.is_some() {
-                assert_eq!((values, points), ([1.0, -2.5], true));
+                assert_eq!((values, decimals, points), ([1.0, -2.5], [0, 1], true));
             }
         }
         let mut points = false;
-        assert!(read_row(b"1 2\n", &mut [0.0; 2], &mut points).is_some() && !points);
+        assert!(read_row(b"1 2\n", &mut [0.0; 2], &mut [0; 2], &mut points).is_some() && !points);
     }
 
     #[test]

@@ -4,20 +4,42 @@ use nalgebra::Vector3;
 
 use crate::bvh::error::location;
 use crate::bvh::number::Decimals;
-use crate::bvh::{Axis, Channel, END_SITE, Error, ErrorKind, Joint, JointKind, Limits, number};
-use crate::notice::{Code, Notice};
+use crate::bvh::{Axis, Channel, END_SITE, Error, ErrorKind, Joint, JointKind, Limits, names, number};
+use crate::notice::{Code, Location, Notice};
 
 /// Builds the joints from lines of text.
 #[derive(Debug)]
 pub(crate) struct Hierarchy {
     limits: Limits,
     expect: Expect,
-    /// Complete and incomplete joints in file order.
-    pub joints: Vec<Joint>,
+    /// Complete and incomplete joints in file order, without their names.
+    joints: Vec<Joint>,
+    /// Name of each joint as bytes of the file.
+    names: Vec<Vec<u8>>,
     /// Joints whose braces are open, outermost first.
     open: Vec<usize>,
     /// True for each joint whose `OFFSET` has been read.
     offset_seen: Vec<bool>,
+    decimals: Decimals,
+    /// Scale channels, which are not used.
+    scale_channels: Option<ScaleChannels>,
+    /// Notices with the joint whose name precedes their text.
+    notices: Vec<(Option<usize>, Notice)>,
+}
+
+/// Occurrence of scale channels.
+#[derive(Clone, Copy, Debug)]
+struct ScaleChannels {
+    first: Location,
+    count: usize,
+}
+
+/// A complete hierarchy.
+#[derive(Debug)]
+pub(crate) struct HierarchySection {
+    pub joints: Vec<Joint>,
+    /// Name of the encoding of the joint names, if they are not Unicode.
+    pub name_encoding: Option<&'static str>,
     pub decimals: Decimals,
     pub notices: Vec<Notice>,
 }
@@ -48,17 +70,48 @@ impl Hierarchy {
             limits,
             expect: Expect::Start,
             joints: Vec::new(),
+            names: Vec::new(),
             open: Vec::new(),
             offset_seen: Vec::new(),
             decimals: Decimals::default(),
+            scale_channels: None,
             notices: Vec::new(),
         }
+    }
+
+    /// Returns the joints with their names, and the notices, in file order.
+    pub fn take(&mut self) -> HierarchySection {
+        let mut joints = std::mem::take(&mut self.joints);
+        let (names, encoding) = names::decode(&std::mem::take(&mut self.names));
+        for (joint, name) in joints.iter_mut().zip(names) {
+            joint.name = name;
+        }
+        let name_encoding = encoding.map(|encoding| encoding.name());
+        let mut notices: Vec<Notice> = std::mem::take(&mut self.notices)
+            .into_iter()
+            .map(|(joint, notice)| {
+                let name = joint.map_or("", |joint| &joints[joint].name);
+                Notice { text: format!("{name}{}", notice.text), ..notice }
+            })
+            .collect();
+        if let Some(ScaleChannels { first, count }) = self.scale_channels {
+            let text = format!("{count} scale channels were read and are not used; joints keep their size.");
+            notices.push(Notice { code: Code::ScaleChannels, location: Some(first), text });
+        }
+        if let Some(encoding) = name_encoding {
+            let text = format!(
+                "The joint names are not UTF-8. They are shown as {encoding}, which is a guess; saved files keep \
+                 their bytes."
+            );
+            notices.push(Notice::new(Code::NameEncoding, text));
+        }
+        HierarchySection { joints, name_encoding, decimals: self.decimals, notices }
     }
 
     /// Reads one line.
     pub fn line(&mut self, line: usize, text: &[u8]) -> Result<Progress, Error> {
         let mut at = number::skip_blanks(text, 0);
-        while at < text.len() {
+        while at < text.len() && !number::is_comment(&text[at..]) {
             if self.expect == Expect::Start {
                 at = self.start(line, text, at)?;
             } else if let Expect::Name(kind) = self.expect {
@@ -107,13 +160,8 @@ impl Hierarchy {
             return Ok(at + word.len());
         }
         if word.eq_ignore_ascii_case(b"ROOT") {
-            self.notice(
-                Code::MissingHierarchy,
-                line,
-                text,
-                at,
-                "The file does not begin with HIERARCHY.".into(),
-            );
+            let message = "The file does not begin with HIERARCHY.";
+            self.notice(Code::MissingHierarchy, line, text, at, None, message);
             return Ok(at);
         }
         Err(match guess_format(&text[at..]) {
@@ -124,11 +172,10 @@ impl Hierarchy {
 
     /// Reads a name: the rest of the line up to a brace.
     fn name(&mut self, kind: JointKind, line: usize, text: &[u8], at: usize) -> Result<usize, Error> {
-        let rest = &text[at..];
-        let len = rest.iter().position(|&byte| byte == b'{').unwrap_or(rest.len());
-        let name = String::from_utf8_lossy(&rest[..len]).trim().to_owned();
+        let len = names::name_len(&text[at..]);
+        let name = text[at..at + len].trim_ascii();
         if name.is_empty() {
-            self.notice(Code::MissingName, line, text, at, "A joint has no name.".into());
+            self.notice(Code::MissingName, line, text, at, None, "A joint has no name.");
         }
         self.push(kind, name, line, text, at)?;
         Ok(at + len)
@@ -137,7 +184,7 @@ impl Hierarchy {
     fn push(
         &mut self,
         kind: JointKind,
-        name: String,
+        name: &[u8],
         line: usize,
         text: &[u8],
         at: usize,
@@ -149,7 +196,9 @@ impl Hierarchy {
             return Err(Error::at(ErrorKind::TooDeep(self.limits.depth), line, text, at));
         }
         let parent = self.open.last().copied();
+        let (name, bytes) = (String::new(), name.to_vec());
         self.joints.push(Joint { name, kind, parent, offset: Vector3::zeros(), channels: Vec::new() });
+        self.names.push(bytes);
         self.offset_seen.push(false);
         self.expect = Expect::OpenBrace;
         Ok(())
@@ -170,10 +219,9 @@ impl Hierarchy {
             Expect::Body if is("CHANNELS") => self.expect = Expect::ChannelCount,
             Expect::Body if is("JOINT") => self.expect = Expect::Name(JointKind::Joint),
             Expect::Body if is("End") => {
-                self.push(JointKind::EndSite, END_SITE.into(), line, text, at)?;
-                // The text between `End` and the brace is `Site` or an unused name.
-                let rest = &text[at..];
-                return Ok(rest.iter().position(|&byte| byte == b'{').unwrap_or(rest.len()));
+                self.push(JointKind::EndSite, END_SITE.as_bytes(), line, text, at)?;
+                // The text between `End` and the brace is `Site` and perhaps a name.
+                return Ok(names::name_len(&text[at..]));
             }
             Expect::Body if is("}") => self.close(line, text, at),
             Expect::Body if is("MOTION") => {
@@ -198,8 +246,7 @@ impl Hierarchy {
         if let Some(joint) = self.open.pop()
             && !self.offset_seen[joint]
         {
-            let message = format!("{} has no OFFSET; zero is used.", self.joints[joint].name);
-            self.notice(Code::Offset, line, text, at, message);
+            self.notice(Code::Offset, line, text, at, Some(joint), " has no OFFSET; zero is used.");
         }
         self.expect = if self.open.is_empty() { Expect::RootOrMotion } else { Expect::Body };
     }
@@ -211,8 +258,8 @@ impl Hierarchy {
         self.decimals.record(number.mark, line, text, at);
         let joint = *self.open.last().expect("OFFSET is read within a joint");
         if axis == 0 && std::mem::replace(&mut self.offset_seen[joint], true) {
-            let message = format!("{} has a second OFFSET; the last one is used.", self.joints[joint].name);
-            self.notice(Code::Offset, line, text, at, message);
+            let message = " has a second OFFSET; the last one is used.";
+            self.notice(Code::Offset, line, text, at, Some(joint), message);
         }
         self.joints[joint].offset[axis] = number.value;
         self.expect = if axis == 2 { Expect::Body } else { Expect::Offset(axis + 1) };
@@ -231,11 +278,9 @@ impl Hierarchy {
         if is_keyword(word) {
             let listed = self.joints[joint].channels.len();
             if listed != declared {
-                let message = format!(
-                    "{} states {declared} channels and lists {listed}; the listed channels are used.",
-                    self.joints[joint].name
-                );
-                self.notice(Code::ChannelCount, line, text, at, message);
+                let message =
+                    format!(" states {declared} channels and lists {listed}; the listed channels are used.");
+                self.notice(Code::ChannelCount, line, text, at, Some(joint), message);
             }
             self.expect = Expect::Body;
             return Ok(0);
@@ -248,12 +293,26 @@ impl Hierarchy {
         if self.joints[joint].kind == JointKind::EndSite {
             self.joints[joint].kind = JointKind::Joint;
         }
+        if matches!(channel, Channel::Scale(_)) {
+            let first = ScaleChannels { first: location(line, text, at), count: 0 };
+            self.scale_channels.get_or_insert(first).count += 1;
+        }
         self.joints[joint].channels.push(channel);
         Ok(word.len())
     }
 
-    fn notice(&mut self, code: Code, line: usize, text: &[u8], at: usize, message: String) {
-        self.notices.push(Notice { code, location: Some(location(line, text, at)), text: message });
+    /// Adds a notice whose text follows the name of `joint`, if any.
+    fn notice(
+        &mut self,
+        code: Code,
+        line: usize,
+        text: &[u8],
+        at: usize,
+        joint: Option<usize>,
+        message: impl Into<String>,
+    ) {
+        let location = Some(location(line, text, at));
+        self.notices.push((joint, Notice { code, location, text: message.into() }));
     }
 }
 
@@ -290,6 +349,8 @@ fn parse_channel(word: &[u8]) -> Option<Channel> {
         Some(Channel::Position(axis))
     } else if kind.eq_ignore_ascii_case(b"rotation") {
         Some(Channel::Rotation(axis))
+    } else if kind.eq_ignore_ascii_case(b"scale") {
+        Some(Channel::Scale(axis))
     } else {
         None
     }

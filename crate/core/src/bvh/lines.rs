@@ -1,5 +1,15 @@
 //! Splits chunks into lines that end in LF, CRLF, CR or a mixture.
 
+/// One line of a text, without its end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<'a> {
+    /// Number, from 1.
+    pub number: usize,
+    /// Byte index of the line in the whole text.
+    pub start: u64,
+    pub text: &'a [u8],
+}
+
 /// Splits text that arrives in chunks into numbered lines.
 #[derive(Debug, Default)]
 pub(crate) struct Lines {
@@ -11,19 +21,25 @@ pub(crate) struct Lines {
     after_cr: bool,
     /// Number of the line returned last, from 1.
     count: usize,
+    /// Byte index of the next line in the whole text.
+    start: u64,
 }
 
 impl Lines {
-    /// Returns the next line that ends within `text`, with its number, and advances `text` past it.
+    /// Returns the next line that ends within `text`, and advances `text` past it.
     ///
     /// If it returns `None`, pass `text` to [`carry`](Lines::carry).
-    pub fn next<'a, 't: 'a>(&'a mut self, text: &mut &'t [u8]) -> Option<(usize, &'a [u8])> {
+    pub fn next<'a, 't: 'a>(&'a mut self, text: &mut &'t [u8]) -> Option<Line<'a>> {
         if self.after_cr && !text.is_empty() {
             self.after_cr = false;
-            *text = text.strip_prefix(b"\n").unwrap_or(text);
+            if let Some(rest) = text.strip_prefix(b"\n") {
+                *text = rest;
+                self.start += 1;
+            }
         }
         let end = text.iter().position(|&byte| byte == b'\n' || byte == b'\r')?;
         let line = &text[..end];
+        let before = text.len();
         *text = match text[end..] {
             [b'\r'] => {
                 self.after_cr = true;
@@ -32,14 +48,17 @@ impl Lines {
             [b'\r', b'\n', ref rest @ ..] | [_, ref rest @ ..] => rest,
             [] => unreachable!("a line end was found"),
         };
+        let start = self.start;
+        self.start += (self.carried.len() + before - text.len()) as u64;
         self.count += 1;
+        let number = self.count;
         if self.carried.is_empty() {
-            return Some((self.count, line));
+            return Some(Line { number, start, text: line });
         }
         self.carried.extend_from_slice(line);
         std::mem::swap(&mut self.carried, &mut self.joined);
         self.carried.clear();
-        Some((self.count, &self.joined))
+        Some(Line { number, start, text: &self.joined })
     }
 
     /// Stores the beginning of a line until the next chunk.
@@ -59,17 +78,25 @@ impl Lines {
         self.carried.is_empty() && !self.after_cr
     }
 
-    /// Counts lines that were read elsewhere.
-    pub fn skip(&mut self, lines: usize) {
+    /// Returns the byte index of the next line in the whole text.
+    pub fn start(&self) -> u64 {
+        self.start
+    }
+
+    /// Counts lines that were read elsewhere, and their bytes.
+    pub fn skip(&mut self, lines: usize, bytes: usize) {
         self.count += lines;
+        self.start += bytes as u64;
     }
 
     /// Returns the last line if the text does not end with a line end.
-    pub fn finish(&mut self) -> Option<(usize, Vec<u8>)> {
-        let rest = std::mem::take(&mut self.carried);
-        (!rest.is_empty()).then(|| {
+    pub fn finish(&mut self) -> Option<Line<'_>> {
+        self.joined = std::mem::take(&mut self.carried);
+        let start = self.start;
+        self.start += self.joined.len() as u64;
+        (!self.joined.is_empty()).then(|| {
             self.count += 1;
-            (self.count, rest)
+            Line { number: self.count, start, text: &self.joined }
         })
     }
 }
@@ -82,14 +109,20 @@ mod tests {
     fn lines(text: &str, chunk: usize) -> Vec<String> {
         let mut lines = Lines::default();
         let mut result = Vec::new();
+        let mut add = |line: Line<'_>| {
+            let found = String::from_utf8(line.text.to_vec()).unwrap();
+            assert!(text[line.start as usize..].starts_with(&found));
+            assert!(line.start == 0 || matches!(text.as_bytes()[line.start as usize - 1], b'\n' | b'\r'));
+            result.push(found);
+            assert_eq!(line.number, result.len());
+        };
         for mut chunk in text.as_bytes().chunks(chunk) {
-            while let Some((number, line)) = lines.next(&mut chunk) {
-                result.push(String::from_utf8(line.to_vec()).unwrap());
-                assert_eq!(number, result.len());
+            while let Some(line) = lines.next(&mut chunk) {
+                add(line);
             }
             lines.carry(chunk, 1000).unwrap();
         }
-        result.extend(lines.finish().map(|(_, line)| String::from_utf8(line).unwrap()));
+        lines.finish().into_iter().for_each(add);
         result
     }
 

@@ -1,6 +1,9 @@
 //! The `MOTION` section: frame count, frame time and rows of values.
 
 use crate::bvh::error::location;
+use crate::bvh::frame_time::StatedFrameTime;
+use crate::bvh::layout::Layout;
+use crate::bvh::lines::Line;
 use crate::bvh::number::Decimals;
 use crate::bvh::{Error, ErrorKind, Joint, Options, fast_row, number};
 use crate::notice::{Code, Location, Notice};
@@ -25,6 +28,11 @@ pub(crate) struct MotionSection {
     /// Start of a frame whose numbers are not complete.
     partial: Option<Partial>,
     decimals: Decimals,
+    /// First number of the previous row if it has one number more than there are channels.
+    extra_number: Option<f64>,
+    /// What follows the motion.
+    followers: Option<Followers>,
+    pub layout: Layout,
     repairs: Vec<Repair>,
     pub notices: Vec<Notice>,
 }
@@ -35,6 +43,14 @@ struct Header {
     frame_time: Option<f64>,
     /// True after the first row.
     done: bool,
+}
+
+/// Hierarchies and motions that follow the first motion in the file.
+#[derive(Debug)]
+struct Followers {
+    first: Location,
+    hierarchies: usize,
+    motions: usize,
 }
 
 #[derive(Debug)]
@@ -66,49 +82,82 @@ impl MotionSection {
         MotionSection {
             options,
             row: vec![0.0; channels.len()],
-            channels,
             header: Header::default(),
             values: Vec::new(),
             frames: 0,
             partial: None,
             decimals,
+            extra_number: None,
+            followers: None,
+            layout: Layout { decimals: vec![0; channels.len()], ..Layout::default() },
+            channels,
             repairs: Vec::new(),
             notices: Vec::new(),
         }
     }
 
-    /// Reads the ordinary rows at the beginning of `text`, advances it past them, and returns their
-    /// count.
-    pub fn read_fast_rows(&mut self, text: &mut &[u8]) -> usize {
+    /// Reads the ordinary rows at the beginning of `text`, which begins at byte `start` of the whole
+    /// text, advances it past them, and returns their count.
+    pub fn read_fast_rows(&mut self, text: &mut &[u8], mut start: u64) -> usize {
         let has_commas = self.decimals.commas.is_some();
-        if !self.header.done || self.row.is_empty() || self.partial.is_some() || has_commas {
+        let reads_rows = self.header.done && self.followers.is_none();
+        if !reads_rows || self.row.is_empty() || self.partial.is_some() || has_commas {
             return 0;
         }
         let before = self.frames;
         let mut points = self.decimals.points;
-        while let Some(len) = fast_row::read_row(text, &mut self.row, &mut points) {
+        let decimals = &mut self.layout.decimals;
+        while let Some(len) = fast_row::read_row(text, &mut self.row, decimals, &mut points) {
             *text = &text[len..];
             self.decimals.points = points;
             self.values.extend_from_slice(&self.row);
+            self.layout.frames.push(start);
+            start += len as u64;
+            self.layout.frames_end = Some(start);
             self.frames += 1;
         }
         self.frames - before
     }
 
     /// Reads one line.
-    pub fn line(&mut self, line: usize, text: &[u8]) -> Result<(), Error> {
-        let mut at = number::skip_blanks(text, 0);
-        if !self.header.done {
-            at = self.header(line, text, at);
+    pub fn line(&mut self, line: Line<'_>) -> Result<(), Error> {
+        if self.frames > 0 && self.partial.is_none() {
+            self.layout.frames_end.get_or_insert(line.start);
         }
-        if at == text.len() {
+        let mut at = number::skip_blanks(line.text, 0);
+        if self.is_follower(line, at) {
+            return Ok(());
+        }
+        if !self.header.done {
+            at = self.header(line, at);
+        }
+        if at == line.text.len() || number::is_comment(&line.text[at..]) {
             return Ok(());
         }
         if !self.header.done {
             self.header.done = true;
             self.reserve_frames();
         }
-        self.row(line, text, at)
+        self.row(line, at)
+    }
+
+    /// True if the line belongs to another hierarchy or motion that follows the first motion.
+    fn is_follower(&mut self, Line { number, text, .. }: Line<'_>, at: usize) -> bool {
+        let begins = |keyword: &str| number::word(&text[at..]).eq_ignore_ascii_case(keyword.as_bytes());
+        let hierarchies = usize::from(begins("HIERARCHY"));
+        let motions = usize::from(begins("MOTION"));
+        let begins_here = hierarchies + motions > 0 || begins("ROOT");
+        if self.followers.is_none() && !begins_here {
+            return false;
+        }
+        let followers = self.followers.get_or_insert_with(|| Followers {
+            first: location(number, text, at),
+            hierarchies: 0,
+            motions: 0,
+        });
+        followers.hierarchies += hierarchies;
+        followers.motions += motions;
+        true
     }
 
     /// Reserves memory for the stated number of frames, limited to those that fit into the file.
@@ -118,22 +167,27 @@ impl MotionSection {
         // A value takes at least a digit and a blank.
         let max = usize::try_from(self.options.expected_bytes / 2).unwrap_or(usize::MAX);
         // If the reservation fails, the actual rows may still fit.
-        let _ = self.values.try_reserve_exact(stated.min(max));
+        if self.values.try_reserve_exact(stated.min(max)).is_ok() {
+            let frames = self.values.capacity() / self.row.len().max(1);
+            let _ = self.layout.frames.try_reserve_exact(frames);
+        }
     }
 
     /// Reads a line that ends with the file and ignores an incomplete number at its end.
-    pub fn last_line(&mut self, line: usize, text: &[u8]) -> Result<(), Error> {
+    pub fn last_line(&mut self, line: Line<'_>) -> Result<(), Error> {
+        let text = line.text;
         let last = text.len() - text.iter().rev().take_while(|&&byte| !number::is_blank(byte)).count();
         let word = &text[last..];
         let is_incomplete_number = number::parse_leading(word).is_none()
             && word.iter().all(|byte| b"+-.,eE0123456789".contains(byte));
-        self.line(line, if is_incomplete_number { &text[..last] } else { text })
+        self.line(Line { text: if is_incomplete_number { &text[..last] } else { text }, ..line })
     }
 
-    /// Reports repairs and returns the frame time, after the last line.
-    pub fn finish(&mut self) -> f64 {
+    /// Reports repairs and returns the frame time, after the last line; the text has `end` bytes.
+    pub fn finish(&mut self, end: u64) -> f64 {
         if let Some(partial) = self.partial.take() {
             self.values.truncate(self.frames * self.channels.len());
+            self.layout.frames_end = self.layout.frames.pop();
             self.notices.push(Notice {
                 code: Code::IncompleteRow,
                 location: Some(location(partial.line, &partial.text, partial.at)),
@@ -141,7 +195,11 @@ impl MotionSection {
             });
         }
         self.values.shrink_to_fit();
+        self.layout.frames.shrink_to_fit();
+        self.layout.frames_end.get_or_insert(end);
+        self.layout.has_decimal_commas = self.decimals.commas.is_some();
         self.report_repairs();
+        self.report_followers();
         if let Some(first) = self.decimals.commas {
             self.notices.push(Notice {
                 code: Code::DecimalComma,
@@ -163,7 +221,31 @@ impl MotionSection {
             )),
             _ => {}
         }
-        self.frame_time()
+        self.layout.frame_time = self.frame_time();
+        self.layout.frame_time
+    }
+
+    fn report_followers(&mut self) {
+        let Some(Followers { first, hierarchies, motions }) = self.followers else { return };
+        let count = |count: usize, one: &str, many: &str| match count {
+            0 => None,
+            1 => Some(format!("one more {one}")),
+            count => Some(format!("{count} more {many}")),
+        };
+        let counts = [count(hierarchies, "hierarchy", "hierarchies"), count(motions, "motion", "motions")];
+        let counts: Vec<String> = counts.into_iter().flatten().collect();
+        let what = if counts.is_empty() { "another hierarchy".into() } else { counts.join(" and ") };
+        let advice = if hierarchies > 0 || motions == 0 {
+            "save each of the others as a file of its own"
+        } else {
+            "save each of the others as a file of its own, after a copy of the hierarchy"
+        };
+        let line = first.line;
+        let text = format!(
+            "The file contains several motions: {what} from line {line} on. Only the first motion was read and the \
+             others were left out; to open them, {advice}."
+        );
+        self.notices.push(Notice { code: Code::SeveralMotions, location: Some(first), text });
     }
 
     fn frame_time(&mut self) -> f64 {
@@ -202,7 +284,8 @@ impl MotionSection {
     }
 
     /// Reads `Frames:` and `Frame Time:` and returns the byte index after them.
-    fn header(&mut self, line: usize, text: &[u8], mut at: usize) -> usize {
+    fn header(&mut self, line: Line<'_>, mut at: usize) -> usize {
+        let Line { number, text, .. } = line;
         while at < text.len() {
             let rest = &text[at..];
             let (is_time, len) = match (match_words(rest, &["frame", "time"]), match_words(rest, &["frames"]))
@@ -212,23 +295,70 @@ impl MotionSection {
                 (None, None) => break,
             };
             at = number::skip_blanks(text, at + len);
-            let number = number::parse_leading(&text[at..]);
-            if let Some(number) = number {
-                self.decimals.record(number.mark, line, text, at);
-            }
-            let value = number.map(|number| number.value);
-            if is_time {
-                self.header.frame_time = value;
-            } else {
-                self.header.declared = value.filter(|&count| count >= 0.0).map(|count| count as usize);
-            }
-            at += number.map_or_else(|| number::word(&text[at..]).len(), |number| number.len);
-            at = number::skip_blanks(text, at);
+            let len = if is_time { self.stated_frame_time(line, at) } else { self.stated_frames(line, at) };
+            at = number::skip_blanks(text, at + len);
+            at +=
+                self.unused_text(number, text, at, if is_time { Code::FrameTime } else { Code::FrameCount });
         }
         at
     }
 
-    fn row(&mut self, line: usize, text: &[u8], at: usize) -> Result<(), Error> {
+    /// Reads the number after `Frames:` and returns its length.
+    fn stated_frames(&mut self, Line { number: line, start, text }: Line<'_>, at: usize) -> usize {
+        let Some(number) = number::parse_leading(&text[at..]) else {
+            self.header.declared = None;
+            return number::word(&text[at..]).len();
+        };
+        self.decimals.record(number.mark, line, text, at);
+        self.header.declared = (number.value >= 0.0).then_some(number.value as usize);
+        let start = start + at as u64;
+        self.layout.frame_count = Some(start..start + number.len as u64);
+        number.len
+    }
+
+    /// Reads the frame time and its unit, and returns their length.
+    fn stated_frame_time(&mut self, Line { number: line, start, text }: Line<'_>, at: usize) -> usize {
+        let Some(stated) = StatedFrameTime::parse(&text[at..]) else {
+            self.header.frame_time = None;
+            return number::word(&text[at..]).len();
+        };
+        self.decimals.record(stated.mark, line, text, at);
+        self.header.frame_time = Some(stated.seconds);
+        if stated.has_unit {
+            let found = String::from_utf8_lossy(&text[at..at + stated.len]);
+            let text_of_notice =
+                format!("The frame time is stated as {found:?} and was read as {:.6} s.", stated.seconds);
+            let location = Some(location(line, text, at));
+            self.notices.push(Notice { code: Code::FrameTime, location, text: text_of_notice });
+        }
+        let start = start + at as u64;
+        self.layout.frame_time_text = Some(start..start + stated.len as u64);
+        stated.len
+    }
+
+    /// Returns the length of text in the header that is neither a number nor a statement nor a
+    /// comment, and adds a notice about it.
+    fn unused_text(&mut self, line: usize, text: &[u8], at: usize, code: Code) -> usize {
+        let rest = &text[at..];
+        let is_used = rest.is_empty()
+            || number::is_comment(rest)
+            || number::parse_leading(rest).is_some()
+            || match_words(rest, &["frame", "time"]).or(match_words(rest, &["frames"])).is_some();
+        if is_used {
+            return 0;
+        }
+        let found: String = String::from_utf8_lossy(rest).trim_end().chars().take(40).collect();
+        let text_of_notice = format!("The text {found:?} was ignored.");
+        let location = Some(location(line, text, at));
+        self.notices.push(Notice { code, location, text: text_of_notice });
+        rest.len()
+    }
+
+    fn row(
+        &mut self,
+        Line { number: line, start: line_start, text }: Line<'_>,
+        at: usize,
+    ) -> Result<(), Error> {
         let width = self.channels.len();
         if width == 0 {
             self.repair(Code::TrailingMatter, line, text, at);
@@ -243,16 +373,25 @@ impl MotionSection {
             Err(_) if complete => 0,
             Err(BadValue(at)) => return Err(self.bad_value(line, text, at)),
         };
+        if before == 0 && found > 0 {
+            let is_first = text[..at].iter().all(|&byte| number::is_blank(byte));
+            self.layout.frames.push(line_start + if is_first { 0 } else { at as u64 });
+        }
         if found >= width && (before == 0 || found == width) {
+            self.check_extra_number(found, line, text, at)?;
             if found > width {
                 self.repair(Code::LongRow, line, text, at);
             }
+            self.layout.frames_end = None;
             if self.partial.take().is_some() {
                 self.repair(Code::WrappedRow, line, text, at);
             }
             self.frames += 1;
         } else if complete && before == 0 {
             self.values.truncate(start);
+            if found > 0 {
+                self.layout.frames.pop();
+            }
             self.repair(Code::TrailingMatter, line, text, at);
         } else if found > width {
             let Partial { line, text, at } = self.partial.take().expect("a frame has begun");
@@ -272,10 +411,14 @@ impl MotionSection {
     /// Appends at most `wanted` numbers of the line and returns the count of all numbers.
     fn numbers(&mut self, line: usize, text: &[u8], mut at: usize, wanted: usize) -> Result<usize, BadValue> {
         let mut found = 0;
-        while at < text.len() {
+        let channel = self.channels.len() - wanted;
+        while at < text.len() && !number::is_comment(&text[at..]) {
             let (value, len) = match number::parse_leading(&text[at..]) {
                 Some(number) => {
                     self.decimals.record(number.mark, line, text, at);
+                    if let Some(decimals) = self.layout.decimals.get_mut(channel + found) {
+                        *decimals = number.decimals.max(*decimals);
+                    }
                     (number.value, number.len)
                 }
                 None if self.options.lenient => {
@@ -291,6 +434,25 @@ impl MotionSection {
             at = number::skip_blanks(text, at + len);
         }
         Ok(found)
+    }
+
+    /// Checks that the complete row does not begin with a number or time of its frame: with one
+    /// number more than there are channels, and one more than the previous row begins with.
+    fn check_extra_number(&mut self, found: usize, line: usize, text: &[u8], at: usize) -> Result<(), Error> {
+        let channels = self.channels.len();
+        let first = (found == channels + 1).then(|| self.values[self.frames * channels]);
+        let previous = std::mem::replace(&mut self.extra_number, first);
+        let Some((first, previous)) = first.zip(previous) else { return Ok(()) };
+        let step = first - previous;
+        let is_time = |time: f64| (step / time - 1.0).abs() < 0.05;
+        let column = if step == 1.0 && first.fract() == 0.0 {
+            "the number of the frame"
+        } else if self.header.frame_time.is_some_and(|time| is_time(time) || is_time(1e3 * time)) {
+            "the time of the frame"
+        } else {
+            return Ok(());
+        };
+        Err(Error::at(ErrorKind::ExtraColumn { channels, column }, line, text, at))
     }
 
     /// Returns the value of the next channel in the previous frame; 0 in the first frame.

@@ -10,7 +10,12 @@ pub(crate) struct Number {
     /// Length in bytes.
     pub len: usize,
     pub mark: DecimalMark,
+    /// Decimal places, after the exponent has been applied; at most [`MAX_DECIMALS`].
+    pub decimals: u8,
 }
+
+/// Decimal places beyond which a double rarely differs.
+pub(crate) const MAX_DECIMALS: u8 = 22;
 
 /// Decimal mark of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,7 +106,10 @@ pub(crate) fn parse_leading(bytes: &[u8]) -> Option<Number> {
     } else {
         parse_slow(&bytes[..end], mark)?
     };
-    Some(Number { value, len: end, mark })
+    let power = std::str::from_utf8(bytes[at..end].get(1..).unwrap_or_default()).ok();
+    let power: i64 = power.and_then(|power| power.parse().ok()).unwrap_or_default();
+    let decimals = (fraction as i64).saturating_sub(power).clamp(0, MAX_DECIMALS.into()) as u8;
+    Some(Number { value, len: end, mark, decimals })
 }
 
 /// Returns the length of the exponent at the beginning of `bytes`; 0 if there is none.
@@ -121,6 +129,11 @@ fn parse_slow(bytes: &[u8], mark: DecimalMark) -> Option<f64> {
         _ => text.parse().ok()?,
     };
     value.is_finite().then_some(value)
+}
+
+/// True if `bytes` begin with a comment, which ends with the line.
+pub(crate) fn is_comment(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"#") || bytes.starts_with(b"//")
 }
 
 /// Returns the bytes up to the next blank.
@@ -178,6 +191,15 @@ mod tests {
         let number = parse_leading(b"0.0-7.5").unwrap();
         assert_eq!((number.value, number.len), (0.0, 3));
         assert_eq!(parse_leading(b"1e-3-2").unwrap().len, 4);
+    }
+
+    #[test]
+    fn decimals_include_the_exponent() {
+        for (text, decimals) in
+            [("1", 0), ("-1.50", 2), ("1.5e-3", 4), ("1.25e+1", 1), ("5e3", 0), ("1e-300", 22)]
+        {
+            assert_eq!(parse_leading(text.as_bytes()).unwrap().decimals, decimals, "{text}");
+        }
     }
 
     proptest! {

@@ -1,8 +1,11 @@
 //! Reader of BVH files in chunks.
 
+use std::sync::Arc;
+
 use crate::bvh::encoding::Decoder;
-use crate::bvh::hierarchy::{Hierarchy, Progress};
-use crate::bvh::lines::Lines;
+use crate::bvh::hierarchy::{Hierarchy, HierarchySection, Progress};
+use crate::bvh::layout::Layout;
+use crate::bvh::lines::{Line, Lines};
 use crate::bvh::motion_section::MotionSection;
 use crate::bvh::{Channel, Clip, Error, ErrorKind, Joint, Options, PositionRule};
 use crate::notice::{Code, Notice};
@@ -14,6 +17,8 @@ pub struct Parsed {
     pub clip: Clip,
     /// Repairs and assumptions, in file order.
     pub notices: Vec<Notice>,
+    /// Layout of the file, with which [`Rewriter`](crate::bvh::Rewriter) keeps its text.
+    pub layout: Arc<Layout>,
 }
 
 /// Reads a file that is in memory; see [`Reader`].
@@ -55,7 +60,7 @@ pub struct Reader {
 #[derive(Debug)]
 enum Section {
     Hierarchy(Hierarchy),
-    Motion { joints: Vec<Joint>, notices: Vec<Notice>, rows: MotionSection },
+    Motion { joints: Vec<Joint>, notices: Vec<Notice>, rows: Box<MotionSection> },
 }
 
 impl Reader {
@@ -91,10 +96,10 @@ impl Reader {
     pub fn finish(mut self) -> Result<Parsed, Error> {
         let rest = self.decoder.finish().to_vec();
         self.section.text(self.options, &mut self.lines, &rest, usize::MAX)?;
-        if let Some((line, text)) = self.lines.finish() {
-            self.section.last_line(self.options, line, &text)?;
+        if let Some(line) = self.lines.finish() {
+            self.section.last_line(self.options, line)?;
         }
-        self.section.finish(self.options)
+        self.section.finish(self.options, self.lines.start())
     }
 }
 
@@ -111,32 +116,35 @@ impl Section {
             if let Section::Motion { rows, .. } = self
                 && lines.at_start()
             {
-                lines.skip(rows.read_fast_rows(&mut text));
+                let before = text.len();
+                let rows = rows.read_fast_rows(&mut text, lines.start());
+                lines.skip(rows, before - text.len());
             }
-            let Some((line, text)) = lines.next(&mut text) else { break };
-            self.line(options, line, text)?;
+            let Some(line) = lines.next(&mut text) else { break };
+            self.line(options, line)?;
         }
         lines.carry(text, limit).map_err(|line| Error::at(ErrorKind::LineTooLong(limit), line, b"", 0))
     }
 
-    fn line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
+    fn line(&mut self, options: Options, line: Line<'_>) -> Result<(), Error> {
         match self {
-            Section::Motion { rows, .. } => rows.line(line, text),
-            Section::Hierarchy(hierarchy) => match hierarchy.line(line, text)? {
+            Section::Motion { rows, .. } => rows.line(line),
+            Section::Hierarchy(hierarchy) => match hierarchy.line(line.number, line.text)? {
                 Progress::Hierarchy => Ok(()),
                 Progress::Motion(rest) => {
                     self.begin_motion(options);
-                    self.line(options, line, &text[rest..])
+                    let (start, text) = (line.start + rest as u64, &line.text[rest..]);
+                    self.line(options, Line { start, text, ..line })
                 }
             },
         }
     }
 
     /// Reads a line that ends with the file, possibly within a word.
-    fn last_line(&mut self, options: Options, line: usize, text: &[u8]) -> Result<(), Error> {
+    fn last_line(&mut self, options: Options, line: Line<'_>) -> Result<(), Error> {
         match self {
-            Section::Motion { rows, .. } => rows.last_line(line, text),
-            Section::Hierarchy(_) => self.line(options, line, text).map_err(|error| match self {
+            Section::Motion { rows, .. } => rows.last_line(line),
+            Section::Hierarchy(_) => self.line(options, line).map_err(|error| match self {
                 // If braces are open, the error is that the file is incomplete.
                 Section::Hierarchy(hierarchy) if hierarchy.is_open() => {
                     hierarchy.finish().err().unwrap_or(error)
@@ -148,14 +156,14 @@ impl Section {
 
     fn begin_motion(&mut self, options: Options) {
         if let Section::Hierarchy(hierarchy) = self {
-            let rows = MotionSection::new(options, &hierarchy.joints, hierarchy.decimals);
-            let joints = std::mem::take(&mut hierarchy.joints);
-            let notices = std::mem::take(&mut hierarchy.notices);
+            let HierarchySection { joints, name_encoding, decimals, notices } = hierarchy.take();
+            let mut rows = Box::new(MotionSection::new(options, &joints, decimals));
+            rows.layout.name_encoding = name_encoding;
             *self = Section::Motion { joints, notices, rows };
         }
     }
 
-    fn finish(mut self, options: Options) -> Result<Parsed, Error> {
+    fn finish(mut self, options: Options, end: u64) -> Result<Parsed, Error> {
         if let Section::Hierarchy(hierarchy) = &self {
             hierarchy.finish()?;
             self.begin_motion(options);
@@ -163,7 +171,7 @@ impl Section {
         let Section::Motion { joints, mut notices, mut rows } = self else {
             unreachable!("the motion has begun");
         };
-        let frame_time = rows.finish();
+        let frame_time = rows.finish(end);
         notices.append(&mut rows.notices);
         let clip = Clip::new(joints, frame_time, rows.values);
         notices.extend(clip_notices(&clip));
@@ -174,7 +182,7 @@ impl Section {
                 "Position channels stay near zero although offsets do not; they are added to the offsets.",
             ));
         }
-        Ok(Parsed { clip: clip.with_position_rule(rule), notices })
+        Ok(Parsed { clip: clip.with_position_rule(rule), notices, layout: Arc::new(rows.layout) })
     }
 }
 
@@ -208,7 +216,7 @@ fn clip_notices(clip: &Clip) -> Vec<Notice> {
 
 /// Returns [`PositionRule::Add`] if all position channels below the roots are about zero although
 /// the offsets are not.
-fn position_rule(clip: &Clip) -> PositionRule {
+pub(crate) fn position_rule(clip: &Clip) -> PositionRule {
     let is_position = |channel: &Channel| matches!(channel, Channel::Position(_));
     let (mut slots, mut largest_offset) = (Vec::new(), 0.0_f64);
     for (index, joint) in clip.joints().iter().enumerate() {

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 
 use super::*;
+use crate::bvh::lines::Line;
 use crate::bvh::motion_section::MotionSection;
 use crate::bvh::number::Decimals;
 use crate::notice::Code;
@@ -132,8 +133,9 @@ fn memory_is_reserved_for_plausible_frame_counts() {
     let capacity = |stated: &str, expected_bytes| {
         let options = Options { expected_bytes, ..Options::default() };
         let mut rows = MotionSection::new(options, &joints, Decimals::default());
-        rows.line(1, format!("Frames: {stated}").as_bytes()).unwrap();
-        rows.line(2, b"1 2 3").unwrap();
+        let header = format!("Frames: {stated}");
+        rows.line(Line { number: 1, start: 0, text: header.as_bytes() }).unwrap();
+        rows.line(Line { number: 2, start: 99, text: b"1 2 3" }).unwrap();
         rows.values.capacity()
     };
     assert_eq!(capacity("1000", 10_000), 3000);
@@ -250,6 +252,113 @@ fn limits_are_enforced() {
     let limits = Limits { joints: 9, ..limits };
     let error = parse(nested.as_bytes(), Options { limits, ..Options::default() }).unwrap_err();
     assert_eq!(error.kind, ErrorKind::TooDeep(2));
+}
+
+#[test]
+fn scale_channels_are_read_and_not_used() {
+    let hierarchy = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 4 Xposition Xscale yScale ZSCALE\n}\n";
+    let parsed = read(&format!("{hierarchy}MOTION\nFrames: 1\nFrame Time: 0.01\n5 2 2 2\n"));
+    assert_eq!(codes(&parsed), [Code::ScaleChannels]);
+    assert_eq!(parsed.notices[0].location.unwrap().line, 5);
+    assert_eq!(parsed.clip.joints()[0].channels[1], Channel::Scale(Axis::X));
+    assert_eq!(parsed.clip.row(0), [5.0, 2.0, 2.0, 2.0]);
+    assert_eq!(read(&write(&parsed.clip)).clip, parsed.clip);
+}
+
+#[test]
+fn comments_are_accepted_anywhere() {
+    let text = "# a file\n  // of two\nHIERARCHY # begins\nROOT Hips // the root\n{ # open\n\tOFFSET 0 0 0 # no offset\n\
+                CHANNELS 3 Xposition // first\n#between\nYposition Zposition\n\tEnd Site # tip\n\t{\nOFFSET 0 1 0 }\n\
+                }//done\nMOTION # of one\n# rate\nFrames: 2 # two\nFrame Time: 0.01 // 100 Hz\n# first\n1 2 3 # row\n\
+                // second\n4 5 6 //end\n# last\n";
+    for text in [text.to_owned(), text.replace('\n', "\r\n")] {
+        let parsed = read(&text);
+        assert_eq!((codes(&parsed), parsed.clip.row(1)), (vec![], &[4.0, 5.0, 6.0][..]));
+        assert_eq!(parsed.clip.joints()[0].name, "Hips");
+    }
+}
+
+#[test]
+fn names_may_contain_number_signs() {
+    let parsed = read(
+        "HIERARCHY ROOT Finger #2 {\nOFFSET 0 0 0\nCHANNELS 0\nJOINT a//b\n{ OFFSET 0 0 0 CHANNELS 0 } }",
+    );
+    assert_eq!(parsed.clip.joints()[0].name, "Finger #2");
+    assert_eq!(parsed.clip.joints()[1].name, "a//b");
+}
+
+#[test]
+fn frame_times_with_units_are_converted() {
+    for time in ["40 ms", "40ms", "0.04 s", "0.04sec", "25 Hz", "25fps", "1/25"] {
+        let parsed = read(&motion(&format!("Frames: 1\nFrame Time: {time} # rate\n1 2 3")));
+        assert_eq!((codes(&parsed), parsed.clip.frame_time()), (vec![Code::FrameTime], 0.04), "{time}");
+        assert!(parsed.notices[0].text.contains(&format!("{time:?}")), "{}", parsed.notices[0].text);
+    }
+    let parsed = read(&motion("Frames: 1 (one)\nFrame Time: 0.04 (25 fps)\n1 2 3"));
+    assert_eq!((codes(&parsed), parsed.clip.frame_time()), (vec![Code::FrameCount, Code::FrameTime], 0.04));
+}
+
+#[test]
+fn only_the_first_of_several_motions_is_read() {
+    let first = motion("Frames: 2\nFrame Time: 0.01\n1 2 3\n4 5 6\n");
+    let second = motion("Frames: 1\nFrame Time: 0.02\n7 8 9\n");
+    let other_rig = second.replace(" Zposition", "").replace("NELS 3", "NELS 2").replace(" 9", "");
+    for (followers, what) in [
+        (second.clone(), "one more hierarchy and one more motion from line 16 on"),
+        (second.repeat(2) + &other_rig, "3 more hierarchies and 3 more motions"),
+        (second["HIERARCHY\n".len()..].to_owned(), "one more motion from"),
+        ("MOTION\nFrames: 1\nFrame Time: 0.01\n7 8 9\n".repeat(2), "2 more motions from"),
+        ("  hierarchy ROOT a".to_owned(), "one more hierarchy from"),
+    ] {
+        let parsed = read(&format!("{first}{followers}"));
+        assert_eq!((parsed.clip.frame_count(), codes(&parsed)), (2, vec![Code::SeveralMotions]));
+        assert!(parsed.notices[0].text.contains(what), "{}", parsed.notices[0].text);
+        assert_eq!(parsed.notices[0].location.unwrap().line, 16);
+        assert_eq!(parsed.clip, read(&first).clip);
+    }
+    // The first motion may break off.
+    let parsed = read(&format!("{}\n{second}", &first[..first.len() - 4]));
+    assert_eq!(codes(&parsed), [Code::IncompleteRow, Code::SeveralMotions, Code::FrameCount]);
+}
+
+#[test]
+fn an_extra_column_of_frame_numbers_or_times_is_rejected() {
+    let head = "Frames: 3\nFrame Time: 0.0333\n";
+    for (rows, column) in [
+        ("0 1 2 3\n1 4 5 6\n", "the number of the frame"),
+        ("17\t1 2 3 \n18\t4 5 6\n19\t4 5 6\n", "the number of the frame"),
+        ("0.0 1 2 3\n0.033333 4 5 6\n", "the time of the frame"),
+        ("0 1 2 3\n33.3 4 5 6\n", "the time of the frame"),
+    ] {
+        let error = reject(&motion(&format!("{head}{rows}")));
+        assert_eq!(error.kind, ErrorKind::ExtraColumn { channels: 3, column }, "{rows}");
+        assert_eq!(error.location.unwrap().line, 15);
+    }
+    // Superfluous numbers at the end are left out.
+    assert_eq!(rows(&format!("{head}1 2 3 0\n4 5 6 1\n7 8 9 2\n")).1, [Code::LongRow]);
+}
+
+#[test]
+fn names_in_other_encodings_are_decoded() {
+    let file = |names: [&[u8]; 3]| {
+        let mut bytes = b"HIERARCHY\nROOT ".to_vec();
+        bytes.extend(names[0]);
+        for name in &names[1..] {
+            bytes.extend(b"\n{\nCHANNELS 0\nJOINT ");
+            bytes.extend(*name);
+        }
+        bytes.extend(b"\n{\nOFFSET 0 0 0\nCHANNELS 0\n}\n}\n}\n");
+        bytes
+    };
+    let texts = ["ボーン下半身", "左足首", "左足首先"];
+    let encoded = texts.map(|text| encoding_rs::SHIFT_JIS.encode(text).0.into_owned());
+    let parsed = parse(&file(encoded.each_ref().map(|name| &name[..])), Options::default()).unwrap();
+    assert!(parsed.clip.joints().iter().map(|joint| &joint.name[..]).eq(texts));
+    assert_eq!(parsed.layout.name_encoding(), Some("Shift_JIS"));
+    assert_eq!(codes(&parsed), [Code::Offset, Code::Offset, Code::NameEncoding, Code::NoMotion]);
+    assert_eq!(parsed.notices[0].text, "左足首 has no OFFSET; zero is used.");
+    let unicode = parse(&file(texts.map(str::as_bytes)), Options::default()).unwrap();
+    assert_eq!((unicode.clip, unicode.layout.name_encoding()), (parsed.clip, None));
 }
 
 /// Generates clips of any shape: joints in depth-first order, each with its channels.

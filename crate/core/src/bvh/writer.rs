@@ -91,7 +91,7 @@ fn close_brace(open: &mut Vec<usize>, text: &mut String) {
 }
 
 /// Returns the values to add to the channels of a row so that positions replace the offsets.
-fn offset_shift(clip: &Clip) -> Vec<f64> {
+pub(crate) fn offset_shift(clip: &Clip) -> Vec<f64> {
     let mut shift = vec![0.0; clip.channel_count()];
     if clip.position_rule() == PositionRule::Add {
         for (index, joint) in clip.joints().iter().enumerate().filter(|(_, joint)| joint.parent.is_some()) {

@@ -53,6 +53,10 @@ pub struct Source {
     /// SHA-256 of the file in lower-case hexadecimal, if known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
+    /// Encoding of the joint names in the file, as in `Shift_JIS`, if they are not Unicode. Encoding
+    /// the names of the document with it returns their bytes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name_encoding: Option<String>,
 }
 
 /// Half-open frame range with its times.

@@ -5,6 +5,11 @@ use crate::foot::Side;
 use crate::kinematics::{self, Track};
 use crate::skeleton::{LegRoles, Role, Skeleton, Up};
 
+/// Minimum number of different poses from which their usual duration is known.
+const MIN_POSES: usize = 10;
+/// Maximum usual duration of a pose in motion, in seconds; longer ones are rest between movements.
+const MAX_POSE_TIME: f64 = 0.2;
+
 /// Tracks of both feet, with up axis, leg length and units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feet {
@@ -85,6 +90,23 @@ impl Feet {
     /// Returns the number of frames.
     pub fn frame_count(&self) -> usize {
         self.tracks[0].ankle.len()
+    }
+
+    /// Returns the number of frames for which each pose usually lasts: more than 1 if the file has a
+    /// higher rate than its motion.
+    pub(crate) fn repeats(&self) -> usize {
+        let tracks = || self.tracks.iter().flat_map(|foot| [&foot.ankle, &foot.toe]);
+        let changes: Vec<usize> = (1..self.frame_count())
+            .filter(|&frame| tracks().any(|track| track[frame] != track[frame - 1]))
+            .collect();
+        // The first and the last pose may be cut off.
+        let mut lengths: Vec<usize> = changes.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        if lengths.len() < MIN_POSES {
+            return 1;
+        }
+        let middle = lengths.len() / 2;
+        let median = *lengths.select_nth_unstable(middle).1;
+        if median as f64 * self.frame_time <= MAX_POSE_TIME { median } else { 1 }
     }
 
     /// Returns the number of frames in `seconds`, rounded down. The margin makes 0.0333 s and 1/30

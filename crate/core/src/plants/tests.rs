@@ -196,6 +196,29 @@ fn an_added_first_pose_does_not_change_labels() {
 }
 
 #[test]
+fn jumps_have_one_notice() {
+    let jump = |frames: &[usize]| {
+        let mut feet = walk(400, 120.0);
+        for track in feet.tracks.iter_mut().flat_map(|foot| [&mut foot.ankle, &mut foot.toe]) {
+            for (frame, position) in track.iter_mut().enumerate() {
+                position.x += 3.0 * frames.iter().filter(|&&jump| frame >= jump).count() as f64;
+            }
+        }
+        let notices = detect(&feet, params(Method::Robust)).notices;
+        notices.into_iter().filter(|notice| notice.code == Code::Teleport).map(|notice| notice.text)
+    };
+    let one: Vec<String> = jump(&[200]).collect();
+    assert_eq!(one, ["Both feet jump at frame 200; the motion is split there."]);
+    let several: Vec<String> = jump(&[100, 200, 201, 300]).collect();
+    assert_eq!(several.len(), 1);
+    assert!(
+        several[0].starts_with("Both feet jump at 4 frames, the first of which is 100;"),
+        "{}",
+        several[0]
+    );
+}
+
+#[test]
 fn short_clips_are_contact_with_a_notice() {
     for frames in 1..10 {
         let detection = detect(&walk(frames, 30.0), params(Method::Robust));

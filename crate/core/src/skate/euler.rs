@@ -17,7 +17,7 @@ pub(crate) fn set_rotation(channels: &[Channel], values: &mut [f64], target: &Ma
         .enumerate()
         .filter_map(|(slot, channel)| match channel {
             Channel::Rotation(axis) => Some((slot, *axis)),
-            Channel::Position(_) => None,
+            Channel::Position(_) | Channel::Scale(_) => None,
         })
         .collect();
     let angles = match slots[..] {
@@ -97,7 +97,7 @@ mod tests {
                 let axis = Unit::new_unchecked(Vector3::ith(axis.index(), 1.0));
                 rotation * Rotation3::from_axis_angle(&axis, value.to_radians())
             }
-            Channel::Position(_) => rotation,
+            Channel::Position(_) | Channel::Scale(_) => rotation,
         })
     }
 

@@ -28,6 +28,7 @@ fn main() {
         reading::files_are_read_and_feet_identified,
         reading::clips_with_motion_and_feet_are_labelled,
         reading::written_clips_equal_the_clips_that_were_read,
+        reading::unchanged_clips_keep_every_byte_of_their_files,
         reading::cells_give_long_clips_the_labels_of_all_pairs,
         reading::cells_give_concatenated_clips_the_labels_of_all_pairs,
         force_plates::robust_contact_agrees_with_force_plates,

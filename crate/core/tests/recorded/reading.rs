@@ -1,6 +1,7 @@
 //! Reading of and detection in recorded files of many programs.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use plantigrade::bvh::{self, Clip};
 use plantigrade::foot::Side;
@@ -74,6 +75,16 @@ pub fn written_clips_equal_the_clips_that_were_read(corpus: &Path) {
         for (found, expected) in first(&back).iter().zip(first(&clip)) {
             assert!((found - expected).norm() < 1e-9, "{}", path.display());
         }
+    }
+}
+
+pub fn unchanged_clips_keep_every_byte_of_their_files(corpus: &Path) {
+    for path in support::bvh_files(corpus) {
+        let bytes = std::fs::read(&path).expect("a file");
+        let bvh::Parsed { clip, layout, .. } = support::read(&path);
+        let frames = 0..clip.frame_count();
+        let written = bvh::rewrite(&bytes, &layout, &Arc::new(clip), frames);
+        assert!(written == bytes, "{}", path.display());
     }
 }
 

@@ -145,7 +145,7 @@ fn at_rate(clip: &Clip, rate: f64) -> Clip {
         let rows = clip.row(before).iter().zip(clip.row((before + 1).min(last))).zip(&channels);
         let value = move |((from, to), channel): ((&f64, &f64), &Channel)| {
             let difference = match channel {
-                Channel::Position(_) => to - from,
+                Channel::Position(_) | Channel::Scale(_) => to - from,
                 Channel::Rotation(_) => to - from - 360.0 * ((to - from) / 360.0).round(),
             };
             from + fraction * difference

@@ -33,6 +33,7 @@ pub fn positions(clip: &Clip, character: &Character) -> Positions {
                 match channel {
                     Channel::Position(axis) => position[axis.index()] = value,
                     Channel::Rotation(axis) => rotation *= axis_rotation(*axis, value.to_radians()),
+                    Channel::Scale(_) => {}
                 }
             }
             let (origin, frame) = joint.parent.map_or_else(Default::default, |parent| world[parent]);

@@ -10,7 +10,7 @@ use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{
     ClipInfo, DetectOptions, EditInfo, Failure, Overrides, SegmentInfo, SegmentOptions, WasmAnnotation,
-    WasmClip, WasmDetection, WasmReader, WasmSegmentAnnotation, has_segments,
+    WasmClip, WasmDetection, WasmReader, WasmRewriter, WasmSegmentAnnotation, has_segments,
 };
 use tsify::{Ts, Tsify};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -176,6 +176,13 @@ fn labels_read_back_from_npz() {
     assert!(save_text(&clip, &detection, "blender").contains("import bpy"));
 }
 
+/// Gives the file of the walk to a writer in chunks.
+fn rewrite(mut rewriter: WasmRewriter) -> Vec<u8> {
+    let mut written: Vec<u8> = WALK.chunks(10_000).flat_map(|chunk| rewriter.push(chunk)).collect();
+    written.append(&mut rewriter.finish());
+    written
+}
+
 #[wasm_bindgen_test]
 fn clean_up_removes_slides() {
     let mut clip = walk();
@@ -190,7 +197,8 @@ fn clean_up_removes_slides() {
         assert!(plant.after < 1e-3, "{}", plant.after);
     }
     assert_eq!(cleaned.positions().length() as usize, clip.positions().length() as usize);
-    let read = bvh::parse(&cleaned.bvh(), bvh::Options::default()).unwrap().clip;
+    let saved = rewrite(cleaned.rewriter());
+    let read = bvh::parse(&saved, bvh::Options::default()).unwrap().clip;
     assert_eq!(read.frame_count(), 245);
     // The saved file itself no longer slides in those frames.
     let skeleton = Skeleton::main(&read, &Default::default());
@@ -352,7 +360,7 @@ fn segments_read_back_under_given_names() {
 #[wasm_bindgen_test]
 fn cut_writes_the_frames_of_the_range() {
     let clip = walk();
-    let part = bvh::parse(&clip.cut(10, 30).unwrap(), bvh::Options::default()).unwrap().clip;
+    let part = bvh::parse(&rewrite(clip.cut(10, 30).unwrap()), bvh::Options::default()).unwrap().clip;
     let original = bvh::parse(WALK, bvh::Options::default()).unwrap().clip;
     assert_eq!((part.frame_count(), part.row(0)), (20, original.row(10)));
     assert!(clip.cut(10, 10).is_err() && clip.cut(0, 246).is_err());

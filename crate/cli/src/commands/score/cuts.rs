@@ -12,6 +12,7 @@ use super::trials;
 use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
+use crate::output;
 
 /// Tallies of correct cuts by tolerance; `None` if the truth has no ranges.
 type Tallies = [Option<CutTally>; Tolerance::REPORTED.len()];
@@ -80,19 +81,19 @@ fn print(trials: &[(String, Tallies)]) {
         Tolerance::Seconds(seconds) => format!("±{seconds} s"),
         Tolerance::Inside => "inside".into(),
     });
-    println!("cuts: precision, recall and F1\n");
+    output::print(format_args!("cuts: precision, recall and F1\n\n"));
     let headers = headers.map(|header| format!("{header:>24}")).concat();
-    println!("{:<24}{:>9}{:>6}{headers}", "", "detected", "true");
+    output::print(format_args!("{:<24}{:>9}{:>6}{headers}\n", "", "detected", "true"));
     let mut pooled = Tallies::default();
     for (name, tallies) in trials {
-        println!("{}", row(name, tallies));
+        output::print(format_args!("{}\n", row(name, tallies)));
         for (pooled, tally) in pooled.iter_mut().zip(tallies) {
             if let Some(tally) = tally {
                 *pooled.get_or_insert_default() += *tally;
             }
         }
     }
-    println!("{}", row("all cuts", &pooled));
+    output::print(format_args!("{}\n", row("all cuts", &pooled)));
 }
 
 fn row(name: &str, tallies: &Tallies) -> String {

@@ -13,6 +13,7 @@ use super::trials;
 use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
+use crate::output;
 
 /// One clip with its labels and its truth.
 struct Trial {
@@ -76,8 +77,8 @@ fn pairs(trial: &Trial, part: Part) -> Option<[Pair<'_>; 2]> {
 /// recall and timing of the plants.
 fn print(part: Part, trials: &[Trial]) {
     let periods: Vec<String> = FUZZY_PERIODS.iter().map(|fuzzy| format!("p = {fuzzy}")).collect();
-    println!("{}, accuracy in %\n", part.name());
-    println!("{:<32}{}", "lenient", columns(&periods));
+    output::print(format_args!("{}, accuracy in %\n\n", part.name()));
+    output::print(format_args!("{:<32}{}\n", "lenient", columns(&periods)));
     let mut pooled = [[Tally::default(); FUZZY_PERIODS.len()]; 2];
     let mut accuracies: Vec<[f64; FUZZY_PERIODS.len()]> = Vec::new();
     let mut events = Events::default();
@@ -95,7 +96,7 @@ fn print(part: Part, trials: &[Trial]) {
             *pooled += *tallies;
         }
         let accuracy = tallies[0].map(|tally| 100.0 * tally.accuracy());
-        println!("{:<32}{}", trial.name, percents(&accuracy));
+        output::print(format_args!("{:<32}{}\n", trial.name, percents(&accuracy)));
         accuracies.push(accuracy);
     }
     let over_clips = |statistic: fn(&[f64]) -> f64| -> Vec<f64> {
@@ -104,15 +105,27 @@ fn print(part: Part, trials: &[Trial]) {
     };
     let lowest = over_clips(|values| values.iter().copied().fold(100.0, f64::min));
     let highest = over_clips(|values| values.iter().copied().fold(0.0, f64::max));
-    println!("{:<32}{}", "all frames", percents(&pooled[0].map(|tally| 100.0 * tally.accuracy())));
-    println!("{:<32}{}", "all frames, strict", percents(&pooled[1].map(|tally| 100.0 * tally.accuracy())));
-    println!("{:<32}{}", "lowest clip", percents(&lowest));
-    println!("{:<32}{}", "highest clip", percents(&highest));
-    println!("{:<32}{}", "standard deviation of clips", percents(&over_clips(standard_deviation)));
+    output::print(format_args!(
+        "{:<32}{}\n",
+        "all frames",
+        percents(&pooled[0].map(|tally| 100.0 * tally.accuracy()))
+    ));
+    output::print(format_args!(
+        "{:<32}{}\n",
+        "all frames, strict",
+        percents(&pooled[1].map(|tally| 100.0 * tally.accuracy()))
+    ));
+    output::print(format_args!("{:<32}{}\n", "lowest clip", percents(&lowest)));
+    output::print(format_args!("{:<32}{}\n", "highest clip", percents(&highest)));
+    output::print(format_args!(
+        "{:<32}{}\n",
+        "standard deviation of clips",
+        percents(&over_clips(standard_deviation))
+    ));
     let score = events.score();
-    println!(
+    output::print(format_args!(
         "\nplants: precision {:.3}, recall {:.3}, F1 {:.3}; onset {:+.0} ms (95 % within {:.0}), \
-         offset {:+.0} ms (95 % within {:.0})\n",
+         offset {:+.0} ms (95 % within {:.0})\n\n",
         score.precision,
         score.recall,
         score.f1,
@@ -120,7 +133,7 @@ fn print(part: Part, trials: &[Trial]) {
         1e3 * score.onset_95,
         1e3 * score.offset,
         1e3 * score.offset_95
-    );
+    ));
 }
 
 fn columns(headers: &[String]) -> String {

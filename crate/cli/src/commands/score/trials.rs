@@ -5,6 +5,7 @@ use std::str::FromStr;
 use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
+use crate::output;
 
 /// Runs `trial` on each clip of the folder; it returns `None` for clips without truth. Returns the
 /// trials and the number of inputs that failed. `expected` lists the names of truth files.
@@ -20,7 +21,7 @@ pub fn trials<T>(
         match trial(&input, &read) {
             Ok(trial) => trials.extend(trial),
             Err(error) => {
-                eprintln!("{error}");
+                output::report(format_args!("{error}"));
                 failures += 1;
             }
         }

@@ -319,7 +319,7 @@ mod tests {
             header: Header {
                 format: PlantsDocument::FORMAT.into(),
                 version: VERSION,
-                source: Source { name: "walk.bvh".into(), sha256: None },
+                source: Source { name: "walk.bvh".into(), sha256: None, name_encoding: None },
                 root: None,
                 frames: 4,
                 rate: 30.0,

@@ -118,7 +118,7 @@ mod tests {
             header: Header {
                 format: SegmentsDocument::FORMAT.into(),
                 version: VERSION,
-                source: Source { name: "86_01.bvh".into(), sha256: None },
+                source: Source { name: "86_01.bvh".into(), sha256: None, name_encoding: None },
                 root: None,
                 frames: 500,
                 rate,

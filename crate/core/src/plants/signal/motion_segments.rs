@@ -17,11 +17,13 @@ const JUMP_SPEED: f64 = 25.0;
 /// Returns the spans of continuous motion; at least one frame remains.
 pub(crate) fn motion_spans(feet: &Feet) -> Vec<Range<usize>> {
     let frames = feet.frame_count();
-    let frames_left = without_added_poses(feet);
+    let pose_time = feet.frame_time * feet.repeats() as f64;
+    let frames_left = without_added_poses(feet, pose_time);
     let mut spans = Vec::new();
     let mut start = frames_left.start;
     for step in frames_left.start..frames_left.end.saturating_sub(1).min(frames) {
-        let is_jump = feet.tracks.iter().all(|foot| step_speed(feet, &foot.ankle, step) > JUMP_SPEED);
+        let is_jump =
+            feet.tracks.iter().all(|foot| step_speed(feet, &foot.ankle, step, pose_time) > JUMP_SPEED);
         if is_jump {
             spans.push(start..step + 1);
             start = step + 1;
@@ -31,7 +33,7 @@ pub(crate) fn motion_spans(feet: &Feet) -> Vec<Range<usize>> {
     spans
 }
 
-fn without_added_poses(feet: &Feet) -> Range<usize> {
+fn without_added_poses(feet: &Feet, pose_time: f64) -> Range<usize> {
     let frames = feet.frame_count();
     if frames < 4 * SEARCH_STEPS {
         return 0..frames;
@@ -40,7 +42,7 @@ fn without_added_poses(feet: &Feet) -> Range<usize> {
         feet.tracks
             .iter()
             .flat_map(|foot| [&foot.ankle, &foot.toe])
-            .any(|track| step_speed(feet, track, *step) > ADDED_POSE_SPEED)
+            .any(|track| step_speed(feet, track, *step, pose_time) > ADDED_POSE_SPEED)
     };
     // Step k leads from frame k to frame k + 1.
     let first = (0..SEARCH_STEPS).rev().find(is_added_pose).map_or(0, |step| step + 1 + RINGING_FRAMES);
@@ -50,9 +52,10 @@ fn without_added_poses(feet: &Feet) -> Range<usize> {
     first..end
 }
 
-/// Returns the speed of the step from `frame` to the next, in leg lengths per second.
-fn step_speed(feet: &Feet, track: &Track, frame: usize) -> f64 {
-    (track[frame + 1] - track[frame]).norm() / (feet.frame_time * feet.leg)
+/// Returns the speed of the step from `frame` to the next, in leg lengths per second, if a pose takes
+/// `pose_time` seconds.
+fn step_speed(feet: &Feet, track: &Track, frame: usize, pose_time: f64) -> f64 {
+    (track[frame + 1] - track[frame]).norm() / (pose_time * feet.leg)
 }
 
 #[cfg(test)]
@@ -89,6 +92,15 @@ mod tests {
     fn added_poses_are_dropped() {
         assert_eq!(motion_spans(&feet(100, &[1])), [3..100]);
         assert_eq!(motion_spans(&feet(100, &[2, 99])), [4..97]);
+    }
+
+    #[test]
+    fn steps_between_repeated_poses_are_no_jumps() {
+        let every = |frames: usize| (1..100 / frames).map(|pose| pose * frames).collect::<Vec<_>>();
+        // A quarter of the leg in 0.04 s is ordinary motion; in a single frame it would be an added pose.
+        let feet = Feet { leg: 4.0, ..feet(100, &every(4)) };
+        assert_eq!(feet.repeats(), 4);
+        assert_eq!(motion_spans(&feet), [0..100]);
     }
 
     #[test]

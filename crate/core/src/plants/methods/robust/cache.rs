@@ -173,9 +173,16 @@ fn span_notices(feet: &Feet, spans: &[Range<usize>]) -> Vec<Notice> {
         );
         notices.push(Notice::new(Code::Trimmed, text));
     }
-    for span in &spans[1..] {
-        let text = format!("Both feet jump at frame {}; the motion is split there.", span.start);
-        notices.push(Notice::new(Code::Teleport, text));
-    }
+    let jumps: Vec<usize> = spans[1..].iter().map(|span| span.start).collect();
+    let text = match jumps[..] {
+        [] => return notices,
+        [frame] => format!("Both feet jump at frame {frame}; the motion is split there."),
+        [frame, ..] => format!(
+            "Both feet jump at {} frames, the first of which is {frame}; the motion is split there. If the \
+             character does not jump, the root may have another unit than the offsets of the skeleton.",
+            jumps.len()
+        ),
+    };
+    notices.push(Notice::new(Code::Teleport, text));
     notices
 }
