@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{self, Clip, Limits, Options, Parsed, Reader};
 use plantigrade::formats::Source;
-use plantigrade::notice::{Code, Notice};
 use plantigrade::skeleton::{Overrides, Role, Skeleton};
 use sha2::{Digest, Sha256};
 use walkdir::WalkDir;
@@ -47,32 +46,12 @@ impl LoadedClip {
 
     /// Returns the skeletons of the clip, one per root.
     pub fn skeletons(&self) -> Vec<Skeleton> {
-        let clip = &self.parsed.clip;
-        clip.roots().map(|root| Skeleton::from_root(clip, root, &self.overrides_of(root))).collect()
+        Skeleton::all(&self.parsed.clip, &self.overrides)
     }
 
-    /// Returns the skeleton of which a joint is named on the command line, the first skeleton with
-    /// feet, or the first one.
+    /// Returns the main skeleton of the clip.
     pub fn main_skeleton(&self) -> Skeleton {
-        let clip = &self.parsed.clip;
-        let mut all = self.skeletons();
-        let owner = self.overrides.roles.iter().find_map(|&(_, joint)| Some(root_of(clip, joint?)));
-        let is_main =
-            |skeleton: &Skeleton| owner.map_or(skeleton.roles.has_feet(), |owner| skeleton.root == owner);
-        let mut main = all.swap_remove(all.iter().position(is_main).unwrap_or(0));
-        if !all.is_empty() {
-            let text = format!("The feet of {} are measured.", clip.joints()[main.root].name);
-            main.notices.push(Notice::new(Code::SeveralRoots, text));
-        }
-        main
-    }
-
-    /// Returns the overrides without the joints of other skeletons.
-    fn overrides_of(&self, root: usize) -> Overrides {
-        let clip = &self.parsed.clip;
-        let is_own = |joint: Option<usize>| joint.is_none_or(|joint| root_of(clip, joint) == root);
-        let roles = self.overrides.roles.iter().copied().filter(|&(_, joint)| is_own(joint)).collect();
-        Overrides { roles, ..self.overrides.clone() }
+        Skeleton::main(&self.parsed.clip, &self.overrides)
     }
 }
 

@@ -12,6 +12,7 @@ use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::detection::WasmDetection;
+use crate::names;
 use crate::positions;
 use crate::types::{ClipInfo, DetectOptions, Failure, Overrides, from_js, parse_name, to_js};
 
@@ -28,7 +29,12 @@ impl WasmReader {
     /// replaced by that of the previous frame.
     #[wasm_bindgen(constructor)]
     pub fn new(lenient: bool, bytes: f64) -> WasmReader {
-        WasmReader(Reader::new(Options { lenient, expected_bytes: bytes as u64, ..Options::default() }))
+        WasmReader(Reader::new(Options {
+            lenient,
+            expected_bytes: bytes as u64,
+            decode_names: names::decode,
+            ..Options::default()
+        }))
     }
 
     /// Reads the next chunk.

@@ -8,6 +8,7 @@ mod compare;
 mod detection;
 mod evidence;
 mod gait;
+mod names;
 mod positions;
 mod segmentation;
 mod skate;

@@ -3,14 +3,16 @@
 use nalgebra::Vector3;
 
 use crate::bvh::error::location;
+use crate::bvh::names::{self, NameDecoder};
 use crate::bvh::number::Decimals;
-use crate::bvh::{Axis, Channel, END_SITE, Error, ErrorKind, Joint, JointKind, Limits, names, number};
+use crate::bvh::{Axis, Channel, END_SITE, Error, ErrorKind, Joint, JointKind, Limits, Options, number};
 use crate::notice::{Code, Location, Notice};
 
 /// Builds the joints from lines of text.
 #[derive(Debug)]
 pub(crate) struct Hierarchy {
     limits: Limits,
+    decode_names: NameDecoder,
     expect: Expect,
     /// Complete and incomplete joints in file order, without their names.
     joints: Vec<Joint>,
@@ -65,9 +67,10 @@ pub(crate) enum Progress {
 }
 
 impl Hierarchy {
-    pub fn new(limits: Limits) -> Hierarchy {
+    pub fn new(options: &Options) -> Hierarchy {
         Hierarchy {
-            limits,
+            limits: options.limits,
+            decode_names: options.decode_names,
             expect: Expect::Start,
             joints: Vec::new(),
             names: Vec::new(),
@@ -82,11 +85,10 @@ impl Hierarchy {
     /// Returns the joints with their names, and the notices, in file order.
     pub fn take(&mut self) -> HierarchySection {
         let mut joints = std::mem::take(&mut self.joints);
-        let (names, encoding) = names::decode(&std::mem::take(&mut self.names));
+        let (names, name_encoding) = names::decode(&std::mem::take(&mut self.names), self.decode_names);
         for (joint, name) in joints.iter_mut().zip(names) {
             joint.name = name;
         }
-        let name_encoding = encoding.map(|encoding| encoding.name());
         let mut notices: Vec<Notice> = std::mem::take(&mut self.notices)
             .into_iter()
             .map(|(joint, notice)| {

@@ -26,6 +26,7 @@ mod writer;
 pub use clip::{Axis, Channel, Clip, END_SITE, Joint, JointKind, PositionRule};
 pub use error::{Error, ErrorKind, Excerpt};
 pub use layout::Layout;
+pub use names::{NameDecoder, decode_windows_1252};
 pub use options::{Limits, Options};
 pub use reader::{Parsed, Reader, parse};
 pub use rewriter::{Rewriter, rewrite};

@@ -1,37 +1,67 @@
 //! Joint names in any encoding.
 
-use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
-use encoding_rs::{Encoding, WINDOWS_1252};
+/// Decoder of joint names of which at least one is not UTF-8: returns the texts and the name of the
+/// encoding. Encoding a text must return its bytes.
+pub type NameDecoder = fn(&[Vec<u8>]) -> (Vec<String>, &'static str);
+
+/// The decoder that is used by default.
+#[cfg(feature = "encodings")]
+pub(crate) const DEFAULT_DECODER: NameDecoder = guess::decode;
+/// The decoder that is used by default.
+#[cfg(not(feature = "encodings"))]
+pub(crate) const DEFAULT_DECODER: NameDecoder = decode_windows_1252;
 
 /// Returns the names as text, and their encoding if it is not UTF-8.
-///
-/// The encoding is guessed from all names together. Encoding the texts returns the bytes: if the
-/// guess does not have that property, it is replaced by windows-1252, which has it for any bytes.
-pub(crate) fn decode(names: &[Vec<u8>]) -> (Vec<String>, Option<&'static Encoding>) {
-    if let Ok(names) = names.iter().map(|name| std::str::from_utf8(name).map(str::to_owned)).collect() {
-        return (names, None);
+pub(crate) fn decode(names: &[Vec<u8>], decoder: NameDecoder) -> (Vec<String>, Option<&'static str>) {
+    match names.iter().map(|name| std::str::from_utf8(name).map(str::to_owned)).collect() {
+        Ok(names) => (names, None),
+        Err(_) => {
+            let (names, encoding) = decoder(names);
+            (names, Some(encoding))
+        }
     }
-    let mut detector = EncodingDetector::new(Iso2022JpDetection::Deny);
-    for name in names {
-        detector.feed(name, false);
-        detector.feed(b"\n", false);
-    }
-    detector.feed(b"", true);
-    let guess = detector.guess(None, Utf8Detection::Deny);
-    let decoded = [guess, WINDOWS_1252].into_iter().find_map(|encoding| {
-        Some((
-            names.iter().map(|name| decode_exactly(name, encoding)).collect::<Option<_>>()?,
-            Some(encoding),
-        ))
-    });
-    decoded.expect("windows-1252 decodes any bytes")
 }
 
-/// Decodes a name if the text encodes to the same bytes.
-fn decode_exactly(name: &[u8], encoding: &'static Encoding) -> Option<String> {
-    let text = encoding.decode_without_bom_handling_and_without_replacement(name)?;
-    let (bytes, _, has_errors) = encoding.encode(&text);
-    (!has_errors && *bytes == *name).then(|| text.into_owned())
+/// Characters of windows-1252 from 0x80 to 0x9f, as the Encoding Standard of WHATWG defines them.
+const WINDOWS_1252: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}',
+    '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// Decodes names as windows-1252, which gives any bytes a meaning.
+pub fn decode_windows_1252(names: &[Vec<u8>]) -> (Vec<String>, &'static str) {
+    let decode = |&byte: &u8| match byte {
+        0x80..=0x9f => WINDOWS_1252[usize::from(byte - 0x80)],
+        byte => char::from(byte),
+    };
+    (names.iter().map(|name| name.iter().map(decode).collect()).collect(), "windows-1252")
+}
+
+#[cfg(feature = "encodings")]
+mod guess {
+    use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
+    use encoding_rs::Encoding;
+
+    /// Decodes names in the encoding that is guessed from all of them together. Encoding the texts
+    /// returns the bytes: if the guess does not have that property, windows-1252 is used.
+    pub fn decode(names: &[Vec<u8>]) -> (Vec<String>, &'static str) {
+        let mut detector = EncodingDetector::new(Iso2022JpDetection::Deny);
+        for name in names {
+            detector.feed(name, false);
+            detector.feed(b"\n", false);
+        }
+        detector.feed(b"", true);
+        let guess = detector.guess(None, Utf8Detection::Deny);
+        let decoded: Option<_> = names.iter().map(|name| decode_exactly(name, guess)).collect();
+        decoded.map_or_else(|| super::decode_windows_1252(names), |decoded| (decoded, guess.name()))
+    }
+
+    /// Decodes a name if the text encodes to the same bytes.
+    fn decode_exactly(name: &[u8], encoding: &'static Encoding) -> Option<String> {
+        let text = encoding.decode_without_bom_handling_and_without_replacement(name)?;
+        let (bytes, _, has_errors) = encoding.encode(&text);
+        (!has_errors && *bytes == *name).then(|| text.into_owned())
+    }
 }
 
 /// Returns the length of a name at the beginning of `text`, which ends with the line, at a brace
@@ -54,9 +84,9 @@ fn is_blank(byte: u8) -> bool {
     crate::bvh::number::is_blank(byte)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "encodings"))]
 mod tests {
-    use encoding_rs::{BIG5, EUC_KR, GBK, SHIFT_JIS};
+    use encoding_rs::{BIG5, EUC_KR, Encoding, GBK, SHIFT_JIS, WINDOWS_1252};
     use proptest::prelude::*;
 
     use super::*;
@@ -86,10 +116,10 @@ mod tests {
             ),
             (WINDOWS_1252, &["Hüfte", "Oberschenkel links", "Knie links", "Fuß links", "Fuß rechts"]),
         ] {
-            let (decoded, guess) = decode(&encode(names, encoding));
+            let (decoded, guess) = decode(&encode(names, encoding), DEFAULT_DECODER);
             assert_eq!(
                 (&decoded[..], guess),
-                (&names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>()[..], Some(encoding))
+                (&names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>()[..], Some(encoding.name()))
             );
         }
     }
@@ -97,7 +127,7 @@ mod tests {
     #[test]
     fn unicode_names_are_not_guessed() {
         let names = ["Hips", "左足首", "Hüfte"];
-        let (decoded, guess) = decode(&names.map(|name| name.as_bytes().to_vec()));
+        let (decoded, guess) = decode(&names.map(|name| name.as_bytes().to_vec()), DEFAULT_DECODER);
         assert_eq!((decoded, guess), (names.map(String::from).to_vec(), None));
     }
 
@@ -124,10 +154,16 @@ mod tests {
     proptest! {
         #[test]
         fn bytes_of_names_are_recoverable(names in prop::collection::vec(prop::collection::vec(0x20_u8.., 0..9), 1..6)) {
-            let (decoded, encoding) = decode(&names);
-            for (text, bytes) in decoded.iter().zip(&names) {
-                let encoded = encoding.map_or(text.as_bytes().to_vec(), |encoding| encoding.encode(text).0.into_owned());
-                prop_assert_eq!(&encoded, bytes);
+            let encode = |text: &str, encoding: &str| {
+                let encoding = Encoding::for_label(encoding.as_bytes()).expect("the name of an encoding");
+                encoding.encode(text).0.into_owned()
+            };
+            for decoder in [DEFAULT_DECODER, decode_windows_1252] {
+                let (decoded, encoding) = decode(&names, decoder);
+                for (text, bytes) in decoded.iter().zip(&names) {
+                    let encoded = encoding.map_or(text.as_bytes().to_vec(), |encoding| encode(text, encoding));
+                    prop_assert_eq!(&encoded, bytes);
+                }
             }
         }
     }

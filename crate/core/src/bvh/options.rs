@@ -1,5 +1,7 @@
 //! Options of the reader.
 
+use super::names::{self, NameDecoder};
+
 /// Limits of the size of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
@@ -20,7 +22,7 @@ impl Default for Limits {
 }
 
 /// Options of the reader.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// If true, a value that is not a number is replaced by the value of the previous frame; if
     /// false, the file is rejected. Default false.
@@ -30,4 +32,18 @@ pub struct Options {
     /// Expected size of the file, in bytes. Memory for the stated number of frames is reserved at
     /// once if the file can contain them; default 0.
     pub expected_bytes: u64,
+    /// Decoder of joint names that are not UTF-8. Default: the encoding is guessed; without the feature
+    /// `encodings`, it is windows-1252.
+    pub decode_names: NameDecoder,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            lenient: false,
+            limits: Limits::default(),
+            expected_bytes: 0,
+            decode_names: names::DEFAULT_DECODER,
+        }
+    }
 }

@@ -71,7 +71,7 @@ impl Reader {
             bytes: 0,
             decoder: Decoder::default(),
             lines: Lines::default(),
-            section: Section::Hierarchy(Hierarchy::new(options.limits)),
+            section: Section::Hierarchy(Hierarchy::new(&options)),
         }
     }
 

@@ -7,7 +7,7 @@ mod roles;
 mod unit;
 mod up;
 
-pub use names::joint_names_document;
+pub use names::{joint_names_document, known_name_count};
 pub use roles::{Assignment, LegRoles, Reason, Role, Roles};
 pub use unit::unit_name;
 pub use up::{Up, UpError};
@@ -24,7 +24,7 @@ use find::Found;
 /// Values that override those detected from the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Joints of roles; `None` clears a role.
+    /// Joints of roles; `None` clears a role. A joint is a role of the skeleton that owns it.
     pub roles: Vec<(Role, Option<usize>)>,
     /// Up axis.
     pub up: Option<Up>,
@@ -59,13 +59,16 @@ impl Skeleton {
         clip.roots().map(|root| Skeleton::from_root(clip, root, overrides)).collect()
     }
 
-    /// Returns the first skeleton with feet, or the first one.
+    /// Returns the skeleton that owns a joint of the overrides, the first one with feet, or the first one.
     ///
     /// # Panics
     /// If the clip has no joints, which the reader never returns.
     pub fn main(clip: &Clip, overrides: &Overrides) -> Skeleton {
         let mut all = Skeleton::all(clip, overrides);
-        let index = all.iter().position(|skeleton| skeleton.roles.has_feet()).unwrap_or(0);
+        let owner = overrides.roles.iter().find_map(|&(_, joint)| Some(root_of(clip, joint?)));
+        let is_main =
+            |skeleton: &Skeleton| owner.map_or(skeleton.roles.has_feet(), |owner| skeleton.root == owner);
+        let index = all.iter().position(is_main).unwrap_or(0);
         let mut main = all.swap_remove(index);
         if !all.is_empty() {
             let text = format!("The feet of {} are measured.", clip.joints()[main.root].name);
@@ -78,7 +81,9 @@ impl Skeleton {
     pub fn from_root(clip: &Clip, root: usize, overrides: &Overrides) -> Skeleton {
         let Found { mut roles, is_quadruped } = find::assign_roles(clip, root);
         for &(role, joint) in &overrides.roles {
-            roles.set(role, joint);
+            if joint.is_none_or(|joint| root_of(clip, joint) == root) {
+                roles.set(role, joint);
+            }
         }
         let mut notices = role_notices(clip, root, &roles);
         if is_quadruped {
@@ -142,6 +147,11 @@ impl Skeleton {
         }
         positions
     }
+}
+
+/// Returns the root of the skeleton that owns `joint`.
+fn root_of(clip: &Clip, joint: usize) -> usize {
+    clip.roots().take_while(|&root| root <= joint).last().unwrap_or(joint)
 }
 
 /// Returns notices on the roles of the legs.

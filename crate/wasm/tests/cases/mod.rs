@@ -221,6 +221,27 @@ fn gait_of_a_walk_is_plausible() {
 }
 
 #[wasm_bindgen_test]
+fn names_in_other_encodings_are_decoded() {
+    // Shift-JIS: 腰, 左足首, 右足首.
+    let names: [&[u8]; 3] = [b"\x8d\x98", b"\x8d\xb6\x91\xab\x8e\xf1", b"\x89\x45\x91\xab\x8e\xf1"];
+    let mut file = b"HIERARCHY\nROOT ".to_vec();
+    file.extend(names[0]);
+    file.extend(b"\n{\nOFFSET 0 0 0\n");
+    for name in &names[1..] {
+        file.extend(b"JOINT ");
+        file.extend(*name);
+        file.extend(b"\n{\nOFFSET 1 -80 0\nEnd Site\n{\nOFFSET 0 0 9\n}\n}\n");
+    }
+    file.extend(b"}\n");
+    let mut reader = WasmReader::new(false, file.len() as f64);
+    reader.push(&file).unwrap();
+    let info = info(&reader.finish().unwrap());
+    let read = ["腰", "左足首", "End Site", "右足首", "End Site"];
+    assert_eq!(info.joints.iter().map(|joint| joint.name.as_str()).collect::<Vec<_>>(), read);
+    assert_eq!((info.roles["left_ankle"], info.roles["right_ankle"]), (1, 3));
+}
+
+#[wasm_bindgen_test]
 fn the_paper_method_labels_toes_only() {
     assert_eq!(walk().detect(options("paper")).unwrap().parts(), ["toe"]);
     assert!(walk().detect(options("best")).is_err());

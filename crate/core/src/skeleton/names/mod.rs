@@ -227,6 +227,11 @@ fn body_part(words: &[&str], is_sided: bool) -> (Option<BodyPart>, std::ops::Ran
     best.map_or((None, 0..0), |(part, _, _, range)| (Some(part), range))
 }
 
+/// Returns how many names of joints contain words that are known.
+pub fn known_name_count<'a>(names: impl Iterator<Item = &'a str>) -> usize {
+    parse_all(names).iter().filter(|name| name.part.is_some()).count()
+}
+
 /// Introduction of the document of joint names.
 const DOCUMENT_HEAD: &str = "\
 # Joint names
@@ -351,6 +356,11 @@ mod tests {
         assert_eq!(parse("front_r_2").limb_pair, Some(LimbPair::Fore));
         assert_eq!(parse("LeftForeArm").limb_pair, None);
         assert_eq!((parse("LeftFoot").unknown_words, parse("LeftFootSole").unknown_words), (0, 1));
+    }
+
+    #[test]
+    fn known_names_are_counted() {
+        assert_eq!(known_name_count(["左足首", "Hüfte", "xyz", "ç¸"].into_iter()), 2);
     }
 
     #[test]
