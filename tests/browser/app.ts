@@ -296,7 +296,7 @@ export class App {
       | "Every frame"
       | "Intervals"
       | "Gait events"
-      | "Events of parts"
+      | "Heel and toe events"
       | "Arrays"
       | "Blender",
   ): Promise<SavedFile> {

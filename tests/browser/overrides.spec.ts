@@ -62,7 +62,7 @@ test("explains the joint of a role and marks it in the view", async ({ app, page
   await app.openSample("bowling");
   await app.tab("Clip");
   const ankle = page.getByRole("combobox", { name: "Left ankle" });
-  await expect(ankle).toHaveAccessibleDescription(/9\d % by name, limb, other side/);
+  await expect(ankle).toHaveAccessibleDescription(/9\d % by name, connected bones, the other side/);
   const view = page.getByRole("img", { name: /Skeleton of/ });
   const unmarked = await view.screenshot();
   await ankle.focus();

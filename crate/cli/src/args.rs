@@ -61,7 +61,7 @@ pub struct ReadArgs {
     /// Joint of a role, such as left_ankle=LFoot; an empty name means no joint. May be repeated.
     /// If several joints have the name: left_ankle=2/LFoot for that of the second skeleton of the
     /// file, or left_ankle=LShin/LFoot for that below LShin
-    /// [default: detected from names and shape; info --format json lists the roles]
+    /// [default: detected from names and structure; info --format json lists the roles]
     #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = parse_joint)]
     pub joints: Vec<(Role, String)>,
     /// Metres per file unit [default: detected from the length of the legs]

@@ -81,8 +81,10 @@ pub enum Code {
     ShortClip,
     /// The character stands still; every frame is contact.
     StandingStill,
-    /// Movements of the feet are noise of the capture rather than steps.
+    /// Movements of the feet are too slow and too short for steps and count as contact.
     CaptureNoise,
+    /// Planted feet move at one velocity while the hips stay: a treadmill is assumed.
+    Belt,
     /// A foot moves along the ground: it is dragged and not planted.
     Dragged,
     /// The skeleton lacks joints that a method measures.

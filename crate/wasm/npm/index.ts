@@ -242,6 +242,7 @@ export class Plants {
    * except for the numbers that differ.
    *
    * @param file The bytes that `Clip.read` was given, or chunks of them.
+   * @throws PlantigradeError If the file is shorter than the one that was read.
    */
   clean(file: Uint8Array | Iterable<Uint8Array>): Uint8Array {
     return rethrow(() => {
@@ -249,8 +250,13 @@ export class Plants {
       const rewriter = cleaned.rewriter();
       cleaned.free();
       const written: Uint8Array[] = [];
-      for (const chunk of file instanceof Uint8Array ? [file] : file) {
-        written.push(rewriter.push(chunk));
+      try {
+        for (const chunk of file instanceof Uint8Array ? [file] : file) {
+          written.push(rewriter.push(chunk));
+        }
+      } catch (error) {
+        rewriter.free();
+        throw error;
       }
       written.push(rewriter.finish());
       return concatenate(written);

@@ -92,8 +92,11 @@ impl WasmRewriter {
     }
 
     /// Ends the file, consumes the writer and returns the last bytes of the result.
-    pub fn finish(self) -> Vec<u8> {
-        self.0.finish()
+    ///
+    /// # Errors
+    /// If the file is shorter than the one that the clip was read from.
+    pub fn finish(self) -> Result<Vec<u8>, Failure> {
+        Ok(self.0.finish()?)
     }
 }
 

@@ -42,7 +42,9 @@ pub(crate) fn decode(names: &[Vec<u8>]) -> (Vec<String>, &'static str) {
 /// Decodes names, if all of them are valid in the encoding.
 fn decode_as(names: &[Vec<u8>], encoding: &str) -> Option<Vec<String>> {
     let options = Object::new();
-    Reflect::set(&options, &"fatal".into(), &true.into()).ok()?;
+    for option in ["fatal", "ignoreBOM"] {
+        Reflect::set(&options, &option.into(), &true.into()).ok()?;
+    }
     let decoder = TextDecoder::new(encoding, &options).ok()?;
     names.iter().map(|name| decoder.decode(name).ok()).collect()
 }

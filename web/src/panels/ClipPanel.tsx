@@ -1,7 +1,7 @@
 import { useEffect } from "preact/hooks";
 import { setOverrides } from "../actions/detect";
 import { groundText } from "../model/ground";
-import type { Clip, Detection, Overrides, Up } from "../model/types";
+import type { Clip, Overrides, Up } from "../model/types";
 import { detection, openClip, overrides, source } from "../store/session";
 import { markedJoint } from "../store/view";
 import { PropertyList } from "../ui/PropertyList";
@@ -47,16 +47,16 @@ function factsOf(clip: Clip) {
     ["Up axis", axisText(clip.up)],
     ["Unit", clip.unit ?? `${Number(clip.metresPerUnit.toPrecision(3))} m`],
     ["Ground", detection.value ? groundText(detection.value.ground) : undefined],
-    ["Foot noise", noiseText(detection.value)],
+    ["Noise of planted toes", millimetres(detection.value?.noise?.position)],
+    ["Speed of planted feet", millimetres(detection.value?.noise?.speed, "/s")],
     ["Leg length", clip.leg !== undefined && `${(100 * clip.leg).toFixed(0)} cm`],
   ] as const;
 }
 
-/** Returns the noise of planted feet: `0.4 mm, 35 mm/s`. */
-function noiseText(detection: Detection | null) {
-  if (!detection?.noise) return undefined;
-  const [position, speed] = [1000 * detection.noise.position, 1000 * detection.noise.speed];
-  return `${position.toPrecision(2)} mm, ${speed.toFixed(0)} mm/s`;
+/** Returns a length in metres as text in millimetres: `0.42 mm`, `35 mm`. */
+function millimetres(metres: number | undefined, per = "") {
+  if (metres === undefined) return undefined;
+  return `${(1000 * metres).toFixed(metres < 0.01 ? 1 : 0)} mm${per}`;
 }
 
 /** Returns the display text of an axis: `Z`, `−Z`. */
@@ -128,9 +128,6 @@ function ImportSettings({ clip }: { clip: Clip }) {
   );
 }
 
-/** Confidence below which a role is marked as uncertain. */
-const uncertain = 0.75;
-
 function FootJoints({ clip }: { clip: Clip }) {
   useEffect(
     () => () => {
@@ -197,7 +194,7 @@ function FootJoint({ clip, role }: { clip: Clip; role: string }) {
       </label>
       {evidence && (
         <p id={evidenceId} class="role-evidence">
-          {evidence.confidence < uncertain && <strong>Uncertain: </strong>}
+          {evidence.doubtful && <strong>Uncertain: </strong>}
           {(100 * evidence.confidence).toFixed(0)} % by {evidence.reasons.join(", ")}
         </p>
       )}

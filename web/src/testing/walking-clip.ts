@@ -166,7 +166,7 @@ export function createWalkingClip(name: string, seconds = 12): Clip {
     roleEvidence: Object.fromEntries(
       Object.keys(walkingRoles).map((role) => [
         role,
-        { confidence: 0.95, reasons: ["name"] },
+        { confidence: 0.95, doubtful: false, reasons: ["name"] },
       ]),
     ),
     roleNames: Object.keys(walkingRoles),

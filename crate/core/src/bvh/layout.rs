@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-/// What a [`Rewriter`](crate::bvh::Rewriter) must know of a file to change only some of its numbers.
+/// Byte positions and formats of the numbers of a file, with which a [`Rewriter`](crate::bvh::Rewriter)
+/// changes some of them.
 ///
 /// Offsets are byte indices in the text of the file: decoded, without a byte order mark.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -29,5 +29,5 @@ pub use layout::Layout;
 pub use names::{NameDecoder, decode_windows_1252};
 pub use options::{Limits, Options};
 pub use reader::{Parsed, Reader, parse};
-pub use rewriter::{Rewriter, rewrite};
+pub use rewriter::{OtherFile, Rewriter, rewrite};
 pub use writer::write;

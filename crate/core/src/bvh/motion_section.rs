@@ -145,8 +145,10 @@ impl MotionSection {
     fn is_follower(&mut self, Line { number, text, .. }: Line<'_>, at: usize) -> bool {
         let begins = |keyword: &str| number::word(&text[at..]).eq_ignore_ascii_case(keyword.as_bytes());
         let hierarchies = usize::from(begins("HIERARCHY"));
-        let motions = usize::from(begins("MOTION"));
-        let begins_here = hierarchies + motions > 0 || begins("ROOT");
+        // Before the first row, the keyword is a repetition and no other motion.
+        let motions = usize::from(begins("MOTION") && (self.header.done || self.followers.is_some()));
+        // A word such as "Root" may begin a remark.
+        let begins_here = hierarchies + motions > 0 || number::word(&text[at..]) == b"ROOT";
         if self.followers.is_none() && !begins_here {
             return false;
         }

@@ -1,7 +1,8 @@
 //! Joint names in any encoding.
 
 /// Decoder of joint names of which at least one is not UTF-8: returns the texts and the name of the
-/// encoding. Encoding a text must return its bytes.
+/// encoding, as the Encoding Standard of WHATWG names it. Saved files keep the bytes, so that the texts are
+/// for display and for roles only.
 pub type NameDecoder = fn(&[Vec<u8>]) -> (Vec<String>, &'static str);
 
 /// The decoder that is used by default.

@@ -43,17 +43,22 @@ pub struct Rewriter {
     shift: Vec<f64>,
 }
 
+/// Error: a changed clip is written from another file than it was read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the file is shorter than the one that the clip was read from; pass the same bytes")]
+pub struct OtherFile;
+
 /// Writes a clip that was read from the file `bytes` and changed; see [`Rewriter`].
 ///
 /// # Panics
-/// See [`Rewriter::new`].
+/// See [`Rewriter::new`]; also if `bytes` are those of a shorter file.
 pub fn rewrite(bytes: &[u8], layout: &Arc<Layout>, clip: &Arc<Clip>, frames: Range<usize>) -> Vec<u8> {
     let mut rewriter = Rewriter::new(layout.clone(), clip.clone(), frames);
     let mut written = Vec::with_capacity(bytes.len());
     for chunk in bytes.chunks(CHUNK_BYTES) {
         written.append(&mut rewriter.push(chunk));
     }
-    written.append(&mut rewriter.finish());
+    written.append(&mut rewriter.finish().expect("the bytes are those of the layout"));
     written
 }
 
@@ -96,10 +101,19 @@ impl Rewriter {
     }
 
     /// Ends the file and returns the last part of the result.
-    pub fn finish(mut self) -> Vec<u8> {
+    ///
+    /// # Errors
+    /// If the file is shorter than that of the layout. Another file of the same length or longer is not
+    /// noticed, and its result is meaningless.
+    pub fn finish(mut self) -> Result<Vec<u8>, OtherFile> {
         let rest = self.decoder.finish().to_vec();
         self.text.extend_from_slice(&rest);
-        self.write(true)
+        let end = self.start + self.text.len() as u64;
+        let Layout { frames, frames_end, .. } = &*self.layout;
+        if frames.last().max(frames_end.as_ref()).is_some_and(|&last| end < last) {
+            return Err(OtherFile);
+        }
+        Ok(self.write(true))
     }
 
     /// Writes all complete frames of the text, or all of it at the end of the file.
@@ -475,7 +489,7 @@ mod tests {
                 written.append(&mut rewriter.push(chunk));
             }
             prop_assert_eq!(reader.finish().unwrap().layout, layout);
-            written.append(&mut rewriter.finish());
+            written.append(&mut rewriter.finish().unwrap());
             prop_assert_eq!(&written, &bytes);
         }
 

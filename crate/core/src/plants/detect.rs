@@ -1,7 +1,7 @@
 //! Detection in a clip.
 
 use crate::kinematics::Track;
-use crate::notice::Notice;
+use crate::notice::{Code, Notice};
 use crate::plants::methods::{DetectionCache, Input, Output};
 use crate::plants::postprocess::capture_noise::CaptureNoise;
 use crate::plants::postprocess::{ground_height, plausibility};
@@ -66,5 +66,13 @@ fn run_with_summary(
     let ground_height = ground_height::height(&summary.lowest, &parts[0]);
     let noise = CaptureNoise::new(feet, &parts[0]);
     let ground = Ground::new(feet, parts[0].feet.each_ref().map(|foot| foot.planted.as_slice()));
+    notices.extend(ground.belt.map(|belt| {
+        let speed = belt.norm() * feet.metres_per_unit;
+        let text = format!(
+            "Planted feet move at {speed:.2} m/s while the hips stay; the clip is taken for one on a treadmill. \
+             Slides and lengths are relative to its belt."
+        );
+        Notice::new(Code::Belt, text)
+    }));
     Detection { params, ground_height, ground, noise, parts, notices, edits: Vec::new() }
 }

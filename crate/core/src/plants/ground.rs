@@ -10,28 +10,30 @@ use crate::numeric::{sort, stats};
 use crate::plants::{Feet, FootTracks};
 use crate::skeleton::Up;
 
-/// Maximum difference of neighbouring heights of one level, in leg lengths, as feet float and sink
-/// …
+/// Maximum difference of neighbouring heights within one level, in leg lengths, as feet float and sink.
 const MAX_GAP: f64 = 0.03;
-/// … and maximum range of all heights of one level; a larger range is a slope.
+/// Maximum range of heights that clean-up moves to one level, in leg lengths.
 const MAX_RANGE: f64 = 0.04;
-/// Standard deviation of the positions of plants, in leg lengths, from which they determine the slope in a
-/// direction: feet side by side do not.
+/// Minimum standard deviation of the positions of plants along a direction whose slope they determine, in
+/// leg lengths. Feet side by side are closer than that.
 const MIN_EXTENT: f64 = 0.3;
 /// Minimum tilt of the ground, as a slope: 1°. Smaller ones are within the error of the heights.
 const MIN_SLOPE: f64 = 0.0175;
 /// Maximum tilt of the ground, as a slope: 27°. Stairs are steeper.
 const MAX_SLOPE: f64 = 0.5;
-/// Root mean square of the distances from a plane that is the ground, in leg lengths, and as a fraction of
-/// those from the level.
+/// Maximum root mean square of the distances of plants from a tilted plane, in leg lengths.
 const MAX_RESIDUAL: f64 = 0.02;
+/// Maximum of the same as a fraction of the distances from a level plane.
 const MAX_RESIDUAL_FRACTION: f64 = 0.4;
 /// Minimum speed of a belt, in leg lengths per second; planted feet that roll are slower.
 const MIN_BELT_SPEED: f64 = 0.15;
-/// Minimum fraction of plants that move with the belt, and maximum difference of their velocity from it, as
-/// a fraction of its speed.
+/// Minimum fraction of plants that move with the belt.
 const MIN_AGREEMENT: f64 = 0.75;
+/// Maximum difference of their velocity from that of the belt, as a fraction of its speed.
 const MAX_DEVIATION: f64 = 0.25;
+/// Maximum distance between the first and the last position of the hips on a belt, as a fraction of the
+/// distance that the belt moves. Feet that slide along with a walk are foot skate.
+const MAX_TRAVEL: f64 = 0.5;
 /// Minimum number of plants that determine a plane or a belt.
 const MIN_PLANTS: usize = 4;
 
@@ -42,8 +44,8 @@ pub struct Ground {
     pub normal: Vector3<f64>,
     /// Point of the plane, whose height is that of the most frequent level.
     pub origin: Vector3<f64>,
-    /// Heights of the levels above the plane, ascending; one of them is 0. Stairs have several; on ground that
-    /// is neither flat nor stepped, every plant is a level.
+    /// Heights of the levels above the plane, ascending; one of them is 0. A level is the median height of
+    /// plants whose neighbours in height are less than 0.03 leg lengths apart. Stairs have several levels.
     pub levels: Vec<f64>,
     /// Velocity of a treadmill belt, per second; `None` if the ground is at rest.
     pub belt: Option<Vector3<f64>>,
@@ -72,13 +74,14 @@ impl Ground {
         let mut ground =
             Ground { normal: (up - slope).normalize(), origin: centre, levels: Vec::new(), belt };
         let heights: Vec<f64> = points.iter().map(|point| ground.height_above(point, feet.up)).collect();
-        let mut levels = levels(&heights, feet.leg);
-        levels.sort_by(f64::total_cmp);
-        let most_frequent =
-            levels.chunk_by(|a, b| a == b).max_by_key(|level| level.len()).map_or(0.0, |level| level[0]);
+        let groups = groups_of_height(&heights, feet.leg);
+        let medians = groups.iter().map(|group| median_of_group(&heights, group));
+        // Of equally frequent levels, the lowest one.
+        let largest = groups.iter().map(Vec::len).max();
+        let first = groups.iter().position(|group| Some(group.len()) == largest);
+        let most_frequent = first.map_or(0.0, |index| median_of_group(&heights, &groups[index]));
         ground.origin += up * most_frequent;
-        levels.dedup();
-        ground.levels = levels.into_iter().map(|level| level - most_frequent).collect();
+        ground.levels = medians.map(|level| level - most_frequent).collect();
         ground
     }
 
@@ -110,20 +113,30 @@ impl Ground {
 /// slope the height of each plant is preserved.
 pub(crate) fn levels(heights: &[f64], leg: f64) -> Vec<f64> {
     let mut levels = heights.to_vec();
-    for ground in sort::argsort(heights).chunk_by(|&low, &high| heights[high] - heights[low] <= MAX_GAP * leg)
-    {
-        let (low, high) = (heights[ground[0]], heights[ground[ground.len() - 1]]);
+    for group in groups_of_height(heights, leg) {
+        let (low, high) = (heights[group[0]], heights[group[group.len() - 1]]);
         if high - low <= MAX_RANGE * leg {
-            let (below, above) = (ground[(ground.len() - 1) / 2], ground[ground.len() / 2]);
-            let level = (heights[below] + heights[above]) / 2.0;
-            ground.iter().for_each(|&plant| levels[plant] = level);
+            let level = median_of_group(heights, &group);
+            group.iter().for_each(|&plant| levels[plant] = level);
         }
     }
     levels
 }
 
-/// Returns the velocity with which toes move while they are planted, if most of them move alike: that of the
-/// belt of a treadmill, in file units per second.
+/// Returns the indices of heights in groups that are farther than [`MAX_GAP`] apart, ascending.
+fn groups_of_height(heights: &[f64], leg: f64) -> Vec<Vec<usize>> {
+    let order = sort::argsort(heights);
+    let groups = order.chunk_by(|&low, &high| heights[high] - heights[low] <= MAX_GAP * leg);
+    groups.map(<[usize]>::to_vec).collect()
+}
+
+/// Returns the median of the heights of a group in ascending order.
+fn median_of_group(heights: &[f64], group: &[usize]) -> f64 {
+    (heights[group[(group.len() - 1) / 2]] + heights[group[group.len() / 2]]) / 2.0
+}
+
+/// Returns the velocity of the belt of a treadmill, in file units per second: that of planted toes, if most of
+/// them have it and the hips do not travel.
 fn belt<'a>(toes: impl Iterator<Item = (&'a Track, Range<usize>)>, feet: &Feet) -> Option<Vector3<f64>> {
     let velocities: Vec<Vector3<f64>> = toes
         .filter(|(_, frames)| frames.len() > 1)
@@ -140,8 +153,14 @@ fn belt<'a>(toes: impl Iterator<Item = (&'a Track, Range<usize>)>, feet: &Feet) 
     });
     let speed = velocity.norm();
     let agree = velocities.iter().filter(|other| (*other - velocity).norm() <= MAX_DEVIATION * speed).count();
-    let is_belt =
-        speed >= MIN_BELT_SPEED * feet.leg && agree as f64 >= MIN_AGREEMENT * velocities.len() as f64;
+    let travel = match (feet.hips.first(), feet.hips.last()) {
+        (Some(first), Some(last)) => (last - first).norm(),
+        _ => 0.0,
+    };
+    let belt_distance = speed * feet.hips.len() as f64 * feet.frame_time;
+    let is_belt = speed >= MIN_BELT_SPEED * feet.leg
+        && agree as f64 >= MIN_AGREEMENT * velocities.len() as f64
+        && travel <= MAX_TRAVEL * belt_distance;
     is_belt.then_some(velocity)
 }
 
@@ -242,7 +261,13 @@ mod tests {
             let ankle = toe.iter().map(|toe| toe + 0.1 * up_vector(up)).collect();
             FootTracks { ankle, toe, tip: None }
         });
-        let hips = Track::new();
+        let hips = (0..frames).map(|frame| {
+            let time = f64::from(frame) / RATE;
+            Vector3::new(0.0, 1.0, (1.4 / 1.2 - belt) * time)
+        });
+        let hips =
+            hips.map(|hips| Vector3::from_fn(|axis, _| up.to_y_up(Vector3::ith(axis, 1.0)).dot(&hips)));
+        let hips: Track = hips.collect();
         (Feet { tracks, hips, up, leg: 1.0, metres_per_unit: 1.0, frame_time: 1.0 / RATE }, planted)
     }
 
@@ -288,6 +313,17 @@ mod tests {
         let belt = ground.belt.unwrap();
         assert!((belt + Vector3::z() * 1.2).norm() < 0.01, "{belt}");
         assert_eq!(ground.normal, Vector3::y());
+    }
+
+    #[test]
+    fn feet_that_slide_with_a_walk_are_not_on_a_belt() {
+        assert_eq!(ground(Up::Y, |_, _| 0.0, -0.4).belt, None);
+    }
+
+    #[test]
+    fn uneven_ground_has_one_level() {
+        let ground = ground(Up::Y, |_, z| 0.03 * (37.0 * z.round()).sin(), 0.0);
+        assert_eq!((ground.normal, &ground.levels[..]), (Vector3::y(), &[0.0][..]));
     }
 
     #[test]

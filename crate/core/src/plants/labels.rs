@@ -33,8 +33,8 @@ pub struct FootLabels {
 /// Instant at which a plant begins or ends.
 ///
 /// Contact changes with the first frame after the instant. The labels of heel and toe come from the
-/// clustering, for which a part that rolls slowly is planted: they change up to a tenth of a second before
-/// or after the instant.
+/// clustering, for which a part that rolls slowly is planted: they change up to 0.3 s before or after the
+/// instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
     /// Frame at which the label changes.

@@ -20,7 +20,7 @@ const SAMPLED_PAIRS: usize = 128;
 /// Time between the poses of a pair, in seconds.
 const PAIR_SECONDS: f64 = 0.04;
 
-/// Weights of the evidence for an up axis, and the scales at which it fades.
+/// Weights of the evidence for an up axis.
 ///
 /// Set by hand so that each situation of the tests is decided: standing, walking, sitting, lying,
 /// crawling, push-ups, handstands, and characters that are upside down or in another axis than their
@@ -36,7 +36,7 @@ mod weight {
     pub const LEVEL: f64 = 0.2;
     /// The lowest level is near zero.
     pub const ZERO: f64 = 0.2;
-    /// The direction is an axis of files: Y, then Z; not downwards.
+    /// Prior of each direction of `Up::ALL`: most files use Y, then Z.
     pub const AXIS: [f64; 6] = [0.06, 0.05, 0.0, -0.05, -0.05, -0.1];
 }
 
@@ -60,7 +60,7 @@ const UNCERTAIN: f64 = 0.15;
 
 /// Up axis found in a clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct FoundUp {
+pub(super) struct UpEstimate {
     pub up: Up,
     pub is_certain: bool,
 }
@@ -122,7 +122,7 @@ impl<'a> Body<'a> {
     }
 
     /// Returns the up axis with the strongest evidence, or `None` without feet and head.
-    pub fn up(&self, leg: Option<f64>) -> Option<FoundUp> {
+    pub fn up(&self, leg: Option<f64>) -> Option<UpEstimate> {
         let feet: Vec<&Track> = self.legs.iter().filter_map(|leg| leg[2].as_ref()).collect();
         if feet.is_empty() && self.head.is_none() {
             return None;
@@ -148,19 +148,10 @@ impl<'a> Body<'a> {
                 (score, up)
             })
             .collect();
-        if std::env::var_os("PG_DEBUG").is_some() {
-            for (i, (s, u)) in scores.iter().enumerate() {
-                eprintln!(
-                    "{u}: {s:.3} upright {:.3} rest {} support {:.3}",
-                    upright[i],
-                    rest == Some(*u),
-                    support[i]
-                );
-            }
-        }
         scores.sort_by(|a, b| b.0.total_cmp(&a.0));
         let is_measured = upright.iter().any(|&part| part > 0.0) || rest.is_some();
-        is_measured.then(|| FoundUp { up: scores[0].1, is_certain: scores[0].0 - scores[1].0 >= UNCERTAIN })
+        is_measured
+            .then(|| UpEstimate { up: scores[0].1, is_certain: scores[0].0 - scores[1].0 >= UNCERTAIN })
     }
 
     /// Returns how well trunk and legs point along each direction: the mean over poses, from 0 to 1.

@@ -19,7 +19,7 @@ use crate::foot::Side;
 use crate::kinematics;
 use crate::notice::{Code, Notice};
 use body::Body;
-use find::Found;
+use find::RoleSearch;
 
 /// Values that override those detected from the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -79,7 +79,7 @@ impl Skeleton {
 
     /// Returns the skeleton below `root`.
     pub fn from_root(clip: &Clip, root: usize, overrides: &Overrides) -> Skeleton {
-        let Found { mut roles, is_quadruped } = find::assign_roles(clip, root);
+        let RoleSearch { mut roles, is_quadruped } = find::assign_roles(clip, root);
         for &(role, joint) in &overrides.roles {
             if joint.is_none_or(|joint| root_of(clip, joint) == root) {
                 roles.set(role, joint);
@@ -87,7 +87,7 @@ impl Skeleton {
         }
         let mut notices = role_notices(clip, root, &roles);
         if is_quadruped {
-            let text = "The skeleton has four legs. The plants of the hind feet are found.";
+            let text = "The skeleton has four legs; only the hind feet are measured.";
             notices.push(Notice::new(Code::Quadruped, text));
         }
         let body = Body::measure(clip, root, &roles);
@@ -95,7 +95,7 @@ impl Skeleton {
         let found_up = body.up(leg);
         if overrides.up.is_none() && !found_up.is_some_and(|found| found.is_certain) {
             let up = found_up.map_or(Up::Y, |found| found.up).to_string().to_uppercase();
-            let text = format!("The up axis is uncertain; {up} is used. Set it if it is another one.");
+            let text = format!("The up axis is uncertain; {up} is used. Set the up axis if this is wrong.");
             notices.push(Notice::new(Code::UpAxis, text));
         }
         let up = overrides.up.or(found_up.map(|found| found.up)).unwrap_or(Up::Y);
@@ -105,8 +105,8 @@ impl Skeleton {
             let name = unit_name(unit.metres_per_unit)
                 .map_or_else(|| format!("{:.4} m", unit.metres_per_unit), |name| format!("1 {name}"));
             let text = format!(
-                "The unit is uncertain; {name} is used, which makes legs of {length:.2} m. Set it if it is \
-                 another one."
+                "The unit is uncertain; {name} is used, so that the legs are {length:.2} m long. Set the unit if \
+                 this is wrong."
             );
             notices.push(Notice::new(Code::Unit, text));
         }
@@ -186,8 +186,8 @@ fn role_notices(clip: &Clip, root: usize, roles: &Roles) -> Vec<Notice> {
     {
         let name = |ankle: &Assignment| &clip.joints()[ankle.joint].name;
         let text = format!(
-            "The names of the joints do not tell the feet. By the structure of the skeleton, the left ankle \
-             is {} and the right ankle is {}. Name other joints if they are wrong.",
+            "Joint names do not identify the feet. By the structure of the skeleton, the left ankle is {} and \
+             the right ankle is {}. Set the ankle joints if this is wrong.",
             name(left),
             name(right)
         );

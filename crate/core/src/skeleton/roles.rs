@@ -156,6 +156,9 @@ impl LegRoles {
     }
 }
 
+/// Confidence below which a role is doubtful.
+const DOUBTFUL: f64 = 0.75;
+
 /// Reason for the joint of a role.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -168,24 +171,23 @@ pub enum Reason {
     PartOfName,
     /// Bone lengths and branches of the skeleton say so.
     Structure,
-    /// The joint is connected to others of the same limb.
+    /// The joint is connected to a joint of the same limb that a name identifies.
     Chain,
     /// The joint of the other side has the same distance from the common joint.
     Mirrored,
 }
 
 impl Reason {
-    /// Probability that the reason alone is right, for the confidence of a role.
-    ///
-    /// Estimates by judgement: a role with a name and a chain has a confidence of 0.95, one by
-    /// structure alone at most 0.83.
+    /// Probability that the reason alone is right, for the confidence of a role. Chosen by hand, so that
+    /// roles with a name, or with a named neighbour in their chain, are above [`DOUBTFUL`].
     fn weight(self) -> f64 {
         match self {
             Reason::Given => 1.0,
             Reason::Name => 0.9,
             Reason::PartOfName => 0.7,
-            Reason::Structure | Reason::Chain => 0.5,
-            Reason::Mirrored => 0.3,
+            Reason::Chain => 0.6,
+            Reason::Structure => 0.4,
+            Reason::Mirrored => 0.2,
         }
     }
 
@@ -196,8 +198,8 @@ impl Reason {
             Reason::Name => "name",
             Reason::PartOfName => "part of the name",
             Reason::Structure => "structure",
-            Reason::Chain => "limb",
-            Reason::Mirrored => "other side",
+            Reason::Chain => "connected bones",
+            Reason::Mirrored => "the other side",
         }
     }
 }
@@ -218,9 +220,9 @@ impl Assignment {
         1.0 - self.reasons.iter().map(|reason| 1.0 - reason.weight()).product::<f64>()
     }
 
-    /// True if no name supports the joint.
+    /// True if the confidence is below 0.75.
     pub fn is_doubtful(&self) -> bool {
-        !self.reasons.iter().any(|reason| matches!(reason, Reason::Given | Reason::Name | Reason::PartOfName))
+        self.confidence() < DOUBTFUL
     }
 }
 

@@ -3,16 +3,17 @@
 /// Height of the hip joint above the sole of an adult, in metres.
 const ADULT_LEG: f64 = 0.9;
 
-/// Standard deviations of the logarithm of a leg's length: of shorter people, children included, and
-/// of taller ones.
-const SHORTER: f64 = 0.33;
-const TALLER: f64 = 0.15;
+/// Standard deviation of the logarithm of the leg length of people who are shorter than the mean adult,
+/// children included.
+const DEVIATION_BELOW: f64 = 0.33;
+/// Standard deviation of the logarithm of the leg length of people who are taller.
+const DEVIATION_ABOVE: f64 = 0.15;
 
 /// Logarithm of how much rarer than metres and centimetres a unit is that is not known.
 ///
 /// With this value, legs of 0.45 m in centimetres are those of a child. Chosen with the deviations
-/// above on the clips of other projects that were at hand, whose units are known.
-const UNKNOWN: f64 = 2.25;
+/// above on files of fifteen other programs, whose units are known.
+const UNKNOWN_UNIT_PENALTY: f64 = 2.25;
 
 /// Leg lengths of people, in metres. No unit is known if none gives a length in this range.
 const PEOPLE: std::ops::RangeInclusive<f64> = 0.3..=1.25;
@@ -51,11 +52,11 @@ pub(super) struct AssumedUnit {
 pub(super) fn of_leg(leg: f64, is_animal: bool) -> AssumedUnit {
     let log_probability = |unit: f64, rarity: f64| {
         let deviation = (leg * unit / ADULT_LEG).ln();
-        let scale = if deviation < 0.0 { SHORTER } else { TALLER };
+        let scale = if deviation < 0.0 { DEVIATION_BELOW } else { DEVIATION_ABOVE };
         -(deviation / scale).powi(2) / 2.0 - rarity
     };
     let is_plausible = |&(unit, _, rarity): &(f64, &str, f64)| {
-        PEOPLE.contains(&(leg * unit)) && log_probability(unit, rarity) > -UNKNOWN
+        PEOPLE.contains(&(leg * unit)) && log_probability(unit, rarity) > -UNKNOWN_UNIT_PENALTY
     };
     let best = if is_animal {
         UNITS.iter().find(|(unit, ..)| ANIMALS.contains(&(leg * unit)))
@@ -95,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn children_are_not_adults() {
+    fn short_legs_in_centimetres_are_those_of_children() {
         for leg in [45.0, 50.0, 60.0, 70.0, 110.0] {
             assert_eq!(of_leg(leg, false).metres_per_unit, 0.01, "{leg}");
         }
@@ -104,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_unit_gives_an_adult() {
+    fn unknown_units_assume_legs_of_an_adult() {
         let other = of_leg(5.0, false);
         assert!((other.metres_per_unit - 0.18).abs() < 1e-12 && !other.is_certain);
         assert!(unit_name(other.metres_per_unit).is_none());

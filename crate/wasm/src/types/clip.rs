@@ -39,7 +39,9 @@ impl From<&plantigrade::bvh::Joint> for JointInfo {
 pub struct RoleEvidence {
     /// Confidence, from 0 to 1.
     pub confidence: f64,
-    /// Kinds of evidence in a few words, as in "name" and "other side".
+    /// True if the confidence is too low to rely on the joint.
+    pub doubtful: bool,
+    /// Kinds of evidence in a few words, as in "name" and "the other side".
     pub reasons: Vec<String>,
 }
 
@@ -47,6 +49,7 @@ impl From<&skeleton::Assignment> for RoleEvidence {
     fn from(assignment: &skeleton::Assignment) -> RoleEvidence {
         RoleEvidence {
             confidence: assignment.confidence(),
+            doubtful: assignment.is_doubtful(),
             reasons: assignment.reasons.iter().map(|reason| reason.description().into()).collect(),
         }
     }

@@ -1,6 +1,6 @@
 //! Failures and notices.
 
-use plantigrade::bvh::Error;
+use plantigrade::bvh::{Error, OtherFile};
 use plantigrade::formats::ReadError;
 use plantigrade::notice::Notice;
 use plantigrade::plants::{DetectError, ParamError};
@@ -79,7 +79,8 @@ impl_from_display!(
     ParamError,
     SegmentError,
     segments::ParamError,
-    ReadError
+    ReadError,
+    OtherFile
 );
 
 /// A repair, an assumption or a warning.

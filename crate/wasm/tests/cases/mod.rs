@@ -179,7 +179,7 @@ fn labels_read_back_from_npz() {
 /// Gives the file of the walk to a writer in chunks.
 fn rewrite(mut rewriter: WasmRewriter) -> Vec<u8> {
     let mut written: Vec<u8> = WALK.chunks(10_000).flat_map(|chunk| rewriter.push(chunk)).collect();
-    written.append(&mut rewriter.finish());
+    written.append(&mut rewriter.finish().unwrap());
     written
 }
 

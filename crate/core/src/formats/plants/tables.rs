@@ -45,7 +45,7 @@ pub(super) const EVENTS: FormatInfo<Writer, Reader> = FormatInfo {
 
 pub(super) const PART_EVENTS: FormatInfo<Writer, Reader> = FormatInfo {
     name: "part-events",
-    title: "Events of parts",
+    title: "Heel and toe events",
     description: "Gait events, with heel strike, toe strike, foot flat, heel off and toe off.",
     extension: "part-events.csv",
     media_type: "text/csv",

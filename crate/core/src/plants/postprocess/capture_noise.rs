@@ -31,8 +31,9 @@ const MAX_FRAMES: usize = 10_000;
 /// Noise of planted feet: of the capture, and of feet that roll.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CaptureNoise {
-    /// Standard deviation of the noise of each coordinate of a toe that
-    /// changes from frame to frame, in file units.
+    /// Standard deviation of each coordinate of planted toes, in file units, from second differences of
+    /// frames: that of white noise. Smoothed or repeated poses give too low a value, feet that roll at low
+    /// frame rates too high a one.
     pub position: f64,
     /// Median speed as detection filters it, in file units per second. A step reaches five times this
     /// speed, unless it takes the foot somewhere else.
@@ -101,9 +102,10 @@ pub(crate) fn fill_swings(feet: &Feet, labels: &mut PartLabels) -> Option<Notice
     let limit = 1e3 * STEP_SPEED * noise * feet.metres_per_unit;
     (filled > 0).then(|| {
         let text = if steps {
+            let movements = if filled == 1 { "One movement".into() } else { format!("{filled} movements") };
             format!(
-                "{filled} movements of the feet are no steps: they remain below {limit:.0} mm/s, {STEP_SPEED} \
-                 times the median speed of planted feet; they count as contact."
+                "{movements} of the feet remained below {limit:.0} mm/s, {STEP_SPEED} times the median speed of \
+                 planted feet, which is too slow for a step, and counted as contact."
             )
         } else {
             format!(

@@ -127,12 +127,12 @@ pub(super) fn named_toe(tree: &Tree, ankle: usize) -> Option<usize> {
             (tree.ancestors(joint).count(), name.unknown_words, &tree.clip.joints()[joint].name)
         })
     };
-    // A foot below the ankle is its front part, which stands in for a toe that is not named.
+    // A foot below the ankle is its front part, which replaces a toe that is not named.
     with_part(BodyPart::Toe).or_else(|| with_part(BodyPart::Foot))
 }
 
 /// Returns the end of the foot: the leaf below `joint` that is farthest from it in the rest pose.
-/// Heels and helpers are passed over.
+/// Heels and helpers are skipped.
 pub(super) fn tip(tree: &Tree, joint: usize) -> Option<usize> {
     let is_front = |member: usize| {
         std::iter::once(member).chain(tree.ancestors(member)).take_while(|&above| above != joint).all(

@@ -14,7 +14,7 @@ use leg::Leg;
 use tree::Tree;
 
 /// Result of the search for roles.
-pub(crate) struct Found {
+pub(crate) struct RoleSearch {
     /// The roles.
     pub roles: Roles,
     /// True if the skeleton has fore limbs that stand on the ground.
@@ -22,7 +22,7 @@ pub(crate) struct Found {
 }
 
 /// Assigns the roles in the skeleton below `root`.
-pub(crate) fn assign_roles(clip: &Clip, root: usize) -> Found {
+pub(crate) fn assign_roles(clip: &Clip, root: usize) -> RoleSearch {
     let tree = Tree::new(clip, root);
     let mut roles = Roles::default();
     let legs = match named_legs::find(&tree) {
@@ -38,7 +38,7 @@ pub(crate) fn assign_roles(clip: &Clip, root: usize) -> Found {
     trunk::assign(&tree, &mut roles);
     let has_fore_limbs = tree.members().any(|joint| tree.name(joint).limb_pair == Some(LimbPair::Fore));
     let is_quadruped = roles.has_feet() && (has_fore_limbs || trunk::hands_stand(&tree, &roles));
-    Found { roles, is_quadruped }
+    RoleSearch { roles, is_quadruped }
 }
 
 /// Assigns the roles of one leg with their evidence.
@@ -54,19 +54,22 @@ fn assign_leg(tree: &Tree, side: Side, leg: &Leg, other: Option<&Leg>, roles: &m
     ];
     let others = other.map(joints).unwrap_or_default();
     let own = joints(leg);
+    let is_named =
+        |index: usize, joint: usize| tree.name(joint).part.is_some_and(|part| named[index].contains(&part));
     for (index, role) in [thigh, shank, ankle, toe, tip].into_iter().enumerate() {
         let Some(joint) = own[index] else { continue };
         let name = tree.name(joint);
         let mut reasons = Vec::new();
-        if name.part.is_some_and(|part| named[index].contains(&part)) {
+        if is_named(index, joint) {
             reasons.push(if name.unknown_words == 0 { Reason::Name } else { Reason::PartOfName });
         } else {
             reasons.push(Reason::Structure);
         }
         let above = index.checked_sub(1).and_then(|above| own[above]);
         let below = own.get(index + 1).copied().flatten();
-        let is_in_chain = above.is_some_and(|above| tree.is_within(joint, above))
-            || below.is_some_and(|below| tree.is_within(below, joint));
+        let is_in_chain = above
+            .is_some_and(|above| tree.is_within(joint, above) && is_named(index - 1, above))
+            || below.is_some_and(|below| tree.is_within(below, joint) && is_named(index + 1, below));
         if is_in_chain {
             reasons.push(Reason::Chain);
         }

@@ -15,12 +15,12 @@ struct Candidate {
     score: f64,
 }
 
-/// Returns the legs of both sides that names tell, left first.
+/// Returns the legs of both sides that names identify, left first.
 pub(super) fn find(tree: &Tree) -> [Option<Leg>; 2] {
     let [left, right] = Side::BOTH.map(|side| candidates(tree, side));
     // The pair whose legs are alike is the best one.
     let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
-    let score = |(a, b): &(&Candidate, &Candidate)| a.score + b.score + likeness(tree, &a.leg, &b.leg);
+    let score = |(a, b): &(&Candidate, &Candidate)| a.score + b.score + symmetry(tree, &a.leg, &b.leg);
     let best_pair = first_max(pairs, score);
     match best_pair {
         Some((left, right)) => [Some(left.leg), Some(right.leg)],
@@ -40,8 +40,8 @@ fn first_max<T>(items: impl Iterator<Item = T>, score: impl Fn(&T) -> f64) -> Op
     best.map(|(_, item)| item)
 }
 
-/// Returns 1 for legs of equal depth below a common ancestor, 0 otherwise.
-fn likeness(tree: &Tree, a: &Leg, b: &Leg) -> f64 {
+/// Returns 0.5 for legs of equal depth, and another 0.5 if both or none have a toe.
+fn symmetry(tree: &Tree, a: &Leg, b: &Leg) -> f64 {
     let depth = |leg: &Leg| leg.ankle.map(|ankle| tree.ancestors(ankle).count());
     let has_toe = |leg: &Leg| leg.toe.is_some();
     f64::from(depth(a) == depth(b)) * 0.5 + f64::from(has_toe(a) == has_toe(b)) * 0.5
@@ -111,8 +111,8 @@ fn candidate(tree: &Tree, side: Side, ankle: usize) -> Candidate {
     Candidate { leg, score }
 }
 
-/// Returns the joints from below the pelvis to `ankle`: its ancestors up to the first one that
-/// another side or no side is named in, that pelvis, trunk or root is, or that both legs share.
+/// Returns the joints of one leg from the top down to `ankle`: its ancestors below the root, up to the
+/// first that is named after the other side, pelvis or trunk, or that has descendants of the other side.
 fn chain_on_side(tree: &Tree, side: Side, ankle: usize) -> Vec<usize> {
     let is_of_leg = |&joint: &usize| {
         let name = tree.name(joint);

@@ -44,7 +44,12 @@ fn assign_trunk(tree: &Tree, roles: &mut Roles) {
     let named_hips = first(BodyPart::Hips);
     let fork = || tree.common_ancestor(roles.get(Role::LeftThigh)?, roles.get(Role::RightThigh)?);
     let (hips, mut reasons) = match (fork(), named_hips) {
-        (Some(fork), _) => (fork, vec![Reason::Structure, Reason::Chain]),
+        (Some(fork), _) => {
+            let thighs = [Role::LeftThigh, Role::RightThigh];
+            let is_named =
+                thighs.iter().all(|&role| roles.assignment(role).is_some_and(|thigh| !thigh.is_doubtful()));
+            (fork, if is_named { vec![Reason::Chain, Reason::Structure] } else { vec![Reason::Structure] })
+        }
         (None, Some(named)) => (named, vec![]),
         (None, None) => (tree.root, vec![Reason::Structure]),
     };

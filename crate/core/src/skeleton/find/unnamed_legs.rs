@@ -1,4 +1,4 @@
-//! Legs by the structure of the skeleton, for names that tell nothing.
+//! Legs by the structure of the skeleton, for names without a meaning.
 
 use nalgebra::Vector3;
 
@@ -27,7 +27,7 @@ struct LimbPairing {
 
 /// Returns the two mirrored chains that reach farthest from their common joint, left first.
 ///
-/// Hands are near the hips and there is one head, so only feet are a pair far from the hips. Limbs
+/// The mean of both hands is near the trunk, and there is one head, so only feet are a pair far from it. Limbs
 /// with names of arms, heads or wings are no legs, nor are limbs that point towards the head. If two
 /// pairs reach about equally far (a quadruped), the hind ones are the legs if names tell them apart;
 /// otherwise the result is undecided.

@@ -248,10 +248,10 @@ such as a prefix, are ignored. The side may stand anywhere: `LeftFoot`, `L_Foot`
 - *Hip* with a side is the thigh, unless a joint below it is named thigh. Without a side it is the pelvis.
 - *Leg* is the shank below a thigh, and the thigh above a shank.
 - The first joint named *ankle* or *foot* is the ankle; a foot below it is the middle of the foot.
-- Limbs with names of fore limbs, arms, wings or clothes are never legs. Hind limbs are the legs if there
-  are no others.
-- If no foot is named, the legs are the pair of mirrored limbs that reach farthest away from the head. A
-  notice says so.
+- If a leg is named and its foot is not, the ankle is the joint below which bone lengths leave only a foot.
+- If nothing is named, the legs are the mirrored limbs that reach farthest from their common joint and do not
+  point to the head. A notice says so. Limbs with names of fore limbs, arms, wings or clothes are no legs, and
+  limbs named hind are the legs only if there are no others.
 
 ";
 
