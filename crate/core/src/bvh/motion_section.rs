@@ -28,8 +28,8 @@ pub(crate) struct MotionSection {
     /// Start of a frame whose numbers are not complete.
     partial: Option<Partial>,
     decimals: Decimals,
-    /// First number of the previous row if it has one number more than there are channels.
-    extra_number: Option<f64>,
+    /// First number of the previous row if the row has one or two numbers more than there are channels.
+    extra_number: Option<ExtraNumber>,
     /// What follows the motion.
     followers: Option<Followers>,
     pub layout: Layout,
@@ -44,6 +44,22 @@ struct Header {
     /// True after the first row.
     done: bool,
 }
+
+/// First number of a row that has more numbers than there are channels.
+#[derive(Clone, Copy, Debug)]
+struct ExtraNumber {
+    value: f64,
+    /// Difference from the row before, if that has such a number, too.
+    step: Option<f64>,
+    /// Number of rows in succession with the same difference.
+    equal_steps: usize,
+}
+
+/// Number of rows with the same step larger than 1, from which a column of integers counts frames.
+const COUNTED_ROWS: usize = 3;
+
+/// Relative difference between the step of a column and the frame time, at which the column is the time.
+const TIME_TOLERANCE: f64 = 0.05;
 
 /// Hierarchies and motions that follow the first motion in the file.
 #[derive(Debug)]
@@ -438,16 +454,21 @@ impl MotionSection {
         Ok(found)
     }
 
-    /// Checks that the complete row does not begin with a number or time of its frame: with one
-    /// number more than there are channels, and one more than the previous row begins with.
+    /// Checks that the complete row does not begin with a number or time of its frame: with one or two
+    /// numbers more than there are channels, the first of which increases by a constant step.
     fn check_extra_number(&mut self, found: usize, line: usize, text: &[u8], at: usize) -> Result<(), Error> {
         let channels = self.channels.len();
-        let first = (found == channels + 1).then(|| self.values[self.frames * channels]);
-        let previous = std::mem::replace(&mut self.extra_number, first);
-        let Some((first, previous)) = first.zip(previous) else { return Ok(()) };
-        let step = first - previous;
-        let is_time = |time: f64| (step / time - 1.0).abs() < 0.05;
-        let column = if step == 1.0 && first.fract() == 0.0 {
+        let has_extra = (1..=2).any(|extra| found == channels + extra);
+        let first = has_extra.then(|| self.values[self.frames * channels]);
+        let previous = self.extra_number.take();
+        let step = first.zip(previous).map(|(first, previous)| first - previous.value);
+        let equal_steps =
+            previous.filter(|previous| previous.step == step).map_or(1, |previous| previous.equal_steps + 1);
+        self.extra_number = first.map(|value| ExtraNumber { value, step, equal_steps });
+        let Some((first, step)) = first.zip(step) else { return Ok(()) };
+        let is_time = |time: f64| (step / time - 1.0).abs() < TIME_TOLERANCE;
+        let is_count = step == 1.0 || step > 1.0 && equal_steps >= COUNTED_ROWS;
+        let column = if first.fract() == 0.0 && is_count {
             "the number of the frame"
         } else if self.header.frame_time.is_some_and(|time| is_time(time) || is_time(1e3 * time)) {
             "the time of the frame"

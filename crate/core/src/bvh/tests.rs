@@ -334,6 +334,9 @@ fn an_extra_column_of_frame_numbers_or_times_is_rejected() {
         assert_eq!(error.kind, ErrorKind::ExtraColumn { channels: 3, column }, "{rows}");
         assert_eq!(error.location.unwrap().line, 15);
     }
+    let every_fourth = format!("{head}0 0.1 1 2 3\n4 0.2 1 2 3\n8 0.3 1 2 3\n12 0.4 1 2 3\n");
+    let kind = ErrorKind::ExtraColumn { channels: 3, column: "the number of the frame" };
+    assert_eq!(reject(&motion(&every_fourth)).kind, kind);
     // Superfluous numbers at the end are left out.
     assert_eq!(rows(&format!("{head}1 2 3 0\n4 5 6 1\n7 8 9 2\n")).1, [Code::LongRow]);
 }

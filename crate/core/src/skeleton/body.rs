@@ -55,6 +55,12 @@ const GROUND: f64 = 0.3;
 /// Speed, in leg lengths per second, above which poses count as moving.
 const MOVING: f64 = 0.05;
 
+/// Evidence of posture and support, from 0 to 1, above which it confirms a direction.
+const CLEAR: f64 = 0.4;
+
+/// Evidence of posture for another direction, from 0 to 1, above which it contradicts the up axis.
+const CONTRADICTION: f64 = 0.7;
+
 /// Difference of the evidence for two directions below which the up axis is uncertain.
 const UNCERTAIN: f64 = 0.15;
 
@@ -150,15 +156,32 @@ impl<'a> Body<'a> {
             .collect();
         scores.sort_by(|a, b| b.0.total_cmp(&a.0));
         let is_measured = upright.iter().any(|&part| part > 0.0) || rest.is_some();
-        is_measured
-            .then(|| UpEstimate { up: scores[0].1, is_certain: scores[0].0 - scores[1].0 >= UNCERTAIN })
+        let (best, up) = scores[0];
+        // The rest pose, or a posture that rests on the ground, must agree with the direction; and no posture
+        // may contradict it.
+        let evidence = |up: Up| {
+            let index = Up::ALL.iter().position(|&other| other == up).unwrap_or_default();
+            (upright[index], support[index])
+        };
+        let (own_upright, own_support) = evidence(up);
+        let is_confirmed = rest == Some(up) || own_upright > CLEAR && own_support > CLEAR;
+        let is_contradicted = upright.iter().any(|&part| part > CONTRADICTION.max(own_upright));
+        let is_certain = best - scores[1].0 >= UNCERTAIN && is_confirmed && !is_contradicted;
+        is_measured.then_some(UpEstimate { up, is_certain })
     }
 
     /// Returns how well trunk and legs point along each direction: the mean over poses, from 0 to 1.
+    ///
+    /// The legs begin between the hip joints, as the root of a list of points may be anywhere.
     fn upright(&self, feet: &[&Track]) -> [f64; 6] {
         let mut sums = [0.0; 6];
         let mut count = 0.0;
+        let hip_joints = [self.legs[0][0].as_ref(), self.legs[1][0].as_ref()];
         for (frame, hips) in self.hips.iter().enumerate() {
+            let hips = match hip_joints {
+                [Some(left), Some(right)] => &((left[frame] + right[frame]) / 2.0),
+                _ => hips,
+            };
             let legs = (!feet.is_empty()).then(|| {
                 let sum: Vector3<f64> = feet.iter().map(|foot| foot[frame]).sum();
                 hips - sum / feet.len() as f64

@@ -1,5 +1,7 @@
 //! Unit of length.
 
+use std::ops::RangeInclusive;
+
 /// Height of the hip joint above the sole of an adult, in metres.
 const ADULT_LEG: f64 = 0.9;
 
@@ -16,13 +18,16 @@ const DEVIATION_ABOVE: f64 = 0.15;
 const UNKNOWN_UNIT_PENALTY: f64 = 2.25;
 
 /// Leg lengths of people, in metres. No unit is known if none gives a length in this range.
-const PEOPLE: std::ops::RangeInclusive<f64> = 0.3..=1.25;
+const PEOPLE: RangeInclusive<f64> = 0.3..=1.25;
 
 /// Leg lengths of people that need no notice, in metres.
-const ADULTS: std::ops::RangeInclusive<f64> = 0.6..=1.15;
+const ADULTS: RangeInclusive<f64> = 0.6..=1.15;
+
+/// Leg lengths of people that need no notice if the unit is a rare one, in metres.
+const MEAN_ADULTS: RangeInclusive<f64> = 0.8..=1.07;
 
 /// Leg length of an animal with four legs in a known unit, in metres.
-const ANIMALS: std::ops::RangeInclusive<f64> = 0.08..=1.6;
+const ANIMALS: RangeInclusive<f64> = 0.08..=1.6;
 
 /// Units of BVH files: metres per unit, name, and the logarithm of how much rarer than metres and
 /// centimetres they are.
@@ -65,8 +70,9 @@ pub(super) fn of_leg(leg: f64, is_animal: bool) -> AssumedUnit {
         people.max_by(|a, b| log_probability(a.0, a.2).total_cmp(&log_probability(b.0, b.2)))
     };
     match best {
-        Some(&(unit, ..)) => {
-            AssumedUnit { metres_per_unit: unit, is_certain: ADULTS.contains(&(leg * unit)) && !is_animal }
+        Some(&(unit, _, rarity)) => {
+            let adults = if rarity == 0.0 { ADULTS } else { MEAN_ADULTS };
+            AssumedUnit { metres_per_unit: unit, is_certain: adults.contains(&(leg * unit)) && !is_animal }
         }
         None => AssumedUnit { metres_per_unit: ADULT_LEG / leg, is_certain: false },
     }

@@ -66,7 +66,7 @@ pub(super) fn thigh_and_shank(tree: &Tree, chain: &[usize]) -> (Option<usize>, O
     // A part may be split into several joints; the topmost one with the plainest name counts.
     let first = |part| {
         let named = (0..above.len()).filter(|&at| is_named(above[at], part));
-        named.min_by_key(|&at| tree.name(above[at]).unknown_words)
+        named.min_by_key(|&at| (tree.name(above[at]).is_helper, tree.name(above[at]).unknown_words))
     };
     let last_leg = above.iter().rposition(|&joint| is_named(joint, BodyPart::Leg));
     let named_thigh = first(BodyPart::Thigh).or_else(|| first(BodyPart::Hip));

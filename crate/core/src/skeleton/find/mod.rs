@@ -36,7 +36,10 @@ pub(crate) fn assign_roles(clip: &Clip, root: usize) -> RoleSearch {
         }
     }
     trunk::assign(&tree, &mut roles);
-    let has_fore_limbs = tree.members().any(|joint| tree.name(joint).limb_pair == Some(LimbPair::Fore));
+    // A single joint may be named after the front of the body.
+    let is_fore = |joint: usize| tree.name(joint).limb_pair == Some(LimbPair::Fore);
+    let has_fore_limbs =
+        tree.members().any(|joint| is_fore(joint) && tree.parent(joint).is_some_and(is_fore));
     let is_quadruped = roles.has_feet() && (has_fore_limbs || trunk::hands_stand(&tree, &roles));
     RoleSearch { roles, is_quadruped }
 }

@@ -89,7 +89,10 @@ fn candidate(tree: &Tree, side: Side, ankle: usize) -> Candidate {
     let chain = chain_on_side(tree, side, ankle);
     let (thigh, shank) = leg::thigh_and_shank(tree, &chain);
     let mut leg = Leg { thigh, shank, ankle: Some(ankle), toe: leg::named_toe(tree, ankle), tip: None };
-    fill_by_names(tree, side, &mut leg);
+    // In a list of points, the leg is not a chain.
+    if chain.len() == 1 {
+        fill_by_names(tree, side, &mut leg);
+    }
     leg.tip = leg::tip(tree, leg.toe.unwrap_or(ankle));
     let is_named = |joint: Option<usize>| joint.is_some_and(|joint| tree.name(joint).part.is_some());
     let unknown_words: usize = chain.iter().map(|&joint| tree.name(joint).unknown_words).sum();
@@ -127,12 +130,9 @@ fn chain_on_side(tree: &Tree, side: Side, ankle: usize) -> Vec<usize> {
     chain
 }
 
-/// Assigns joints by name alone where the leg is not a chain, as in a list of points.
+/// Assigns joints of a list of points by name alone.
 fn fill_by_names(tree: &Tree, side: Side, leg: &mut Leg) {
     let Some(ankle) = leg.ankle else { return };
-    if leg.shank.is_some() || leg.thigh.is_some() {
-        return;
-    }
     let first = |parts: &[BodyPart]| {
         tree.members().find(|&joint| {
             joint != ankle

@@ -14,6 +14,10 @@ use crate::skeleton::names::{self, BodyPart, ParsedName};
 /// Number of poses on which bone lengths and directions are measured.
 const SAMPLED_POSES: usize = 64;
 
+/// Fraction of the lengths of all bones along one direction, above which a rest pose is not one of a
+/// standing body, whose legs take less than half.
+const PARALLEL_REST: f64 = 0.75;
+
 /// Relative difference of lengths of mirrored joints, at most.
 pub(super) const MIRROR_TOLERANCE: f64 = 0.05;
 
@@ -144,6 +148,19 @@ impl<'a> Tree<'a> {
             positions.push(parent.map_or_else(Vector3::zeros, |parent| parent + offset));
         }
         positions
+    }
+
+    /// True if the offsets have several directions. Rigs whose bones point along one axis of their own have
+    /// a rest pose in which all limbs are parallel.
+    pub fn has_standing_rest_pose(&self) -> bool {
+        let offsets = || self.members().skip(1).map(|joint| self.clip.joints()[joint].offset);
+        let total: f64 = offsets().map(|offset| offset.norm()).sum();
+        let along =
+            |direction: Vector3<f64>| offsets().map(|offset| offset.dot(&direction).max(0.0)).sum::<f64>();
+        let largest = (0..3)
+            .flat_map(|axis| [1.0, -1.0].map(|sign| along(Vector3::ith(axis, sign))))
+            .fold(0.0, f64::max);
+        total > 0.0 && largest <= PARALLEL_REST * total
     }
 
     /// True if two joints have equal distances from their common ancestor.

@@ -35,11 +35,12 @@ fn assign_named(tree: &Tree, roles: &mut Roles, role: Role, joint: Option<usize>
 }
 
 fn assign_trunk(tree: &Tree, roles: &mut Roles) {
-    // The name with the fewest unknown words counts; of several, the first.
+    // The name with the fewest unknown words counts; of several, the first one below the root, which may
+    // be the origin of the scene.
     let first = |part| {
         tree.members()
             .filter(|&joint| has_name(tree, joint, None, part))
-            .min_by_key(|&joint| tree.name(joint).unknown_words)
+            .min_by_key(|&joint| (tree.name(joint).unknown_words, joint == tree.root))
     };
     let named_hips = first(BodyPart::Hips);
     let fork = || tree.common_ancestor(roles.get(Role::LeftThigh)?, roles.get(Role::RightThigh)?);

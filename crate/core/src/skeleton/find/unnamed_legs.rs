@@ -36,7 +36,8 @@ struct LimbPairing {
 pub(super) fn find(tree: &Tree) -> Option<[Leg; 2]> {
     let rest: Vec<Track> = tree.rest_pose().into_iter().map(|position| vec![position]).collect();
     let members = &tree.tracks()[tree.members()];
-    find_in(tree, &rest).or_else(|| find_in(tree, members))
+    let by_rest_pose = if tree.has_standing_rest_pose() { find_in(tree, &rest) } else { None };
+    by_rest_pose.or_else(|| find_in(tree, members))
 }
 
 /// Returns the legs by the directions of limbs in the tracks of the members.

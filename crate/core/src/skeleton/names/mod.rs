@@ -72,10 +72,58 @@ pub(crate) fn parse_all<'a>(names: impl Iterator<Item = &'a str>) -> Vec<ParsedN
     }
     let limit = (COMMON_WORD * words.len() as f64).max(2.0);
     let is_common = |word: &str| counts.get(word).is_some_and(|&count| count as f64 > limit);
-    words
+    let words: Vec<Vec<&str>> = words
         .iter()
-        .map(|words| parse_words(words.iter().map(String::as_str).filter(|word| !is_common(word)).collect()))
-        .collect()
+        .map(|words| words.iter().map(String::as_str).filter(|word| !is_common(word)).collect())
+        .collect();
+    let mut parsed: Vec<ParsedName> = words.iter().cloned().map(parse_words).collect();
+    apply_letters(&words, &mut parsed);
+    parsed
+}
+
+/// Letters for left and right in languages other than English: French, Spanish, Italian, Portuguese,
+/// Polish and Swedish.
+const SIDE_LETTERS: [[&str; 2]; 6] = [["g", "d"], ["i", "d"], ["s", "d"], ["e", "d"], ["l", "p"], ["v", "h"]];
+
+/// Letters for fore and hind limbs.
+const LIMB_LETTERS: [[&str; 2]; 2] = [["f", "b"], ["f", "h"]];
+
+/// Applies single letters whose meaning is clear only if names of legs have both letters of a pair: for
+/// sides, if other words do not tell both of them; for limbs of animals.
+fn apply_letters(words: &[Vec<&str>], parsed: &mut [ParsedName]) {
+    let has = |index: usize, letter: &str| words[index].contains(&letter);
+    let of_leg = |parsed: &[ParsedName], index: usize| parsed[index].part.is_some_and(BodyPart::is_of_leg);
+    let find = |parsed: &[ParsedName], pairs: &[[&'static str; 2]]| -> Option<[&'static str; 2]> {
+        let exists = |letter: &str| (0..words.len()).any(|index| of_leg(parsed, index) && has(index, letter));
+        pairs.iter().copied().find(|pair| pair.iter().all(|letter| exists(letter)))
+    };
+    let knows =
+        |side| (0..words.len()).any(|index| of_leg(parsed, index) && parsed[index].side == Some(side));
+    if !Side::BOTH.iter().all(|&side| knows(side))
+        && let Some([left, right]) = find(parsed, &SIDE_LETTERS)
+    {
+        for (index, words) in words.iter().enumerate() {
+            let at = words.iter().rposition(|word| *word == left || *word == right);
+            if let Some(at) = at {
+                let side = if words[at] == left { Side::Left } else { Side::Right };
+                let rest: Vec<&str> = words
+                    .iter()
+                    .enumerate()
+                    .filter(|(other, _)| *other != at)
+                    .map(|(_, word)| *word)
+                    .collect();
+                parsed[index] = ParsedName { side: Some(side), ..parse_with_side(rest, true) };
+            }
+        }
+    }
+    if let Some([fore, hind]) = find(parsed, &LIMB_LETTERS) {
+        for index in 0..words.len() {
+            let limb = [(fore, LimbPair::Fore), (hind, LimbPair::Hind)];
+            if let Some((_, limb)) = limb.into_iter().find(|(letter, _)| has(index, letter)) {
+                parsed[index].limb_pair = Some(limb);
+            }
+        }
+    }
 }
 
 /// Parses words of one name.
@@ -89,7 +137,14 @@ fn parse_words(mut words: Vec<&str>) -> ParsedName {
         parsed.side = Some(side);
         words[at] = rest;
     }
-    let (part, term) = body_part(&words, parsed.side.is_some());
+    let side = parsed.side;
+    ParsedName { side, ..parse_with_side(words, side.is_some()) }
+}
+
+/// Parses words of a name without those of its side.
+fn parse_with_side(words: Vec<&str>, is_sided: bool) -> ParsedName {
+    let mut parsed = ParsedName::default();
+    let (part, term) = body_part(&words, is_sided);
     parsed.part = part;
     for (index, word) in words.iter().enumerate() {
         if term.contains(&index) {
@@ -209,6 +264,8 @@ fn body_part(words: &[&str], is_sided: bool) -> (Option<BodyPart>, std::ops::Ran
             if let Some(&(part, rank)) = TERMS.get(joined.as_str()) {
                 let part = match part {
                     BodyPart::Hip if !is_sided => BodyPart::Hips,
+                    // The trunk has no sides: `LeftBackFoot` is a hind foot.
+                    BodyPart::Spine if is_sided => continue,
                     part => part,
                 };
                 matches.push((part, rank, joined.len(), start..end));
@@ -343,6 +400,36 @@ mod tests {
             let parsed = parse_all(std::iter::once(name)).remove(0);
             assert_eq!((parsed.side, parsed.part), (side, part), "{name}");
         }
+    }
+
+    #[test]
+    fn letters_of_other_languages_are_sides_if_both_exist() {
+        let sides =
+            |names: [&str; 5]| parse_all(names.into_iter()).iter().map(|name| name.side).collect::<Vec<_>>();
+        use Side::{Left, Right};
+        assert_eq!(
+            sides(["Bassin", "Pied_G", "Pied_D", "Tete", "Main_D"]),
+            [None, Some(Left), Some(Right), None, Some(Right)]
+        );
+        assert_eq!(
+            sides(["Biodra", "Stopa_L", "Stopa_P", "Glowa", "Szyja"]),
+            [None, Some(Left), Some(Right), None, None]
+        );
+        assert_eq!(sides(["Hips", "Foot_D", "Foot", "Head", "Neck"]), [None; 5]);
+        assert_eq!(
+            sides(["Hips", "LeftFoot_G", "RightFoot_D", "Head", "Neck"]),
+            [None, Some(Left), Some(Right), None, None]
+        );
+    }
+
+    #[test]
+    fn front_and_back_limbs_are_told_apart() {
+        let names = ["lFLeg1", "lFFoot", "lBLeg1", "lBFoot", "LeftBackFoot", "LeftBackLeg"];
+        let parsed = parse_all(names.into_iter());
+        let pairs: Vec<_> = parsed.iter().map(|name| name.limb_pair).collect();
+        use LimbPair::{Fore, Hind};
+        assert_eq!(pairs, [Fore, Fore, Hind, Hind, Hind, Hind].map(Some));
+        assert_eq!(parsed[5].part, Some(BodyPart::Leg));
     }
 
     #[test]

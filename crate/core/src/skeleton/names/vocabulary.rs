@@ -122,7 +122,7 @@ pub(super) const LANGUAGES: &[Language] = &[
                 ],
             ),
             (Ankle, &["ankle", "talus", "anklejoint", "ank"]),
-            (Foot, &["foot", "feet", "metatarsals", "metatarsal", "midfoot", "tarsal", "paw", "hoof"]),
+            (Foot, &["foot", "feet", "foo", "metatarsals", "metatarsal", "midfoot", "tarsal", "paw", "hoof"]),
             (Heel, &["heel", "calcn", "calcaneus", "hee", "hindfoot", "rearfoot", "footheel"]),
             (
                 Toe,
@@ -365,7 +365,7 @@ pub(super) const LANGUAGES: &[Language] = &[
             (Hand, &["手首", "手"]),
             (Finger, &["親指", "人指", "人差指", "中指", "薬指", "小指", "指"]),
             (Hip, &["股関節"]),
-            (Thigh, &["足", "脚", "太もも", "もも", "腿"]),
+            (Thigh, &["足", "太もも", "もも", "腿"]),
             (Shank, &["ひざ", "膝", "すね", "脛", "下腿"]),
             (Ankle, &["足首", "足関節"]),
             (Foot, &["足甲", "足の甲", "足部"]),
@@ -392,7 +392,7 @@ pub(super) const LANGUAGES: &[Language] = &[
             (Thigh, &["大腿", "上腿"]),
             (Shank, &["小腿", "膝盖", "膝部", "膝蓋", "下腿部"]),
             (Ankle, &["脚踝", "足踝", "踝", "腳踝", "踝关节", "脚腕"]),
-            (Foot, &["脚部", "足部", "腳", "脚掌"]),
+            (Foot, &["脚", "脚部", "足部", "腳", "脚掌"]),
             (Heel, &["脚跟", "足跟", "脚后跟", "腳跟"]),
             (Toe, &["脚趾", "脚尖", "足尖", "足趾", "腳趾", "腳尖", "脚趾头"]),
         ],
@@ -426,7 +426,6 @@ pub(super) const LANGUAGES: &[Language] = &[
 /// Words that mark a joint of the rig's machinery: it takes part in no role of its own.
 pub(super) const HELPERS: &[&str] = &[
     "ik",
-    "fk",
     "twist",
     "roll",
     "pole",
