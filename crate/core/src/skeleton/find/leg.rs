@@ -68,14 +68,14 @@ pub(super) fn thigh_and_shank(tree: &Tree, chain: &[usize]) -> (Option<usize>, O
         let named = (0..above.len()).filter(|&at| is_named(above[at], part));
         named.min_by_key(|&at| (tree.name(above[at]).is_helper, tree.name(above[at]).unknown_words))
     };
-    let last_leg = above.iter().rposition(|&joint| is_named(joint, BodyPart::Leg));
     let named_thigh = first(BodyPart::Thigh).or_else(|| first(BodyPart::Hip));
     let named_shank = first(BodyPart::Shank);
     let (thigh, shank) = match (named_thigh, named_shank, first(BodyPart::Leg)) {
         (Some(thigh), Some(shank), _) => (Some(thigh), Some(shank)),
         (Some(thigh), None, leg) => (Some(thigh), leg.filter(|&leg| leg > thigh)),
         (None, Some(shank), leg) => (leg.filter(|&leg| leg < shank), Some(shank)),
-        (None, None, Some(leg)) => (Some(leg), last_leg.filter(|&last| last > leg)),
+        // Of several joints named leg, bone lengths tell the knee.
+        (None, None, Some(leg)) => (Some(leg), None),
         (None, None, None) => (None, None),
     };
     // Without a named shank, the joint above the ankle is the knee, unless it is the only one.

@@ -7,12 +7,15 @@ use nalgebra::Vector3;
 
 use crate::bvh::{Channel, Clip, JointKind};
 use crate::foot::Side;
-use crate::kinematics::{self, Track};
+use crate::kinematics::{self, Kinematics, Track};
 use crate::numeric::stats::median_low;
 use crate::skeleton::names::{self, BodyPart, ParsedName};
 
 /// Number of poses on which bone lengths and directions are measured.
 const SAMPLED_POSES: usize = 64;
+
+/// Time between the two poses of a step, in seconds.
+const STEP_SECONDS: f64 = 0.04;
 
 /// Fraction of the lengths of all bones along one direction, above which a rest pose is not one of a
 /// standing body, whose legs take less than half.
@@ -34,6 +37,8 @@ pub(super) struct Tree<'a> {
     ends: Vec<usize>,
     /// Positions of all joints of the clip at sampled poses, computed on first use.
     tracks: OnceCell<Vec<Track>>,
+    /// Pairs of poses of the members, computed on first use.
+    steps: OnceCell<Vec<[Vec<Vector3<f64>>; 2]>>,
 }
 
 impl<'a> Tree<'a> {
@@ -55,7 +60,7 @@ impl<'a> Tree<'a> {
                 ends[parent - root] = ends[parent - root].max(ends[joint - root]);
             }
         }
-        Tree { clip, root, names, ends, tracks: OnceCell::new() }
+        Tree { clip, root, names, ends, tracks: OnceCell::new(), steps: OnceCell::new() }
     }
 
     /// Returns the joints of the skeleton, parents first.
@@ -173,6 +178,47 @@ impl<'a> Tree<'a> {
     /// True if `joint` has no children but end sites.
     pub fn is_leaf_but_end(&self, joint: usize) -> bool {
         self.children(joint).all(|child| self.clip.joints()[child].kind == JointKind::EndSite)
+    }
+
+    /// Returns the fraction of the time in which one of the joints is at rest, while the root travels; `None`
+    /// if it does not travel.
+    ///
+    /// At rest is a joint that moves less than a quarter as far as the root.
+    pub fn rest_fraction(&self, joints: &[usize]) -> Option<f64> {
+        let steps = self.steps();
+        let moved = |step: &[Vec<Vector3<f64>>; 2], joint: usize| {
+            (step[1][joint - self.root] - step[0][joint - self.root]).norm()
+        };
+        let mean = steps.iter().map(|step| moved(step, self.root)).sum::<f64>() / steps.len().max(1) as f64;
+        let (first, last) = (steps.first()?, steps.last()?);
+        let travel = (last[0][0] - first[0][0]).norm();
+        let size =
+            (1..self.names.len()).map(|index| (first[0][index] - first[0][0]).norm()).fold(0.0, f64::max);
+        if travel < size {
+            return None;
+        }
+        let travelling = || steps.iter().filter(|step| moved(step, self.root) > 0.5 * mean);
+        let resting = travelling()
+            .filter(|step| joints.iter().any(|&joint| moved(step, joint) < 0.25 * moved(step, self.root)));
+        Some(resting.count() as f64 / travelling().count().max(1) as f64)
+    }
+
+    /// Returns poses of the members in pairs that are 0.04 s apart, at equal distances over the clip.
+    fn steps(&self) -> &[[Vec<Vector3<f64>>; 2]] {
+        self.steps.get_or_init(|| {
+            let apart = ((STEP_SECONDS / self.clip.frame_time()).round() as usize).max(1);
+            let Some(count) = self.clip.frame_count().checked_sub(apart).filter(|&count| count > 0) else {
+                return Vec::new();
+            };
+            let mut kinematics = Kinematics::new(self.clip);
+            let samples = count.min(SAMPLED_POSES);
+            (0..samples)
+                .map(|sample| sample * count / samples)
+                .map(|frame| {
+                    [frame, frame + apart].map(|frame| kinematics.pose(frame)[self.members()].to_vec())
+                })
+                .collect()
+        })
     }
 
     /// True if the channels of any of `joints` change over the clip.

@@ -15,6 +15,13 @@ const MAX_BRANCHES: usize = 24;
 /// Reach of another pair of limbs, relative to the farthest, at which legs are undecided.
 const RIVAL_REACH: f64 = 0.8;
 
+/// Fraction of a travelling body's time in which a joint of one of two legs rests, at least. Walks have more than 0.9,
+/// runs more than 0.5.
+const FEET_REST: f64 = 0.45;
+
+/// Fraction of a travelling body's time in which a joint of one of two arms rests, at most.
+const HANDS_REST: f64 = 0.1;
+
 /// Two mirrored limbs.
 struct LimbPairing {
     /// Common joint.
@@ -25,28 +32,46 @@ struct LimbPairing {
     reach: Vector3<f64>,
 }
 
+impl LimbPairing {
+    /// Returns the joints of both chains below their first ones.
+    fn joints(&self) -> Vec<usize> {
+        self.chains.iter().flat_map(|chain| chain[1..].iter().copied()).collect()
+    }
+}
+
 /// Returns the two mirrored chains that reach farthest from their common joint, left first.
 ///
 /// The mean of both hands is near the trunk, and there is one head, so only feet are a pair far from it. Limbs
 /// with names of arms, heads or wings are no legs, nor are limbs that point towards the head. If two
 /// pairs reach about equally far (a quadruped), the hind ones are the legs if names tell them apart;
-/// otherwise the result is undecided.
+/// otherwise no legs are returned. If the body travels, legs rest on the ground in turn.
 ///
 /// Directions are those of the rest pose or, if it decides nothing, of the motion.
 pub(super) fn find(tree: &Tree) -> Option<[Leg; 2]> {
     let rest: Vec<Track> = tree.rest_pose().into_iter().map(|position| vec![position]).collect();
     let members = &tree.tracks()[tree.members()];
-    let by_rest_pose = if tree.has_standing_rest_pose() { find_in(tree, &rest) } else { None };
-    by_rest_pose.or_else(|| find_in(tree, members))
+    let by_rest_pose = if tree.has_standing_rest_pose() { find_in(tree, &rest, false) } else { None };
+    by_rest_pose.or_else(|| find_in(tree, members, true))
 }
 
-/// Returns the legs by the directions of limbs in the tracks of the members.
-fn find_in(tree: &Tree, tracks: &[Track]) -> Option<[Leg; 2]> {
+/// Returns the legs by the directions of limbs in the tracks of the members, and by rest on the ground if
+/// `is_motion`.
+fn find_in(tree: &Tree, tracks: &[Track], is_motion: bool) -> Option<[Leg; 2]> {
     let pairs = tree.members().flat_map(|joint| pairs_below(tree, tracks, joint));
     let mut pairs: Vec<LimbPairing> = pairs.collect();
     let is_hind = |pair: &LimbPairing| is_limb(tree, pair, LimbPair::Hind);
     if pairs.iter().any(is_hind) {
         pairs.retain(is_hind);
+    }
+    if is_motion {
+        let rests: Vec<Option<f64>> = pairs.iter().map(|pair| tree.rest_fraction(&pair.joints())).collect();
+        let is_hand = |rest: Option<f64>| rest.is_some_and(|rest| rest < HANDS_REST);
+        let has_feet = rests.iter().flatten().any(|&rest| rest >= FEET_REST);
+        if has_feet || rests.iter().all(|&rest| is_hand(rest)) {
+            // Feet rest on the ground in turn while the body travels; other limbs never do.
+            let mut rests = rests.iter();
+            pairs.retain(|_| rests.next().is_some_and(|&rest| !is_hand(rest)));
+        }
     }
     let reaches: Vec<f64> = pairs.iter().map(|pair| pair.reach.norm()).collect();
     let order = sort::argsort_descending(&reaches);
@@ -136,8 +161,8 @@ fn mean_vector(tree: &Tree, tracks: &[Track], joint: usize, tips: &[usize]) -> V
     sum / (tips.len() * track(joint).len()) as f64
 }
 
-/// Returns the mean vector from `joint` to the head: by name, or to the end of the longest branch
-/// that has no mirrored one.
+/// Returns the mean vector from `joint` to the head: by name, or to the joints of the longest branch that
+/// has no mirrored one, the trunk with the arms.
 fn head_direction(tree: &Tree, tracks: &[Track], joint: usize) -> Option<Vector3<f64>> {
     let named = tree.descendants(joint).find(|&below| {
         matches!(tree.part(below), Some(BodyPart::Head | BodyPart::Neck)) && tree.name(below).side.is_none()
@@ -157,8 +182,8 @@ fn head_direction(tree: &Tree, tracks: &[Track], joint: usize) -> Option<Vector3
         .filter(|&index| is_single(index))
         .max_by(|&a, &b| chains[a].0.total_cmp(&chains[b].0))?;
     let (length, chain) = &chains[longest];
-    let tip = *chain.last()?;
-    (*length > 0.0).then(|| mean_vector(tree, tracks, joint, &[tip]))
+    let branch: Vec<usize> = std::iter::once(chain[0]).chain(tree.descendants(chain[0])).collect();
+    (*length > 0.0).then(|| mean_vector(tree, tracks, joint, &branch))
 }
 
 fn leg_of_chain(tree: &Tree, chain: &[usize]) -> Leg {

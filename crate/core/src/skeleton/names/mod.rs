@@ -117,10 +117,10 @@ fn apply_letters(words: &[Vec<&str>], parsed: &mut [ParsedName]) {
         }
     }
     if let Some([fore, hind]) = find(parsed, &LIMB_LETTERS) {
-        for index in 0..words.len() {
-            let limb = [(fore, LimbPair::Fore), (hind, LimbPair::Hind)];
-            if let Some((_, limb)) = limb.into_iter().find(|(letter, _)| has(index, letter)) {
-                parsed[index].limb_pair = Some(limb);
+        let limbs = [(fore, LimbPair::Fore), (hind, LimbPair::Hind)];
+        for (words, name) in words.iter().zip(parsed) {
+            if let Some((_, limb)) = limbs.into_iter().find(|(letter, _)| words.contains(letter)) {
+                name.limb_pair = Some(limb);
             }
         }
     }
