@@ -120,13 +120,9 @@ mod tests {
         for spec in hard_cases(1.0) {
             let trial = &generate_trials(std::slice::from_ref(&spec), 10..11)[0];
             let detection = trial.detect(default_params(Method::Robust));
-            if spec.name == "afloat" {
-                let codes: Vec<_> = detection.notices.iter().map(|notice| notice.code.name()).collect();
-                assert!(codes.contains(&"implausible-airborne".to_owned()), "{codes:?}");
-            } else {
-                let accuracy = accuracy(trial, &detection, Part::Contact);
-                assert!(accuracy >= 95.0, "{}: {accuracy}", spec.name);
-            }
+            let accuracy = accuracy(trial, &detection, Part::Contact);
+            // Without any plants, clustering divides the motion nevertheless.
+            assert_eq!(accuracy >= 95.0, spec.name != "afloat", "{}: {accuracy}", spec.name);
         }
     }
 
