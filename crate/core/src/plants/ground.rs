@@ -62,7 +62,7 @@ impl Ground {
             .iter()
             .map(|(foot, plant)| plant_position(tracks(*foot), feet.up, middle_half(plant)))
             .collect();
-        let up = up_vector(feet.up);
+        let up = feet.up.vector();
         let toes = plants.iter().map(|(foot, plant)| (&tracks(*foot).toe, middle_half(plant)));
         let belt = belt(toes, feet).map(|velocity| velocity - up * up.dot(&velocity));
         let Some(centre) =
@@ -98,12 +98,12 @@ impl Ground {
 
     /// Returns the height of a point above the plane, along the up axis.
     pub fn height_above(&self, point: &Vector3<f64>, up: Up) -> f64 {
-        (point - self.origin).dot(&self.normal) / self.normal.dot(&up_vector(up))
+        (point - self.origin).dot(&self.normal) / self.normal.dot(&up.vector())
     }
 
     /// Returns the tilt against the up axis, in degrees.
     pub fn tilt_degrees(&self, up: Up) -> f64 {
-        self.normal.dot(&up_vector(up)).clamp(-1.0, 1.0).acos().to_degrees()
+        self.normal.dot(&up.vector()).clamp(-1.0, 1.0).acos().to_degrees()
     }
 }
 
@@ -191,7 +191,7 @@ fn plant_position(tracks: &FootTracks, up: Up, frames: Range<usize>) -> Vector3<
         up.height(&tracks.ankle[frame]).min(up.height(&tracks.toe[frame])).min(tip)
     };
     let toe = Vector3::from_fn(|axis, _| median(&|frame| tracks.toe[frame][axis]));
-    toe + up_vector(up) * (median(&lowest) - up.height(&toe))
+    toe + up.vector() * (median(&lowest) - up.height(&toe))
 }
 
 /// Returns the horizontal gradient of the height, if the positions lie on a tilted plane.
@@ -222,14 +222,7 @@ fn slope(points: &[Vector3<f64>], centre: &Vector3<f64>, feet: &Feet) -> Option<
         && after.sqrt() <= MAX_RESIDUAL
         && after.sqrt() <= MAX_RESIDUAL_FRACTION * before.sqrt();
     let gradient = Vector3::new(gradient.x, 0.0, gradient.y);
-    // The inverse of the rotation to Y up is its transpose.
-    let component = |axis: usize| feet.up.to_y_up(Vector3::ith(axis, 1.0)).dot(&gradient);
-    is_plane.then(|| Vector3::from_fn(|axis, _| component(axis)))
-}
-
-/// Returns the unit vector along the up axis.
-pub(crate) fn up_vector(up: Up) -> Vector3<f64> {
-    Vector3::ith(up.axis.index(), if up.negative { -1.0 } else { 1.0 })
+    is_plane.then(|| feet.up.from_y_up() * gradient)
 }
 
 #[cfg(test)]
@@ -258,7 +251,7 @@ mod tests {
                     Vector3::from_fn(|axis, _| up.to_y_up(Vector3::ith(axis, 1.0)).dot(&position))
                 })
                 .collect();
-            let ankle = toe.iter().map(|toe| toe + 0.1 * up_vector(up)).collect();
+            let ankle = toe.iter().map(|toe| toe + 0.1 * up.vector()).collect();
             FootTracks { ankle, toe, tip: None }
         });
         let hips = (0..frames).map(|frame| {

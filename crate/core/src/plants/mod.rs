@@ -34,7 +34,7 @@ pub use detector::Detector;
 pub use edit::Edit;
 pub use feet::{DetectError, Feet, FootTracks};
 pub use ground::Ground;
-pub(crate) use ground::{levels, up_vector};
+pub(crate) use ground::levels;
 pub use labels::{Edge, FootLabels, PartLabels};
 pub use methods::{Family, Method, Thresholds};
 pub use params::{ParamError, Params, ValidParams};

@@ -5,7 +5,7 @@ use std::ops::Range;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::numeric::stats::median_low;
-use crate::plants::{self, Ground, up_vector};
+use crate::plants::{self, Ground};
 use crate::skate::blend;
 use crate::skate::leg::{Leg, scaled_axis, smallest_rotation};
 use crate::skate::phases::{Phase, runs};
@@ -130,7 +130,7 @@ impl Planted {
 
     /// Returns the fixed positions of the toe: its median, on the ground.
     fn holds(&self, leg: &Leg, settings: &Settings) -> Vec<Hold> {
-        let (up, up_direction) = (settings.up, up_vector(settings.up));
+        let (up, up_direction) = (settings.up, settings.up.vector());
         let constrained =
             self.plants.iter().zip(&self.is_constrained).filter(|(_, is_constrained)| **is_constrained);
         let all = constrained.flat_map(|(plant, _)| runs(&self.phases, plant, Phase::has_toe));
@@ -182,7 +182,7 @@ impl Stance<'_> {
     /// Moves each hold horizontally so that the heel, which bears weight in between, remains at
     /// the position of the previous hold.
     fn align_holds(&self, holds: &mut [Hold]) {
-        let up_direction = up_vector(self.up);
+        let up_direction = self.up.vector();
         for n in 1..holds.len() {
             let (last, first) = (holds[n - 1].frames.end - 1, holds[n].frames.start);
             let heel = self.ankle_under(holds[n - 1].toe, last) + self.heel_at(last);
@@ -230,7 +230,7 @@ impl Stance<'_> {
     ///
     /// Horizontally only: the height of the heel follows the original motion.
     fn hold_heel(&self, frames: Range<usize>, plant: &Range<usize>, ankle: &mut [Vector3<f64>]) {
-        let up_direction = up_vector(self.up);
+        let up_direction = self.up.vector();
         let before = |frame: usize| self.leg.ankle[frame] + self.leg.foot[frame] * self.heel;
         let after = |frame: usize| self.leg.ankle[frame] + ankle[frame] + self.heel_at(frame);
         let height_change = |frame: usize| self.up.height(&after(frame)) - self.up.height(&before(frame));

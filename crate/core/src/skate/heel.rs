@@ -5,7 +5,6 @@ use std::ops::Range;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::numeric::stats::median_low;
-use crate::plants::up_vector;
 use crate::skate::leg::Leg;
 use crate::skate::phases::{Phase, runs};
 use crate::skeleton::Up;
@@ -54,6 +53,6 @@ fn point_below_ankle(leg: &Leg, phases: &[Phase], up: Up) -> Vector3<f64> {
         up.height(&leg.ankle[frame]) - up.height(&leg.toe[frame]).min(up.height(&leg.tip[frame]))
     };
     let Some(height) = median_low(flat().map(height)) else { return Vector3::zeros() };
-    let upwards: Vector3<f64> = flat().map(|frame| leg.foot[frame].transpose() * up_vector(up)).sum();
+    let upwards: Vector3<f64> = flat().map(|frame| leg.foot[frame].transpose() * up.vector()).sum();
     upwards.try_normalize(1e-9).unwrap_or_default() * -height.max(0.0)
 }

@@ -5,7 +5,6 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use crate::foot::Side;
-use crate::plants::up_vector;
 use crate::skate::leg::Leg;
 use crate::skate::phases::{Phase, runs};
 use crate::skeleton::Up;
@@ -54,7 +53,7 @@ pub(crate) fn slide(
     heel: Vector3<f64>,
     up: Up,
 ) -> (f64, f64) {
-    let up = up_vector(up);
+    let up = up.vector();
     let horizontal = |position: Vector3<f64>| position - up * up.dot(&position);
     let slide_of = |condition: fn(Phase) -> bool, part: &dyn Fn(usize) -> Vector3<f64>| {
         let mut max = (0.0_f64, 0.0);

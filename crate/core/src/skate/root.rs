@@ -2,7 +2,6 @@
 
 use nalgebra::{Matrix3, SVector, Vector3};
 
-use crate::plants::up_vector;
 use crate::skate::constraints::{Correction, Settings};
 use crate::skate::knee;
 use crate::skate::leg::Leg;
@@ -65,7 +64,7 @@ fn lower_hips(
     settings: &Settings,
     lowering: usize,
 ) {
-    let up = up_vector(settings.up);
+    let up = settings.up.vector();
     let shortfall = |frame: usize, leg: &Leg, correction: &Correction| {
         if correction.ankle[frame] == Vector3::zeros() && offsets[frame] == Vector3::zeros() {
             return 0.0;

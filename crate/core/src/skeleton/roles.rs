@@ -165,9 +165,9 @@ const DOUBTFUL: f64 = 0.75;
 pub enum Reason {
     /// The user named the joint.
     Given,
-    /// The name of the joint says so.
+    /// The name of the joint is that of the role.
     Name,
-    /// The name of the joint says so, with words that are not understood.
+    /// A part of the name of the joint is that of the role; other words are unknown.
     PartOfName,
     /// Bone lengths and branches of the skeleton say so.
     Structure,

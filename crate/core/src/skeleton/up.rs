@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::bvh::Axis;
 
@@ -40,6 +40,18 @@ impl Up {
     pub fn height(self, position: &Vector3<f64>) -> f64 {
         let height = position[self.axis.index()];
         if self.negative { -height } else { height }
+    }
+
+    /// Returns the unit vector that points up.
+    pub fn vector(self) -> Vector3<f64> {
+        Vector3::ith(self.axis.index(), if self.negative { -1.0 } else { 1.0 })
+    }
+
+    /// Returns the rotation from coordinates with Y up to those of the file: the inverse of
+    /// [`Up::to_y_up`].
+    pub fn from_y_up(self) -> Matrix3<f64> {
+        let rows = [0, 1, 2].map(|axis| self.to_y_up(Vector3::ith(axis, 1.0)).transpose());
+        Matrix3::from_rows(&rows)
     }
 
     /// Returns a position in right-handed coordinates with Y up.
@@ -98,6 +110,8 @@ mod tests {
                 assert_eq!(x.cross(&y), z, "{up}");
                 let position = Vector3::new(1.0, 2.0, 3.0);
                 assert_eq!(up.to_y_up(position).y, up.height(&position), "{up}");
+                assert_eq!(up.from_y_up() * up.to_y_up(position), position, "{up}");
+                assert_eq!(up.from_y_up() * Vector3::y(), up.vector(), "{up}");
                 assert_eq!(up.to_string().parse(), Ok(up));
             }
         }

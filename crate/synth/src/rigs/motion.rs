@@ -1,9 +1,8 @@
 //! Motion of rigs: simple postures, with the lowest joint on the ground.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use plantigrade::bvh::{Axis, Clip};
+use plantigrade::bvh::Clip;
 use plantigrade::kinematics::Kinematics;
-use plantigrade::skeleton::Up;
 
 use super::bone::Bone;
 use super::posture::Angles;
@@ -17,15 +16,6 @@ const RATE: f64 = 30.0;
 /// Frames of one posture.
 const FRAMES: usize = 40;
 
-/// Rotates from Y up to the up axis of a file.
-fn to_up(up: Up) -> Matrix3<f64> {
-    match (up.axis, up.negative) {
-        (Axis::Y, false) => Matrix3::identity(),
-        (Axis::Z, false) => Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0),
-        _ => unimplemented!("rigs have Y or Z up"),
-    }
-}
-
 /// Returns the angles of the channels Z, X, Y of a rotation, in degrees.
 fn zxy_degrees(matrix: &Matrix3<f64>) -> [f64; 3] {
     let x = matrix[(2, 1)].clamp(-1.0, 1.0).asin();
@@ -36,7 +26,7 @@ fn zxy_degrees(matrix: &Matrix3<f64>) -> [f64; 3] {
 
 /// Lets the joints of a rig move.
 pub(super) fn animate(rig: &Rig, built: &Built, random: &mut Random) -> Clip {
-    let axes = to_up(rig.up);
+    let axes = rig.up.from_y_up();
     let scale = 1.0 / rig.metres_per_unit;
     let mut joints = built.joints.clone();
     for joint in &mut joints {

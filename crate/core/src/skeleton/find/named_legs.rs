@@ -18,7 +18,7 @@ struct Candidate {
 /// Returns the legs of both sides that names identify, left first.
 pub(super) fn find(tree: &Tree) -> [Option<Leg>; 2] {
     let [left, right] = Side::BOTH.map(|side| candidates(tree, side));
-    // The pair whose legs are alike is the best one.
+    // Legs of one pair have equal depth and parts.
     let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
     let score = |(a, b): &(&Candidate, &Candidate)| a.score + b.score + symmetry(tree, &a.leg, &b.leg);
     let best_pair = first_max(pairs, score);

@@ -22,7 +22,7 @@ pub(crate) enum LimbPair {
 pub(crate) struct ParsedName {
     pub side: Option<Side>,
     pub part: Option<BodyPart>,
-    /// Fore or hind limb, if the name says so.
+    /// Fore or hind limb, if the name has one of their words.
     pub limb_pair: Option<LimbPair>,
     /// True for twist, roll and IK joints and other machinery of a rig.
     pub is_helper: bool,
@@ -307,7 +307,7 @@ such as a prefix, are ignored. The side may stand anywhere: `LeftFoot`, `L_Foot`
 - The first joint named *ankle* or *foot* is the ankle; a foot below it is the middle of the foot.
 - If a leg is named and its foot is not, the ankle is the joint below which bone lengths leave only a foot.
 - If nothing is named, the legs are the mirrored limbs that reach farthest from their common joint and do not
-  point to the head. A notice says so. Limbs with names of fore limbs, arms, wings or clothes are no legs, and
+  point to the head. A notice states it. Limbs with names of fore limbs, arms, wings or clothes are no legs, and
   limbs named hind are the legs only if there are no others.
 
 ";
