@@ -1,5 +1,7 @@
 //! Forward kinematics: channel values to joint positions.
 
+use std::ops::Range;
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::bvh::{Axis, Channel, Clip, PositionRule};
@@ -13,6 +15,8 @@ pub type Track = Vec<Vector3<f64>>;
 #[derive(Debug)]
 pub struct Kinematics<'a> {
     clip: &'a Clip,
+    /// First joint of the poses.
+    first: usize,
     /// Joints to compute: the requested ones and all their ancestors, parents first.
     needed: Vec<usize>,
     rotations: Vec<Matrix3<f64>>,
@@ -36,15 +40,29 @@ impl<'a> Kinematics<'a> {
                 next = clip.joints()[joint].parent;
             }
         }
+        let needed = (0..count).filter(|&joint| is_needed[joint]).collect();
+        Kinematics::of(clip, 0..count, needed)
+    }
+
+    /// Creates the kinematics of the skeleton with the joints `members`; its poses contain them only.
+    ///
+    /// Takes time and memory for these joints only, as a clip may have many skeletons.
+    pub fn for_skeleton(clip: &'a Clip, members: Range<usize>) -> Kinematics<'a> {
+        Kinematics::of(clip, members.clone(), members.collect())
+    }
+
+    fn of(clip: &'a Clip, joints: Range<usize>, needed: Vec<usize>) -> Kinematics<'a> {
         Kinematics {
             clip,
-            needed: (0..count).filter(|&joint| is_needed[joint]).collect(),
-            rotations: vec![Matrix3::identity(); count],
-            positions: vec![Vector3::zeros(); count],
+            first: joints.start,
+            needed,
+            rotations: vec![Matrix3::identity(); joints.len()],
+            positions: vec![Vector3::zeros(); joints.len()],
         }
     }
 
-    /// Returns the position of every joint in `frame`, in file units and axes, indexed by joint.
+    /// Returns the position of every joint in `frame`, in file units and axes, indexed by joint. The poses
+    /// of a skeleton begin with its root.
     ///
     /// A clip without motion has one frame: its rest pose, with all rotations zero.
     ///
@@ -68,17 +86,18 @@ impl<'a> Kinematics<'a> {
                 }
             }
             if let Some(parent) = joint.parent {
-                self.positions[index] = self.positions[parent] + self.rotations[parent] * position;
-                self.rotations[index] = self.rotations[parent] * rotation;
+                let (at, parent) = (index - self.first, parent - self.first);
+                self.positions[at] = self.positions[parent] + self.rotations[parent] * position;
+                self.rotations[at] = self.rotations[parent] * rotation;
             } else {
-                self.positions[index] = position;
-                self.rotations[index] = rotation;
+                self.positions[index - self.first] = position;
+                self.rotations[index - self.first] = rotation;
             }
         }
         &self.positions
     }
 
-    /// Returns the global rotation of every joint in the pose computed last, indexed by joint.
+    /// Returns the global rotation of every joint in the pose computed last, in the order of the pose.
     pub fn rotations(&self) -> &[Matrix3<f64>] {
         &self.rotations
     }

@@ -1,5 +1,6 @@
 //! Notices: assumptions, repairs and warnings of the reader and the methods.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
@@ -93,6 +94,8 @@ pub enum Code {
     ImplausibleRate,
     /// A foot, or the whole character, is in the air implausibly long.
     ImplausibleAirborne,
+    /// The hips jump to another place and back; they are interpolated there.
+    Spike,
     /// Clean-up left some plants unchanged.
     Unconstrained,
     /// Clean-up cannot move the hips because their joint has no position channels.
@@ -136,5 +139,28 @@ impl fmt::Display for Notice {
             write!(f, "{location}: ")?;
         }
         f.write_str(&self.text)
+    }
+}
+
+/// Number of characters of a name in a notice.
+const NAME_CHARS: usize = 60;
+
+/// Number of names that a notice lists.
+const LISTED_NAMES: usize = 20;
+
+/// Returns a name for a text: its beginning if it is long.
+pub(crate) fn shortened(name: &str) -> Cow<'_, str> {
+    match name.char_indices().nth(NAME_CHARS) {
+        Some((end, _)) => Cow::Owned(format!("{}…", &name[..end])),
+        None => Cow::Borrowed(name),
+    }
+}
+
+/// Returns the first names as a list, with the number of others.
+pub(crate) fn list(names: &[&str]) -> String {
+    let shown: Vec<_> = names.iter().take(LISTED_NAMES).map(|name| shortened(name)).collect();
+    match names.len() - shown.len() {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
     }
 }

@@ -3,8 +3,10 @@
 #[path = "support/roughness.rs"]
 mod roughness;
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
-use plantigrade::bvh::Clip;
+use plantigrade::bvh::{Axis, Channel, Clip};
 use plantigrade::foot::Side;
 use plantigrade::kinematics;
 use plantigrade::notice::Code;
@@ -179,6 +181,68 @@ fn stairs_keep_their_heights_and_treadmills_their_motion() {
                 assert!(cleaned.clip == generated.clip && cleaned.notices[0].code == Code::NothingPlanted)
             }
             _ => {}
+        }
+    }
+}
+
+/// Returns a clip with `jump` added to a channel of the root in the given frames.
+fn with_spike(clip: &Clip, channel: Channel, frames: Range<usize>, jump: f64) -> Clip {
+    let mut values = clip.values().to_vec();
+    let slot = clip.joints()[0].channels.iter().position(|other| *other == channel).expect("a channel");
+    for frame in frames {
+        values[frame * clip.channel_count() + slot] += jump;
+    }
+    Clip::new(clip.joints().to_vec(), clip.frame_time(), values).with_position_rule(clip.position_rule())
+}
+
+#[test]
+fn spikes_do_not_spread() {
+    let names = ["straight-walk", "jog", "standing"];
+    let specs: Vec<ClipSpec> =
+        full_set(1.0).into_iter().filter(|spec| names.contains(&spec.name.as_str())).collect();
+    assert_eq!(specs.len(), names.len());
+    for spec in specs {
+        let generated = generate(&spec, 0);
+        let clip = &generated.clip;
+        let skeleton = Skeleton::main(clip, &Overrides::default());
+        let contacts = Contacts::from(&generated.truth);
+        let units = |metres: f64| metres / skeleton.metres_per_unit;
+        let leg = skeleton.leg.expect("a leg");
+        let short = ((0.05 * clip.rate()) as usize).max(1);
+        for (channel, jump, is_repaired) in [
+            (Channel::Position(Axis::Y), units(0.3), true),
+            (Channel::Position(Axis::Y), units(-0.25), true),
+            (Channel::Position(Axis::X), units(0.2), true),
+            (Channel::Rotation(Axis::X), 40.0, false),
+            (Channel::Rotation(Axis::Z), 170.0, false),
+        ] {
+            for (at, length) in [(20, 1), (clip.frame_count() / 2, short), (clip.frame_count() - 30, 1)] {
+                let spike = at..at + length;
+                let spiked = with_spike(clip, channel, spike.clone(), jump);
+                for repair_spikes in [true, false] {
+                    let what = format!("{} {channel:?} {jump} {spike:?} {repair_spikes}", spec.name);
+                    let options = Options { repair_spikes, ..Options::default() };
+                    let cleaned = skate::clean(&spiked, &skeleton, &contacts, &options).expect("feet");
+                    let [before, after] = [&spiked, &cleaned.clip]
+                        .map(|clip| kinematics::tracks(clip, &[skeleton.root]).remove(0));
+                    let moved = |frame: usize| (after[frame] - before[frame]).norm() / leg;
+                    let others = (0..before.len()).filter(|frame| !spike.contains(frame));
+                    assert!(max(others.map(moved)) <= 0.15, "{what}: the hips move in other frames");
+                    let has_notice = cleaned.notices.iter().any(|notice| notice.code == Code::Spike);
+                    assert_eq!(has_notice, is_repaired && repair_spikes, "{what}");
+                    if has_notice {
+                        let line = (before[spike.start - 1] + before[spike.end]) / 2.0;
+                        assert!((after[spike.start] - line).norm() / leg < 0.1, "{what}");
+                    }
+                    assert!(
+                        cleaned
+                            .plants
+                            .iter()
+                            .all(|plant| plant.skip_reason.is_some() || plant.after <= plant.before + 0.001),
+                        "{what}"
+                    );
+                }
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Clip: a hierarchy of joints and the channel values that animate it.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 /// A coordinate axis of the file.
@@ -149,7 +151,7 @@ impl Clip {
     ///
     /// # Panics
     /// If the range exceeds the frames of the clip.
-    pub fn slice(&self, frames: std::ops::Range<usize>) -> Clip {
+    pub fn slice(&self, frames: Range<usize>) -> Clip {
         let width = self.channel_count();
         let values = self.values[frames.start * width..frames.end * width].to_vec();
         Clip { joints: self.joints.clone(), first_channels: self.first_channels.clone(), values, ..*self }
@@ -170,13 +172,14 @@ impl Clip {
         (0..self.joints.len()).filter(|&joint| self.joints[joint].parent.is_none())
     }
 
-    /// Returns the indices of the children of `joint`.
-    pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
-        (joint + 1..self.joints.len()).filter(move |&child| self.joints[child].parent == Some(joint))
+    /// Returns the joints of the skeleton below `root`, parents first.
+    pub fn skeleton_joints(&self, root: usize) -> Range<usize> {
+        let next = self.joints[root + 1..].iter().position(|joint| joint.parent.is_none());
+        root..next.map_or(self.joints.len(), |count| root + 1 + count)
     }
 
     /// Returns the range of the channels of `joint` in a row.
-    pub fn channel_range(&self, joint: usize) -> std::ops::Range<usize> {
+    pub fn channel_range(&self, joint: usize) -> Range<usize> {
         self.first_channels[joint]..self.first_channels[joint + 1]
     }
 

@@ -3,7 +3,7 @@
 use crate::notice::Location;
 
 /// Kind of an error.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ErrorKind {
     /// The file has no bytes, or only blanks.
@@ -41,6 +41,16 @@ pub enum ErrorKind {
         frame: usize,
         /// Joint and channel, as in `LeftFoot Zrotation`.
         channel: String,
+    },
+    /// A value is larger than [`Limits::value`](crate::bvh::Limits::value).
+    #[error("the value {found} is beyond the limit of ±{limit:e} ({place})")]
+    LargeValue {
+        /// Text in the file.
+        found: String,
+        /// The limit.
+        limit: f64,
+        /// Frame from 0 and channel, as in `frame 3, channel LeftFoot Zrotation`, or `OFFSET`.
+        place: String,
     },
     /// Lines do not form complete frames.
     #[error("a frame has {expected} numbers, but the lines from here have {found} (frame {frame})")]
@@ -103,6 +113,10 @@ impl ErrorKind {
             ErrorKind::BadValue { .. } => {
                 "Correct the value, or read the file leniently to repeat the value of the previous frame."
             }
+            ErrorKind::LargeValue { .. } => {
+                "No motion has such values: the file is damaged or has another unit. Read it leniently to repeat \
+                 the value of the previous frame."
+            }
             ErrorKind::RaggedRow { .. } => {
                 "Numbers are missing or superfluous here, or the CHANNELS lines belong to another motion."
             }
@@ -132,7 +146,7 @@ impl ErrorKind {
 /// Error of the reader.
 ///
 /// Displays as `412:17: expected a number, found "abc" (...)`. Prepend the file name and a colon.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Error {
     /// Kind of the error.
     pub kind: ErrorKind,

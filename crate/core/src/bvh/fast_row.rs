@@ -5,7 +5,7 @@ use crate::bvh::number::EXACT_POWERS;
 /// Reads a row from the beginning of `text` and returns its length with the line end, in bytes.
 ///
 /// Accepts a line of numbers without exponents and commas, as many as there are `values`, each with
-/// no more digits than a double represents exactly. Returns `None` for any other line and for a
+/// no more digits than a double represents exactly and no larger than `limit`. Returns `None` for any other line and for a
 /// line whose end has not been read; `values` are then unspecified, and the general reader must be
 /// used. Sets `points` at the first decimal point, and raises `decimals` to the number of decimals
 /// of each value.
@@ -14,6 +14,7 @@ pub(crate) fn read_row(
     values: &mut [f64],
     decimals: &mut [u8],
     points: &mut bool,
+    limit: f64,
 ) -> Option<usize> {
     let mut cursor = Cursor { text, at: 0, byte: *text.first()? };
     for (value, decimals) in values.iter_mut().zip(decimals) {
@@ -37,6 +38,9 @@ pub(crate) fn read_row(
         }
         // Both operands are exact, so the quotient is correctly rounded.
         let magnitude = mantissa as f64 / EXACT_POWERS.get(fraction)?;
+        if magnitude > limit {
+            return None;
+        }
         *value = if negative { -magnitude } else { magnitude };
         *decimals = (*decimals).max(fraction as u8);
     }
@@ -100,7 +104,7 @@ mod tests {
 
     fn read_one(text: &str) -> Option<f64> {
         let mut values = [f64::NAN];
-        let len = read_row(text.as_bytes(), &mut values, &mut [0], &mut false)?;
+        let len = read_row(text.as_bytes(), &mut values, &mut [0], &mut false, f64::INFINITY)?;
         assert_eq!(len, text.len());
         Some(values[0])
     }
@@ -120,14 +124,16 @@ mod tests {
             ("", None),
         ] {
             let (mut values, mut decimals, mut points) = ([0.0; 2], [0; 2], false);
-            let len = read_row(text.as_bytes(), &mut values, &mut decimals, &mut points);
+            let len = read_row(text.as_bytes(), &mut values, &mut decimals, &mut points, f64::INFINITY);
             assert_eq!(len, expected, "{text:?}");
             if expected.is_some() {
                 assert_eq!((values, decimals, points), ([1.0, -2.5], [0, 1], true));
             }
         }
         let mut points = false;
-        assert!(read_row(b"1 2\n", &mut [0.0; 2], &mut [0; 2], &mut points).is_some() && !points);
+        let mut read = |limit| read_row(b"1 -2\n", &mut [0.0; 2], &mut [0; 2], &mut points, limit);
+        assert_eq!((read(2.0), read(1.9)), (Some(5), None));
+        assert!(!points);
     }
 
     #[test]

@@ -5,8 +5,9 @@ use nalgebra::Vector3;
 use crate::bvh::error::location;
 use crate::bvh::names::{self, NameDecoder};
 use crate::bvh::number::Decimals;
+use crate::bvh::repairs::{Repair, Repairs};
 use crate::bvh::{Axis, Channel, END_SITE, Error, ErrorKind, Joint, JointKind, Limits, Options, number};
-use crate::notice::{Code, Location, Notice};
+use crate::notice::{Code, Notice};
 
 /// Builds the joints from lines of text.
 #[derive(Debug)]
@@ -23,17 +24,7 @@ pub(crate) struct Hierarchy {
     /// True for each joint whose `OFFSET` has been read.
     offset_seen: Vec<bool>,
     decimals: Decimals,
-    /// Scale channels, which are not used.
-    scale_channels: Option<ScaleChannels>,
-    /// Notices with the joint whose name precedes their text.
-    notices: Vec<(Option<usize>, Notice)>,
-}
-
-/// Occurrence of scale channels.
-#[derive(Clone, Copy, Debug)]
-struct ScaleChannels {
-    first: Location,
-    count: usize,
+    repairs: Repairs,
 }
 
 /// A complete hierarchy.
@@ -77,8 +68,7 @@ impl Hierarchy {
             open: Vec::new(),
             offset_seen: Vec::new(),
             decimals: Decimals::default(),
-            scale_channels: None,
-            notices: Vec::new(),
+            repairs: Repairs::default(),
         }
     }
 
@@ -89,17 +79,7 @@ impl Hierarchy {
         for (joint, name) in joints.iter_mut().zip(names) {
             joint.name = name;
         }
-        let mut notices: Vec<Notice> = std::mem::take(&mut self.notices)
-            .into_iter()
-            .map(|(joint, notice)| {
-                let name = joint.map_or("", |joint| &joints[joint].name);
-                Notice { text: format!("{name}{}", notice.text), ..notice }
-            })
-            .collect();
-        if let Some(ScaleChannels { first, count }) = self.scale_channels {
-            let text = format!("{count} scale channels were read and are not used; joints keep their size.");
-            notices.push(Notice { code: Code::ScaleChannels, location: Some(first), text });
-        }
+        let mut notices = self.repairs.take_notices(&joints);
         if let Some(encoding) = name_encoding {
             let text = format!(
                 "The joint names are not UTF-8. They are shown as {encoding}, which is a guess; saved files keep \
@@ -162,8 +142,7 @@ impl Hierarchy {
             return Ok(at + word.len());
         }
         if word.eq_ignore_ascii_case(b"ROOT") {
-            let message = "The file does not begin with HIERARCHY.";
-            self.notice(Code::MissingHierarchy, line, text, at, None, message);
+            self.repairs.add(Repair::MissingHierarchy, || location(line, text, at));
             return Ok(at);
         }
         Err(match guess_format(&text[at..]) {
@@ -177,7 +156,7 @@ impl Hierarchy {
         let len = names::name_len(&text[at..]);
         let name = text[at..at + len].trim_ascii();
         if name.is_empty() {
-            self.notice(Code::MissingName, line, text, at, None, "A joint has no name.");
+            self.repairs.add(Repair::MissingName, || location(line, text, at));
         }
         self.push(kind, name, line, text, at)?;
         Ok(at + len)
@@ -248,7 +227,7 @@ impl Hierarchy {
         if let Some(joint) = self.open.pop()
             && !self.offset_seen[joint]
         {
-            self.notice(Code::Offset, line, text, at, Some(joint), " has no OFFSET; zero is used.");
+            self.repairs.add(Repair::MissingOffset { joint }, || location(line, text, at));
         }
         self.expect = if self.open.is_empty() { Expect::RootOrMotion } else { Expect::Body };
     }
@@ -257,11 +236,16 @@ impl Hierarchy {
         let Some(number) = number::parse_leading(word_or_brace(&text[at..])) else {
             return Err(unexpected("a number", line, text, at));
         };
+        let limit = self.limits.value;
+        if number.value.abs() > limit {
+            let found = String::from_utf8_lossy(&text[at..at + number.len]).chars().take(40).collect();
+            let kind = ErrorKind::LargeValue { found, limit, place: "OFFSET".into() };
+            return Err(Error::at(kind, line, text, at));
+        }
         self.decimals.record(number.mark, line, text, at);
         let joint = *self.open.last().expect("OFFSET is read within a joint");
         if axis == 0 && std::mem::replace(&mut self.offset_seen[joint], true) {
-            let message = " has a second OFFSET; the last one is used.";
-            self.notice(Code::Offset, line, text, at, Some(joint), message);
+            self.repairs.add(Repair::SecondOffset { joint }, || location(line, text, at));
         }
         self.joints[joint].offset[axis] = number.value;
         self.expect = if axis == 2 { Expect::Body } else { Expect::Offset(axis + 1) };
@@ -280,9 +264,8 @@ impl Hierarchy {
         if is_keyword(word) {
             let listed = self.joints[joint].channels.len();
             if listed != declared {
-                let message =
-                    format!(" states {declared} channels and lists {listed}; the listed channels are used.");
-                self.notice(Code::ChannelCount, line, text, at, Some(joint), message);
+                let repair = Repair::ChannelCount { joint, declared, listed };
+                self.repairs.add(repair, || location(line, text, at));
             }
             self.expect = Expect::Body;
             return Ok(0);
@@ -296,25 +279,10 @@ impl Hierarchy {
             self.joints[joint].kind = JointKind::Joint;
         }
         if matches!(channel, Channel::Scale(_)) {
-            let first = ScaleChannels { first: location(line, text, at), count: 0 };
-            self.scale_channels.get_or_insert(first).count += 1;
+            self.repairs.add(Repair::ScaleChannel, || location(line, text, at));
         }
         self.joints[joint].channels.push(channel);
         Ok(word.len())
-    }
-
-    /// Adds a notice whose text follows the name of `joint`, if any.
-    fn notice(
-        &mut self,
-        code: Code,
-        line: usize,
-        text: &[u8],
-        at: usize,
-        joint: Option<usize>,
-        message: impl Into<String>,
-    ) {
-        let location = Some(location(line, text, at));
-        self.notices.push((joint, Notice { code, location, text: message.into() }));
     }
 }
 

@@ -18,6 +18,7 @@ mod names;
 mod number;
 mod options;
 mod reader;
+mod repairs;
 mod rewriter;
 #[cfg(test)]
 mod tests;
@@ -27,7 +28,7 @@ pub use clip::{Axis, Channel, Clip, END_SITE, Joint, JointKind, PositionRule};
 pub use error::{Error, ErrorKind, Excerpt};
 pub use layout::Layout;
 pub use names::{NameDecoder, decode_windows_1252};
-pub use options::{Limits, Options};
+pub use options::{FRAME_RATES, Limits, Options};
 pub use reader::{Parsed, Reader, parse};
 pub use rewriter::{OtherFile, Rewriter, rewrite};
 pub use writer::write;

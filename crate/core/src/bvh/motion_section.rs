@@ -2,11 +2,13 @@
 
 use crate::bvh::error::location;
 use crate::bvh::frame_time::StatedFrameTime;
+use crate::bvh::hierarchy::HierarchySection;
 use crate::bvh::layout::Layout;
 use crate::bvh::lines::Line;
 use crate::bvh::number::Decimals;
+use crate::bvh::repairs::{Repair, Repairs};
 use crate::bvh::{Error, ErrorKind, Joint, Options, fast_row, number};
-use crate::notice::{Code, Location, Notice};
+use crate::notice::{Code, Location, Notice, shortened};
 
 /// Frame time if the file states none or an implausible one, in seconds.
 const DEFAULT_FRAME_TIME: f64 = 1.0 / 30.0;
@@ -18,8 +20,7 @@ const PLAUSIBLE_FRAME_TIME: std::ops::RangeInclusive<f64> = 1e-4..=1.0;
 #[derive(Debug)]
 pub(crate) struct MotionSection {
     options: Options,
-    /// Joint and channel names, for messages.
-    channels: Vec<String>,
+    pub joints: Vec<Joint>,
     header: Header,
     pub values: Vec<f64>,
     /// Buffer for the row being read.
@@ -33,7 +34,8 @@ pub(crate) struct MotionSection {
     /// What follows the motion.
     followers: Option<Followers>,
     pub layout: Layout,
-    repairs: Vec<Repair>,
+    repairs: Repairs,
+    /// Notices of the hierarchy and, after [`finish`](MotionSection::finish), of the motion.
     pub notices: Vec<Notice>,
 }
 
@@ -76,28 +78,22 @@ struct Partial {
     at: usize,
 }
 
-/// Repair that may occur on many lines and is reported once.
-#[derive(Debug)]
-struct Repair {
-    code: Code,
-    location: Location,
-    lines: usize,
+/// Value that cannot be read.
+struct BadValue {
+    /// Byte index in the line.
+    at: usize,
+    /// True if it is a number beyond the limit.
+    is_large: bool,
 }
 
-/// Byte index of a value that cannot be read.
-struct BadValue(usize);
-
 impl MotionSection {
-    pub fn new(options: Options, joints: &[Joint], decimals: Decimals) -> MotionSection {
-        let channels: Vec<String> = joints
-            .iter()
-            .flat_map(|joint| {
-                joint.channels.iter().map(|channel| format!("{} {}", joint.name, channel.name()))
-            })
-            .collect();
+    pub fn new(options: Options, hierarchy: HierarchySection) -> MotionSection {
+        let HierarchySection { joints, name_encoding, decimals, notices } = hierarchy;
+        let width = joints.iter().map(|joint| joint.channels.len()).sum();
         MotionSection {
             options,
-            row: vec![0.0; channels.len()],
+            joints,
+            row: vec![0.0; width],
             header: Header::default(),
             values: Vec::new(),
             frames: 0,
@@ -105,11 +101,15 @@ impl MotionSection {
             decimals,
             extra_number: None,
             followers: None,
-            layout: Layout { decimals: vec![0; channels.len()], ..Layout::default() },
-            channels,
-            repairs: Vec::new(),
-            notices: Vec::new(),
+            layout: Layout { decimals: vec![0; width], name_encoding, ..Layout::default() },
+            repairs: Repairs::default(),
+            notices,
         }
+    }
+
+    /// Returns the number of channels.
+    fn width(&self) -> usize {
+        self.row.len()
     }
 
     /// Reads the ordinary rows at the beginning of `text`, which begins at byte `start` of the whole
@@ -123,7 +123,8 @@ impl MotionSection {
         let before = self.frames;
         let mut points = self.decimals.points;
         let decimals = &mut self.layout.decimals;
-        while let Some(len) = fast_row::read_row(text, &mut self.row, decimals, &mut points) {
+        let limit = self.options.limits.value;
+        while let Some(len) = fast_row::read_row(text, &mut self.row, decimals, &mut points, limit) {
             *text = &text[len..];
             self.decimals.points = points;
             self.values.extend_from_slice(&self.row);
@@ -204,7 +205,7 @@ impl MotionSection {
     /// Reports repairs and returns the frame time, after the last line; the text has `end` bytes.
     pub fn finish(&mut self, end: u64) -> f64 {
         if let Some(partial) = self.partial.take() {
-            self.values.truncate(self.frames * self.channels.len());
+            self.values.truncate(self.frames * self.width());
             self.layout.frames_end = self.layout.frames.pop();
             self.notices.push(Notice {
                 code: Code::IncompleteRow,
@@ -216,7 +217,8 @@ impl MotionSection {
         self.layout.frames.shrink_to_fit();
         self.layout.frames_end.get_or_insert(end);
         self.layout.has_decimal_commas = self.decimals.commas.is_some();
-        self.report_repairs();
+        let mut repairs = self.repairs.take_notices(&self.joints);
+        self.notices.append(&mut repairs);
         self.report_followers();
         if let Some(first) = self.decimals.commas {
             self.notices.push(Notice {
@@ -283,24 +285,6 @@ impl MotionSection {
         DEFAULT_FRAME_TIME
     }
 
-    fn report_repairs(&mut self) {
-        let width = self.channels.len();
-        for Repair { code, location, lines } in self.repairs.drain(..) {
-            let times = if lines == 1 { "1 line".into() } else { format!("{lines} lines") };
-            let text = match code {
-                Code::LongRow => {
-                    format!("{times} with more than {width} numbers: the extra numbers were left out.")
-                }
-                Code::WrappedRow => format!("Frames are wrapped over several lines ({times} more)."),
-                Code::TrailingMatter => format!("{times} after the last frame were left out."),
-                _ => format!(
-                    "{times} with values that are not numbers: the values of the previous frame were repeated."
-                ),
-            };
-            self.notices.push(Notice { code, location: Some(location), text });
-        }
-    }
-
     /// Reads `Frames:` and `Frame Time:` and returns the byte index after them.
     fn header(&mut self, line: Line<'_>, mut at: usize) -> usize {
         let Line { number, text, .. } = line;
@@ -343,11 +327,9 @@ impl MotionSection {
         self.decimals.record(stated.mark, line, text, at);
         self.header.frame_time = Some(stated.seconds);
         if stated.has_unit {
-            let found = String::from_utf8_lossy(&text[at..at + stated.len]);
-            let text_of_notice =
-                format!("The frame time is stated as {found:?} and was read as {:.6} s.", stated.seconds);
-            let location = Some(location(line, text, at));
-            self.notices.push(Notice { code: Code::FrameTime, location, text: text_of_notice });
+            let found = String::from_utf8_lossy(&text[at..at + stated.len]).into_owned();
+            let repair = Repair::FrameTimeUnit { found, seconds: stated.seconds };
+            self.repairs.add(repair, || location(line, text, at));
         }
         let start = start + at as u64;
         self.layout.frame_time_text = Some(start..start + stated.len as u64);
@@ -366,9 +348,7 @@ impl MotionSection {
             return 0;
         }
         let found: String = String::from_utf8_lossy(rest).trim_end().chars().take(40).collect();
-        let text_of_notice = format!("The text {found:?} was ignored.");
-        let location = Some(location(line, text, at));
-        self.notices.push(Notice { code, location, text: text_of_notice });
+        self.repairs.add(Repair::UnusedText { found, code }, || location(line, text, at));
         rest.len()
     }
 
@@ -377,9 +357,9 @@ impl MotionSection {
         Line { number: line, start: line_start, text }: Line<'_>,
         at: usize,
     ) -> Result<(), Error> {
-        let width = self.channels.len();
+        let width = self.width();
         if width == 0 {
-            self.repair(Code::TrailingMatter, line, text, at);
+            self.repairs.add(Repair::TrailingMatter, || location(line, text, at));
             return Ok(());
         }
         let start = self.frames * width;
@@ -389,7 +369,7 @@ impl MotionSection {
             Ok(found) => before + found,
             // After all declared frames, a line that is not a row is not motion.
             Err(_) if complete => 0,
-            Err(BadValue(at)) => return Err(self.bad_value(line, text, at)),
+            Err(bad) => return Err(self.bad_value(line, text, bad)),
         };
         if before == 0 && found > 0 {
             let is_first = text[..at].iter().all(|&byte| number::is_blank(byte));
@@ -398,11 +378,11 @@ impl MotionSection {
         if found >= width && (before == 0 || found == width) {
             self.check_extra_number(found, line, text, at)?;
             if found > width {
-                self.repair(Code::LongRow, line, text, at);
+                self.repairs.add(Repair::LongRow { channels: width }, || location(line, text, at));
             }
             self.layout.frames_end = None;
             if self.partial.take().is_some() {
-                self.repair(Code::WrappedRow, line, text, at);
+                self.repairs.add(Repair::WrappedRow, || location(line, text, at));
             }
             self.frames += 1;
         } else if complete && before == 0 {
@@ -410,7 +390,7 @@ impl MotionSection {
             if found > 0 {
                 self.layout.frames.pop();
             }
-            self.repair(Code::TrailingMatter, line, text, at);
+            self.repairs.add(Repair::TrailingMatter, || location(line, text, at));
         } else if found > width {
             let Partial { line, text, at } = self.partial.take().expect("a frame has begun");
             let kind = ErrorKind::RaggedRow { expected: width, found, frame: self.frames };
@@ -418,7 +398,7 @@ impl MotionSection {
         } else if before == 0 {
             self.partial = Some(Partial { line, text: text.to_vec(), at });
         } else {
-            self.repair(Code::WrappedRow, line, text, at);
+            self.repairs.add(Repair::WrappedRow, || location(line, text, at));
         }
         if self.decimals.are_mixed() {
             return Err(Error::at(ErrorKind::MixedDecimals, line, text, at));
@@ -429,9 +409,12 @@ impl MotionSection {
     /// Appends at most `wanted` numbers of the line and returns the count of all numbers.
     fn numbers(&mut self, line: usize, text: &[u8], mut at: usize, wanted: usize) -> Result<usize, BadValue> {
         let mut found = 0;
-        let channel = self.channels.len() - wanted;
+        let channel = self.width() - wanted;
         while at < text.len() && !number::is_comment(&text[at..]) {
-            let (value, len) = match number::parse_leading(&text[at..]) {
+            let limit = self.options.limits.value;
+            let number = number::parse_leading(&text[at..]);
+            let is_large = number.is_some_and(|number| number.value.abs() > limit);
+            let (value, len) = match number.filter(|_| !is_large) {
                 Some(number) => {
                     self.decimals.record(number.mark, line, text, at);
                     if let Some(decimals) = self.layout.decimals.get_mut(channel + found) {
@@ -440,10 +423,10 @@ impl MotionSection {
                     (number.value, number.len)
                 }
                 None if self.options.lenient => {
-                    self.repair(Code::HeldValue, line, text, at);
+                    self.repairs.add(Repair::HeldValue, || location(line, text, at));
                     (self.previous_value(), number::word(&text[at..]).len())
                 }
-                None => return Err(BadValue(at)),
+                None => return Err(BadValue { at, is_large }),
             };
             if found < wanted {
                 self.values.push(value);
@@ -457,7 +440,7 @@ impl MotionSection {
     /// Checks that the complete row does not begin with a number or time of its frame: with one or two
     /// numbers more than there are channels, the first of which increases by a constant step.
     fn check_extra_number(&mut self, found: usize, line: usize, text: &[u8], at: usize) -> Result<(), Error> {
-        let channels = self.channels.len();
+        let channels = self.width();
         let has_extra = (1..=2).any(|extra| found == channels + extra);
         let first = has_extra.then(|| self.values[self.frames * channels]);
         let previous = self.extra_number.take();
@@ -480,28 +463,33 @@ impl MotionSection {
 
     /// Returns the value of the next channel in the previous frame; 0 in the first frame.
     fn previous_value(&self) -> f64 {
-        let width = self.channels.len();
+        let width = self.width();
         self.values
             .len()
             .checked_sub(width)
             .map_or(0.0, |index| self.values.get(index).copied().unwrap_or(0.0))
     }
 
-    fn bad_value(&self, line: usize, text: &[u8], at: usize) -> Error {
-        let next = self.values.len() - self.frames * self.channels.len();
-        let kind = ErrorKind::BadValue {
-            found: String::from_utf8_lossy(number::word(&text[at..])).chars().take(40).collect(),
-            frame: self.frames,
-            channel: self.channels.get(next).cloned().unwrap_or_else(|| "beyond the last".into()),
-        };
-        Error::at(kind, line, text, at)
+    /// Returns the name of a channel of the row, as in `LeftFoot Zrotation`.
+    fn channel_name(&self, channel: usize) -> Option<String> {
+        let mut channels =
+            self.joints.iter().flat_map(|joint| joint.channels.iter().map(move |channel| (joint, channel)));
+        let (joint, channel) = channels.nth(channel)?;
+        Some(format!("{} {}", shortened(&joint.name), channel.name()))
     }
 
-    fn repair(&mut self, code: Code, line: usize, text: &[u8], at: usize) {
-        match self.repairs.iter_mut().find(|repair| repair.code == code) {
-            Some(repair) => repair.lines += 1,
-            None => self.repairs.push(Repair { code, location: location(line, text, at), lines: 1 }),
-        }
+    fn bad_value(&self, line: usize, text: &[u8], BadValue { at, is_large }: BadValue) -> Error {
+        let found = String::from_utf8_lossy(number::word(&text[at..])).chars().take(40).collect();
+        let frame = self.frames;
+        let next = self.values.len() - self.frames * self.width();
+        let channel = self.channel_name(next).unwrap_or_else(|| "beyond the last".into());
+        let kind = if is_large {
+            let place = format!("frame {frame}, channel {channel}");
+            ErrorKind::LargeValue { found, limit: self.options.limits.value, place }
+        } else {
+            ErrorKind::BadValue { found, frame, channel }
+        };
+        Error::at(kind, line, text, at)
     }
 }
 

@@ -68,11 +68,15 @@ mod guess {
 /// Returns the length of a name at the beginning of `text`, which ends with the line, at a brace
 /// or at a comment.
 pub(crate) fn name_len(text: &[u8]) -> usize {
-    let is_utf8 = std::str::from_utf8(text).is_ok();
+    // Whether the text before the first brace is UTF-8 decides for all braces, as what follows a character
+    // that is not UTF-8 is not UTF-8, either.
+    let mut is_utf8 = None;
     let before = |at: usize| at.checked_sub(1).map_or(b' ', |before| text[before]);
     let ends = |&at: &usize| match text[at] {
         // In other encodings than UTF-8 the last byte of a character may equal a brace.
-        b'{' => is_utf8 || before(at).is_ascii(),
+        b'{' => {
+            *is_utf8.get_or_insert_with(|| std::str::from_utf8(&text[..at]).is_ok()) || before(at).is_ascii()
+        }
         // A name may contain `#2`.
         b'#' => is_blank(before(at)) && text.get(at + 1).is_none_or(|&next| is_blank(next)),
         b'/' => is_blank(before(at)) && text.get(at + 1) == Some(&b'/'),

@@ -1,9 +1,13 @@
 //! Options of the reader.
 
+use std::ops::RangeInclusive;
+
 use super::names::{self, NameDecoder};
 
-/// Limits of the size of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Limits of a file. The reader checks them before it uses memory for what exceeds them.
+///
+/// Within the limits, time and memory of reading grow with the size of the file only.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Bytes of the file; default 1 GiB.
     pub bytes: u64,
@@ -13,11 +17,16 @@ pub struct Limits {
     pub joints: usize,
     /// Joints from a root to a tip; default 1,000.
     pub depth: usize,
+    /// Magnitude of an offset or a channel value, in file units or degrees; default 10⁹.
+    pub value: f64,
 }
+
+/// Frame rates that may replace the one of a file, in Hz.
+pub const FRAME_RATES: RangeInclusive<f64> = 1.0..=1000.0;
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { bytes: 1 << 30, line_bytes: 16 << 20, joints: 10_000, depth: 1_000 }
+        Limits { bytes: 1 << 30, line_bytes: 16 << 20, joints: 10_000, depth: 1_000, value: 1e9 }
     }
 }
 

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use crate::bvh::encoding::Decoder;
-use crate::bvh::hierarchy::{Hierarchy, HierarchySection, Progress};
+use crate::bvh::hierarchy::{Hierarchy, Progress};
 use crate::bvh::layout::Layout;
 use crate::bvh::lines::{Line, Lines};
 use crate::bvh::motion_section::MotionSection;
-use crate::bvh::{Channel, Clip, Error, ErrorKind, Joint, Options, PositionRule};
-use crate::notice::{Code, Notice};
+use crate::bvh::{Channel, Clip, Error, ErrorKind, Options, PositionRule};
+use crate::notice::{self, Code, Notice};
 
 /// Result of reading a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +60,7 @@ pub struct Reader {
 #[derive(Debug)]
 enum Section {
     Hierarchy(Hierarchy),
-    Motion { joints: Vec<Joint>, notices: Vec<Notice>, rows: Box<MotionSection> },
+    Motion(Box<MotionSection>),
 }
 
 impl Reader {
@@ -113,7 +113,7 @@ impl Section {
         limit: usize,
     ) -> Result<(), Error> {
         loop {
-            if let Section::Motion { rows, .. } = self
+            if let Section::Motion(rows) = self
                 && lines.at_start()
             {
                 let before = text.len();
@@ -128,7 +128,7 @@ impl Section {
 
     fn line(&mut self, options: Options, line: Line<'_>) -> Result<(), Error> {
         match self {
-            Section::Motion { rows, .. } => rows.line(line),
+            Section::Motion(rows) => rows.line(line),
             Section::Hierarchy(hierarchy) => match hierarchy.line(line.number, line.text)? {
                 Progress::Hierarchy => Ok(()),
                 Progress::Motion(rest) => {
@@ -143,7 +143,7 @@ impl Section {
     /// Reads a line that ends with the file, possibly within a word.
     fn last_line(&mut self, options: Options, line: Line<'_>) -> Result<(), Error> {
         match self {
-            Section::Motion { rows, .. } => rows.last_line(line),
+            Section::Motion(rows) => rows.last_line(line),
             Section::Hierarchy(_) => self.line(options, line).map_err(|error| match self {
                 // If braces are open, the error is that the file is incomplete.
                 Section::Hierarchy(hierarchy) if hierarchy.is_open() => {
@@ -156,10 +156,7 @@ impl Section {
 
     fn begin_motion(&mut self, options: Options) {
         if let Section::Hierarchy(hierarchy) = self {
-            let HierarchySection { joints, name_encoding, decimals, notices } = hierarchy.take();
-            let mut rows = Box::new(MotionSection::new(options, &joints, decimals));
-            rows.layout.name_encoding = name_encoding;
-            *self = Section::Motion { joints, notices, rows };
+            *self = Section::Motion(Box::new(MotionSection::new(options, hierarchy.take())));
         }
     }
 
@@ -168,12 +165,10 @@ impl Section {
             hierarchy.finish()?;
             self.begin_motion(options);
         }
-        let Section::Motion { joints, mut notices, mut rows } = self else {
-            unreachable!("the motion has begun");
-        };
+        let Section::Motion(mut rows) = self else { unreachable!("the motion has begun") };
         let frame_time = rows.finish(end);
-        notices.append(&mut rows.notices);
-        let clip = Clip::new(joints, frame_time, rows.values);
+        let mut notices = rows.notices;
+        let clip = Clip::new(rows.joints, frame_time, rows.values);
         notices.extend(clip_notices(&clip));
         let rule = position_rule(&clip);
         if rule == PositionRule::Add {
@@ -191,7 +186,7 @@ fn clip_notices(clip: &Clip) -> Vec<Notice> {
     let mut notices = Vec::new();
     let roots: Vec<&str> = clip.roots().map(|root| clip.joints()[root].name.as_str()).collect();
     if roots.len() > 1 {
-        let text = format!("The file contains {} skeletons: {}.", roots.len(), roots.join(", "));
+        let text = format!("The file contains {} skeletons: {}.", roots.len(), notice::list(&roots));
         notices.push(Notice::new(Code::SeveralRoots, text));
     }
     let mut names: Vec<&str> = clip
@@ -205,7 +200,7 @@ fn clip_notices(clip: &Clip) -> Vec<Notice> {
         names.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
     shared.dedup();
     if !shared.is_empty() {
-        let text = format!("Several joints share a name: {}.", shared.join(", "));
+        let text = format!("Several joints share a name: {}.", notice::list(&shared));
         notices.push(Notice::new(Code::DuplicateName, text));
     }
     if clip.frame_count() == 0 {

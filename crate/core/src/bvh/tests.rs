@@ -4,10 +4,11 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 
 use super::*;
+use crate::bvh::hierarchy::HierarchySection;
 use crate::bvh::lines::Line;
 use crate::bvh::motion_section::MotionSection;
 use crate::bvh::number::Decimals;
-use crate::notice::Code;
+use crate::notice::{Code, Location};
 
 const HEAD: &str = "HIERARCHY\nROOT Hips\n{\n\tOFFSET 0 0 0\n\tCHANNELS 3 Xposition Yposition Zposition\n\
                     \tEnd Site\n\t{\n\t\tOFFSET 0 1 0\n\t}\n}\n";
@@ -18,6 +19,11 @@ fn read(text: &str) -> Parsed {
 
 fn reject(text: &str) -> Error {
     parse(text.as_bytes(), Options::default()).expect_err(text)
+}
+
+/// Returns line and column of an error.
+fn location(error: &Error) -> Option<(usize, usize)> {
+    error.location.map(|location| (location.line, location.column))
 }
 
 fn motion(motion: &str) -> String {
@@ -129,10 +135,15 @@ fn decimal_commas_are_read_if_the_file_is_consistent() {
 
 #[test]
 fn memory_is_reserved_for_plausible_frame_counts() {
-    let joints = read(HEAD).clip.joints().to_vec();
     let capacity = |stated: &str, expected_bytes| {
         let options = Options { expected_bytes, ..Options::default() };
-        let mut rows = MotionSection::new(options, &joints, Decimals::default());
+        let hierarchy = HierarchySection {
+            joints: read(HEAD).clip.joints().to_vec(),
+            name_encoding: None,
+            decimals: Decimals::default(),
+            notices: Vec::new(),
+        };
+        let mut rows = MotionSection::new(options, hierarchy);
         let header = format!("Frames: {stated}");
         rows.line(Line { number: 1, start: 0, text: header.as_bytes() }).unwrap();
         rows.line(Line { number: 2, start: 99, text: b"1 2 3" }).unwrap();
@@ -208,7 +219,6 @@ fn near_zero_position_channels_are_added_to_offsets() {
 
 #[test]
 fn errors_state_what_is_wrong() {
-    let location = |error: &Error| error.location.map(|location| (location.line, location.column));
     for (text, kind) in [
         ("", ErrorKind::Empty),
         (" \n\t\n", ErrorKind::Empty),
@@ -239,7 +249,7 @@ fn errors_state_what_is_wrong() {
 
 #[test]
 fn limits_are_enforced() {
-    let limits = Limits { bytes: 200, line_bytes: 60, joints: 2, depth: 2 };
+    let limits = Limits { bytes: 200, line_bytes: 60, joints: 2, depth: 2, ..Limits::default() };
     let kind = |text: &str| {
         let error = parse(text.as_bytes(), Options { limits, ..Options::default() }).expect_err(text);
         assert!(error.kind.is_limit());
@@ -252,6 +262,38 @@ fn limits_are_enforced() {
     let limits = Limits { joints: 9, ..limits };
     let error = parse(nested.as_bytes(), Options { limits, ..Options::default() }).unwrap_err();
     assert_eq!(error.kind, ErrorKind::TooDeep(2));
+}
+
+#[test]
+fn values_beyond_the_limit_are_rejected_as_other_bad_values() {
+    for large in ["1000000001", "-1e160", "1e300", "4000000000.5"] {
+        let text = motion(&format!("Frames: 2\nFrame Time: 0.01\n1 2 3\n4 {large} 6\n"));
+        let error = reject(&text);
+        assert_eq!(location(&error), Some((15, 3)), "{large}");
+        let place = "frame 1, channel Hips Yposition".into();
+        assert_eq!(error.kind, ErrorKind::LargeValue { found: large.into(), limit: 1e9, place });
+        let parsed = parse(text.as_bytes(), Options { lenient: true, ..Options::default() }).unwrap();
+        assert_eq!((codes(&parsed), parsed.clip.row(1)), (vec![Code::HeldValue], &[4.0, 2.0, 6.0][..]));
+        let offset = HEAD.replace("OFFSET 0 1 0", &format!("OFFSET 0 {large} 0"));
+        assert_eq!(location(&reject(&offset)), Some((8, 12)));
+    }
+    assert_eq!(rows("Frames: 1\nFrame Time: 0.01\n1e9 -1000000000 0\n").1, []);
+}
+
+#[test]
+fn repeated_repairs_are_one_notice() {
+    let name = "long".repeat(1000);
+    let joint = format!("JOINT {name}\n{{\nCHANNELS 1 Xrotation Yrotation\n}}\n");
+    let offsets = "OFFSET 1 2 3 ".repeat(1000);
+    let text = format!("HIERARCHY\nROOT a\n{{\n{offsets}\n{}}}\n", joint.repeat(3));
+    let parsed = read(&text);
+    use Code::{ChannelCount, DuplicateName, NoMotion, Offset};
+    assert_eq!(codes(&parsed), [Offset, ChannelCount, Offset, DuplicateName, NoMotion]);
+    let [second, channels, none, ..] = &parsed.notices[..] else { unreachable!("five notices") };
+    assert_eq!(second.text, "a has a second OFFSET; the last one is used. The same occurs 998 more times.");
+    let short = format!("{}…", &name[..60]);
+    assert!(channels.text.starts_with(&short) && channels.text.ends_with("The same occurs 2 more times."));
+    assert!(none.text.starts_with(&short) && none.location == Some(Location { line: 8, column: 1 }));
 }
 
 #[test]
@@ -358,8 +400,8 @@ fn names_in_other_encodings_are_decoded() {
     let parsed = parse(&file(encoded.each_ref().map(|name| &name[..])), Options::default()).unwrap();
     assert!(parsed.clip.joints().iter().map(|joint| &joint.name[..]).eq(texts));
     assert_eq!(parsed.layout.name_encoding(), Some("Shift_JIS"));
-    assert_eq!(codes(&parsed), [Code::Offset, Code::Offset, Code::NameEncoding, Code::NoMotion]);
-    assert_eq!(parsed.notices[0].text, "左足首 has no OFFSET; zero is used.");
+    assert_eq!(codes(&parsed), [Code::Offset, Code::NameEncoding, Code::NoMotion]);
+    assert_eq!(parsed.notices[0].text, "左足首 has no OFFSET; zero is used. The same occurs once more.");
     let unicode = parse(&file(texts.map(str::as_bytes)), Options::default()).unwrap();
     assert_eq!((unicode.clip, unicode.layout.name_encoding()), (parsed.clip, None));
 }
@@ -370,7 +412,9 @@ fn any_clip() -> impl Strategy<Value = Clip> {
     let channel = (axis, any::<bool>()).prop_map(|(axis, is_rotation)| {
         if is_rotation { Channel::Rotation(axis) } else { Channel::Position(axis) }
     });
-    let number = prop_oneof![-1e3..1e3, prop::num::f64::NORMAL];
+    let limit = Limits::default().value;
+    let any_number = prop::num::f64::NORMAL.prop_map(move |x| if x.abs() <= limit { x } else { limit / x });
+    let number = prop_oneof![-1e3..1e3, any_number];
     let joint = (
         "[\\p{L}:_.-][\\p{L}0-9 :_.-]{0,8}[\\p{L}0-9]",
         prop::array::uniform3(number.clone()),

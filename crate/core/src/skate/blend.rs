@@ -4,13 +4,17 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+/// Fraction of the window in which slopes fade, as a divisor.
+const FADE_FRACTION: usize = 3;
+
 /// Fills `values` outside of the `fixed` ranges.
 ///
 /// Between two fixed ranges a quintic continues value and slope with zero acceleration at both
-/// ends; if they are more than two windows apart, it passes through zero. `fixed` must be in order,
+/// ends; slopes fade within a third of the window; if they are more than two windows apart, it passes through zero. `fixed` must be in order,
 /// without empty or overlapping ranges.
 pub(crate) fn fill(values: &mut [Vector3<f64>], fixed: &[Range<usize>], window: usize) {
     let window = window.max(1);
+    let fade = window.div_ceil(FADE_FRACTION);
     let end_of = |values: &[Vector3<f64>], run: &Range<usize>| {
         let last = run.end - 1;
         let slope = if run.len() > 1 { values[last] - values[last - 1] } else { Vector3::zeros() };
@@ -31,7 +35,7 @@ pub(crate) fn fill(values: &mut [Vector3<f64>], fixed: &[Range<usize>], window: 
             (Some(from), Some(to)) if gap.len() < 2 * window => {
                 let (start, end) = (end_of(values, from), start_of(values, to));
                 for (n, frame) in gap.clone().enumerate() {
-                    values[frame] = quintic(start, end, gap.len() + 1, n + 1);
+                    values[frame] = blend(start, end, gap.len() + 1, fade, n + 1);
                 }
                 continue;
             }
@@ -40,13 +44,13 @@ pub(crate) fn fill(values: &mut [Vector3<f64>], fixed: &[Range<usize>], window: 
         if let Some(from) = before {
             let start = end_of(values, from);
             for (n, frame) in gap.clone().enumerate().take(window - 1) {
-                values[frame] = quintic(start, zero, window, n + 1);
+                values[frame] = blend(start, zero, window, fade, n + 1);
             }
         }
         if let Some(to) = after {
             let end = start_of(values, to);
             for (n, frame) in gap.rev().enumerate().take(window - 1) {
-                values[frame] = quintic(zero, end, window, window - 1 - n);
+                values[frame] = blend(zero, end, window, fade, window - 1 - n);
             }
         }
     }
@@ -57,22 +61,24 @@ pub(crate) fn ease(u: f64) -> f64 {
     u * u * u * (10.0 + u * (6.0 * u - 15.0))
 }
 
-/// Returns the quintic between two values with slopes per step, `length` steps apart, after `step`
-/// steps.
-fn quintic(
+/// Returns the blend between two values with slopes per step, `length` steps apart, after `step` steps: a
+/// quintic for the values, and one that fades each slope within `fade` steps. A slope that lasted longer
+/// would carry the blend far beyond both values.
+fn blend(
     (from, start_slope): (Vector3<f64>, Vector3<f64>),
     (to, end_slope): (Vector3<f64>, Vector3<f64>),
     length: usize,
+    fade: usize,
     step: usize,
 ) -> Vector3<f64> {
-    let span = length as f64;
-    let u = step as f64 / span;
-    let (u3, u4, u5) = (u.powi(3), u.powi(4), u.powi(5));
-    let rise = ease(u);
-    from * (1.0 - rise)
-        + to * rise
-        + start_slope * (span * (u - 6.0 * u3 + 8.0 * u4 - 3.0 * u5))
-        + end_slope * (span * (-4.0 * u3 + 7.0 * u4 - 3.0 * u5))
+    let rise = ease(step as f64 / length as f64);
+    let fade = length.min(fade) as f64;
+    // The quintic from 0 with slope 1 to 0 with slope 0, without curvature at both ends.
+    let faded = |steps: usize| {
+        let u = (steps as f64 / fade).min(1.0);
+        fade * u * (1.0 + u * u * (-6.0 + u * (8.0 - 3.0 * u)))
+    };
+    from * (1.0 - rise) + to * rise + start_slope * faded(step) - end_slope * faded(length - step)
 }
 
 #[cfg(test)]

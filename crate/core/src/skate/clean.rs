@@ -1,19 +1,21 @@
 //! Clean-up of foot skate: from tracks of the feet to a new clip and a report.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::Vector3;
 
-use crate::bvh::{Channel, Clip};
+use crate::bvh::Clip;
 use crate::foot::Side;
-use crate::kinematics::Kinematics;
 use crate::notice::{Code, Notice};
+use crate::skate::channels::{ChannelWriter, can_rotate, translating_joint};
 use crate::skate::constraints::{Correction, Planted, Settings};
 use crate::skate::foot_data::{FootData, SkateError};
-use crate::skate::leg::{Joints, Leg};
-use crate::skate::{Contacts, euler, knee, leg, root};
-use crate::skeleton::{Role, Skeleton};
+use crate::skate::leg::Leg;
+use crate::skate::measure::Slide;
+use crate::skate::{Contacts, harm, leg, root, spikes};
+use crate::skeleton::Skeleton;
 
 /// Options of the clean-up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,11 +28,13 @@ pub struct Options {
     pub level: bool,
     /// Maximum slide of plants that are corrected, in leg lengths; default 0.25.
     pub max_slide: f64,
+    /// If true, short jumps of the hips to another place and back are interpolated. Default true.
+    pub repair_spikes: bool,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { blend: 0.4, level: true, max_slide: 0.25 }
+        Options { blend: 0.4, level: true, max_slide: 0.25, repair_spikes: true }
     }
 }
 
@@ -73,6 +77,15 @@ pub enum SkipReason {
     NoLeg,
     /// The leg is too short to reach the position, or the foot rotates too far about it.
     OutOfReach,
+    /// The correction would make the clip worse: the foot would slide more, the hips would move too far, or
+    /// joints would jerk.
+    Harmful,
+}
+
+impl SkipReason {
+    /// All reasons.
+    pub const ALL: [SkipReason; 4] =
+        [SkipReason::MovesTooFar, SkipReason::NoLeg, SkipReason::OutOfReach, SkipReason::Harmful];
 }
 
 impl fmt::Display for SkipReason {
@@ -81,6 +94,7 @@ impl fmt::Display for SkipReason {
             SkipReason::MovesTooFar => "the foot moves too far for a planted foot",
             SkipReason::NoLeg => "the leg has no hip joint or knee that can rotate",
             SkipReason::OutOfReach => "the leg is too short or the foot rotates too far",
+            SkipReason::Harmful => "the correction would make the clip worse",
         })
     }
 }
@@ -98,10 +112,10 @@ const HIP_SMOOTHING: f64 = 0.09;
 const LOWERING_TIME: f64 = 0.6;
 /// Half-width of the window that smooths an ankle, in seconds.
 const ANKLE_SMOOTHING: f64 = 0.1;
+/// Number of attempts after which all plants near a harmful frame are withdrawn at once.
+const MAX_ROUNDS: usize = 8;
 /// Maximum slide of a plant that counts as constrained, in metres.
 const CONSTRAINT_TOLERANCE: f64 = 0.001;
-/// Movements smaller than this count as zero, in leg lengths.
-const NEGLIGIBLE: f64 = 1e-9;
 
 /// Constrains every planted foot to one position on the [`Ground`](crate::plants::Ground) that the plants
 /// define; on a treadmill the position moves with the belt. Only the rotations of legs and feet and the position of the hips
@@ -112,6 +126,9 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// as before. If only contact is labelled, the pitch of the foot determines the part. The time is
 /// proportional to the number of frames.
 ///
+/// Spikes of the hips are repaired first. A correction that would make the clip worse, as
+/// [`SkipReason::Harmful`] tells, is withdrawn.
+///
 /// # Errors
 /// The errors of [`measure`](crate::skate::measure).
 pub fn clean(
@@ -120,239 +137,216 @@ pub fn clean(
     contacts: &Contacts,
     options: &Options,
 ) -> Result<Cleaned, SkateError> {
-    Ok(run(clip, skeleton, FootData::new(clip, skeleton, contacts)?, options))
-}
-
-/// Cleans up a clip.
-fn run(clip: &Clip, skeleton: &Skeleton, feet: FootData, options: &Options) -> Cleaned {
-    let before = feet.skate(skeleton);
-    let frames = |seconds: f64| {
-        let frames = (seconds / clip.frame_time()).round();
-        if frames.is_finite() { frames.clamp(0.0, clip.frame_count() as f64) as usize } else { 0 }
-    };
-    let settings = Settings {
-        up: skeleton.up,
-        length: feet.length,
-        window: frames(options.blend).max(2),
-        ankle_half_width: frames(ANKLE_SMOOTHING),
-        level: options.level,
-        ground: feet.ground.clone(),
-    };
-    let max_slide = options.max_slide * feet.length * skeleton.metres_per_unit;
-    let mut skip_reasons: Vec<Option<SkipReason>> = before
-        .plants
-        .iter()
-        .map(|plant| {
-            let joints = &feet.legs[plant.side as usize].joints;
-            let is_rigid = !joints.upper.is_some_and(|upper| can_rotate(clip, upper, joints.ankle));
-            if is_rigid {
-                Some(SkipReason::NoLeg)
-            } else {
-                (plant.distance > max_slide).then_some(SkipReason::MovesTooFar)
-            }
-        })
-        .collect();
-
-    let FootData { legs, phases, plants, heels, length, ground } = feet;
-    let split = plants[0].len();
-    let mut phases = phases.into_iter();
-    let mut plants = plants.into_iter();
-    let planted: [Planted; 2] = Side::BOTH.map(|side| {
-        let skip_reason = if side == Side::Left { &skip_reasons[..split] } else { &skip_reasons[split..] };
-        Planted {
-            phases: phases.next().unwrap_or_default(),
-            plants: plants.next().unwrap_or_default(),
-            is_constrained: skip_reason.iter().map(Option::is_none).collect(),
-            heel: heels[side as usize],
-        }
-    });
-    let corrections = [0, 1].map(|foot| planted[foot].correction(&legs[foot], &settings));
+    let feet = FootData::new(clip, skeleton, contacts)?;
+    let translating_joint = translating_joint(clip, skeleton, feet.legs.each_ref().map(|leg| leg.joints));
     let mut notices = Vec::new();
-    let mut hip_offset = vec![Vector3::zeros(); clip.frame_count()];
-    let translating_joint = translating_joint(clip, skeleton, legs.each_ref().map(|leg| leg.joints));
-    if translating_joint.is_some() {
-        let constrained_frames = planted.each_ref().map(Planted::constrained_frames);
-        hip_offset = root::hip_offset(
-            &legs,
-            &corrections,
-            &constrained_frames,
-            &settings,
-            [frames(HIP_SMOOTHING), frames(LOWERING_TIME)],
-        );
-    } else {
+    if translating_joint.is_none() {
         let text = "The hips have no position channels; they do not move, and legs reach as far as they can.";
         notices.push(Notice::new(Code::FixedRoot, text));
     }
-    let cleaned = ChannelWriter {
-        clip,
-        legs: &legs,
-        corrections: &corrections,
-        translating_joint,
-        hip_offset: &hip_offset,
-        length,
-    }
-    .write();
+    let spikes = translating_joint
+        .filter(|_| options.repair_spikes)
+        .map(|joint| (joint, spikes::find(clip, joint, feet.length)))
+        .filter(|(_, spikes)| !spikes.is_empty());
+    let (repaired, feet) = match spikes {
+        Some((joint, spikes)) => {
+            notices.push(spike_notice(&spikes));
+            let repaired = spikes::repair(clip, joint, &spikes);
+            let feet = FootData::new(&repaired, skeleton, contacts)?;
+            (Cow::Owned(repaired), feet)
+        }
+        None => (Cow::Borrowed(clip), feet),
+    };
+    let cleanup = Cleanup::new(&repaired, skeleton, feet, translating_joint, options);
+    let (clip, plants) = cleanup.run();
+    notices.extend(plants_notice(&plants));
+    Ok(Cleaned { clip, plants, notices })
+}
 
-    let mut cleaned_legs = leg::legs(&cleaned, legs.each_ref().map(|leg| leg.joints));
-    cleaned_legs.iter_mut().for_each(|leg| leg.subtract_belt(&ground, clip.frame_time()));
-    let after = FootData {
-        legs: cleaned_legs,
-        phases: planted.each_ref().map(|foot| foot.phases.clone()),
-        plants: planted.each_ref().map(|foot| foot.plants.clone()),
-        heels,
-        length,
-        ground: ground.clone(),
+/// A clip with its feet, and the options in frames and file units.
+struct Cleanup<'a> {
+    clip: &'a Clip,
+    skeleton: &'a Skeleton,
+    feet: FootData,
+    /// Slide of each plant.
+    before: Vec<Slide>,
+    translating_joint: Option<usize>,
+    settings: Settings,
+    /// Maximum slide of plants that are corrected, in metres.
+    max_slide: f64,
+    /// Half-widths of smoothing and of lowering the hips, in frames.
+    hip_windows: [usize; 2],
+}
+
+/// Result of correcting some of the plants.
+struct Attempt {
+    clip: Clip,
+    legs: [Leg; 2],
+    corrections: [Correction; 2],
+    hip_offset: Vec<Vector3<f64>>,
+    /// Slide of each plant, in metres.
+    slides: Vec<f64>,
+}
+
+impl<'a> Cleanup<'a> {
+    fn new(
+        clip: &'a Clip,
+        skeleton: &'a Skeleton,
+        feet: FootData,
+        translating_joint: Option<usize>,
+        options: &Options,
+    ) -> Cleanup<'a> {
+        let frames = |seconds: f64| {
+            let frames = (seconds / clip.frame_time()).round();
+            if frames.is_finite() { frames.clamp(0.0, clip.frame_count() as f64) as usize } else { 0 }
+        };
+        let settings = Settings {
+            up: skeleton.up,
+            length: feet.length,
+            window: frames(options.blend).max(2),
+            ankle_half_width: frames(ANKLE_SMOOTHING),
+            level: options.level,
+            ground: feet.ground.clone(),
+        };
+        Cleanup {
+            clip,
+            skeleton,
+            before: feet.skate(skeleton).plants,
+            translating_joint,
+            settings,
+            max_slide: options.max_slide * feet.length * skeleton.metres_per_unit,
+            hip_windows: [frames(HIP_SMOOTHING), frames(LOWERING_TIME)],
+            feet,
+        }
     }
-    .skate(skeleton);
-    let positions = corrections.iter().flat_map(|correction| correction.positions.clone());
-    let plants: Vec<CleanedPlant> = before
-        .plants
-        .into_iter()
-        .zip(after.plants)
-        .zip(positions.zip(&mut skip_reasons))
-        .map(|((before, after), (position, skip_reason))| {
-            (before.frames.start, before, after, position, skip_reason)
-        })
-        .map(|(start, before, after, position, skip_reason)| CleanedPlant {
+
+    /// Corrects all plants that can be, and withdraws corrections that harm.
+    fn run(&self) -> (Clip, Vec<CleanedPlant>) {
+        let mut skipped: Vec<Option<SkipReason>> =
+            self.before.iter().map(|plant| self.skip_reason(plant)).collect();
+        let mut attempt = self.attempt(&skipped);
+        for round in 1.. {
+            let harmful = self.harmful_plants(&attempt, &skipped, round >= MAX_ROUNDS);
+            if harmful.is_empty() {
+                break;
+            }
+            for plant in harmful {
+                skipped[plant] = Some(SkipReason::Harmful);
+            }
+            attempt = self.attempt(&skipped);
+        }
+        let positions = attempt.corrections.iter().flat_map(|correction| &correction.positions);
+        let belt = |frame: usize| self.feet.ground.displacement(frame, self.clip.frame_time());
+        let plants = self.before.iter().zip(&attempt.slides).zip(positions.zip(skipped));
+        let plants = plants.map(|((before, &after), (position, skip_reason))| CleanedPlant {
             side: before.side,
-            frames: before.frames,
-            position: position.map(|position| position + ground.displacement(start, clip.frame_time())),
+            frames: before.frames.clone(),
+            position: position.map(|position| position + belt(before.frames.start)),
             before: before.distance,
-            after: after.distance,
-            skip_reason: skip_reason
-                .or((after.distance > CONSTRAINT_TOLERANCE).then_some(SkipReason::OutOfReach)),
-        })
-        .collect();
-    notices.extend(notice(&plants));
-    Cleaned { clip: cleaned, plants, notices }
+            after,
+            skip_reason: skip_reason.or((after > CONSTRAINT_TOLERANCE).then_some(SkipReason::OutOfReach)),
+        });
+        (attempt.clip, plants.collect())
+    }
+
+    /// Returns the reason why a plant is not to be corrected, if there is one.
+    fn skip_reason(&self, plant: &Slide) -> Option<SkipReason> {
+        let joints = &self.feet.legs[plant.side as usize].joints;
+        if !joints.upper.is_some_and(|upper| can_rotate(self.clip, upper, joints.ankle)) {
+            return Some(SkipReason::NoLeg);
+        }
+        (plant.distance > self.max_slide).then_some(SkipReason::MovesTooFar)
+    }
+
+    /// Corrects the plants that are not skipped.
+    fn attempt(&self, skipped: &[Option<SkipReason>]) -> Attempt {
+        let FootData { legs, phases, plants, heels, length, ground } = &self.feet;
+        let (left, right) = skipped.split_at(plants[0].len());
+        let planted = [left, right].map(|skipped| skipped.iter().map(Option::is_none).collect::<Vec<_>>());
+        let planted = [0, 1].map(|foot| Planted {
+            phases: &phases[foot],
+            plants: &plants[foot],
+            is_constrained: &planted[foot],
+            heel: heels[foot],
+        });
+        let corrections = [0, 1].map(|foot| planted[foot].correction(&legs[foot], &self.settings));
+        let mut hip_offset = vec![Vector3::zeros(); self.clip.frame_count()];
+        if self.translating_joint.is_some() {
+            let constrained = planted.each_ref().map(Planted::constrained_frames);
+            hip_offset = root::hip_offset(legs, &corrections, &constrained, &self.settings, self.hip_windows);
+        }
+        let clip = ChannelWriter {
+            clip: self.clip,
+            legs,
+            corrections: &corrections,
+            translating_joint: self.translating_joint,
+            hip_offset: &hip_offset,
+            length: *length,
+        }
+        .write();
+        let mut cleaned_legs = leg::legs(&clip, legs.each_ref().map(|leg| leg.joints));
+        cleaned_legs.iter_mut().for_each(|leg| leg.subtract_belt(ground, clip.frame_time()));
+        let slides = self.feet.slides(&cleaned_legs, self.skeleton);
+        let slides = slides.plants.iter().map(|plant| plant.distance).collect();
+        Attempt { clip, legs: cleaned_legs, corrections, hip_offset, slides }
+    }
+
+    /// Returns the corrected plants whose correction makes the clip worse: of the plants near a harmful frame,
+    /// the one that moves its ankle farthest, or `all` of them.
+    fn harmful_plants(&self, attempt: &Attempt, skipped: &[Option<SkipReason>], all: bool) -> Vec<usize> {
+        let is_corrected = |plant: usize| skipped[plant].is_none();
+        let more_slide =
+            |plant: &usize| attempt.slides[*plant] > self.before[*plant].distance + CONSTRAINT_TOLERANCE;
+        let mut harmful: Vec<usize> =
+            (0..self.before.len()).filter(|&plant| is_corrected(plant)).filter(more_slide).collect();
+        let reach = self.settings.window + self.hip_windows[1];
+        let displacement = |plant: usize, near: &Range<usize>| {
+            let Slide { side, frames, .. } = &self.before[plant];
+            let frames = frames.start.max(near.start)..frames.end.min(near.end);
+            frames.map(|frame| attempt.corrections[*side as usize].ankle[frame].norm()).fold(0.0, f64::max)
+        };
+        for frames in harm::harmful_frames(
+            &self.feet.legs,
+            &attempt.legs,
+            &attempt.hip_offset,
+            self.feet.length,
+            self.clip.frame_time(),
+        ) {
+            let near = frames.start.saturating_sub(reach)..frames.end + reach;
+            let corrected = (0..self.before.len()).filter(|&plant| is_corrected(plant));
+            let mut moved: Vec<(f64, usize)> = corrected
+                .map(|plant| (displacement(plant, &near), plant))
+                .filter(|&(displacement, _)| displacement > 0.0)
+                .collect();
+            moved.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+            harmful.extend(moved.iter().take(if all { moved.len() } else { 1 }).map(|&(_, plant)| plant));
+        }
+        harmful
+    }
+}
+
+/// Returns a notice about repaired spikes.
+fn spike_notice(spikes: &[Range<usize>]) -> Notice {
+    let first = spikes[0].start;
+    let spikes = if spikes.len() == 1 { "a spike".into() } else { format!("{} spikes", spikes.len()) };
+    let text = format!(
+        "The hips have {spikes}, from frame {first} on: they jump away and back within 0.05 s. Their position \
+         is interpolated there."
+    );
+    Notice::new(Code::Spike, text)
 }
 
 /// Returns a notice about plants that are not constrained.
-fn notice(plants: &[CleanedPlant]) -> Option<Notice> {
+fn plants_notice(plants: &[CleanedPlant]) -> Option<Notice> {
     if plants.is_empty() {
         let text = "No foot is planted; the clip is unchanged.";
         return Some(Notice::new(Code::NothingPlanted, text));
     }
-    let reasons = [SkipReason::MovesTooFar, SkipReason::NoLeg, SkipReason::OutOfReach].map(|reason| {
+    let reasons = SkipReason::ALL.map(|reason| {
         let count = plants.iter().filter(|plant| plant.skip_reason == Some(reason)).count();
         (count > 0).then(|| format!("{count} because {reason}"))
     });
     let reasons: Vec<String> = reasons.into_iter().flatten().collect();
     let text = || format!("Some of {} plants are not corrected: {}.", plants.len(), reasons.join(", "));
     (!reasons.is_empty()).then(|| Notice::new(Code::Unconstrained, text()))
-}
-
-/// True if the joints of a leg can rotate as the solution requires.
-fn can_rotate(clip: &Clip, [thigh, shank]: [usize; 2], ankle: usize) -> bool {
-    let channels = |joint: usize| &clip.joints()[joint].channels;
-    let rotates =
-        |joint: usize| channels(joint).iter().any(|channel| matches!(channel, Channel::Rotation(_)));
-    euler::is_ball_joint(channels(thigh)) && rotates(shank) && rotates(ankle)
-}
-
-/// Returns the joint that translates the hips: the lowest common ancestor of both legs with three
-/// position channels.
-fn translating_joint(clip: &Clip, skeleton: &Skeleton, legs: [Joints; 2]) -> Option<usize> {
-    let above = |joint: usize| std::iter::successors(Some(joint), |&j| clip.joints()[j].parent);
-    let tops = legs.map(|leg| leg.upper.map_or(leg.ankle, |[thigh, _]| thigh));
-    let can_translate = |joint: usize| {
-        let positions = clip.joints()[joint].channels.iter();
-        positions.filter(|channel| matches!(channel, Channel::Position(_))).count() == 3
-    };
-    let hips = skeleton.roles.get(Role::Hips).unwrap_or(skeleton.root);
-    let is_common_ancestor =
-        |joint: usize| tops.iter().all(|&top| top != joint && above(top).any(|j| j == joint));
-    above(hips).find(|&joint| is_common_ancestor(joint) && can_translate(joint))
-}
-
-impl Planted {
-    /// Returns true for each frame in which the foot is constrained.
-    fn constrained_frames(&self) -> Vec<bool> {
-        let mut constrained = vec![false; self.phases.len()];
-        for (plant, _) in
-            self.plants.iter().zip(&self.is_constrained).filter(|(_, is_constrained)| **is_constrained)
-        {
-            constrained[plant.clone()].fill(true);
-        }
-        constrained
-    }
-}
-
-/// Writes corrections into the channels of a clip.
-struct ChannelWriter<'a> {
-    clip: &'a Clip,
-    legs: &'a [Leg; 2],
-    corrections: &'a [Correction; 2],
-    translating_joint: Option<usize>,
-    hip_offset: &'a [Vector3<f64>],
-    length: f64,
-}
-
-impl ChannelWriter<'_> {
-    fn write(&self) -> Clip {
-        let clip = self.clip;
-        let (mut values, width) = (clip.values().to_vec(), clip.channel_count());
-        let joints: Vec<usize> =
-            self.legs.iter().map(|leg| leg.joints.ankle).chain(self.translating_joint).collect();
-        let mut kinematics = Kinematics::for_joints(clip, &joints);
-        for (frame, row) in values.chunks_exact_mut(width.max(1)).enumerate() {
-            kinematics.pose(frame);
-            let rotations = kinematics.rotations();
-            self.translate_hips(frame, rotations, row);
-            for (leg, correction) in self.legs.iter().zip(self.corrections) {
-                self.rotate_leg(leg, correction, frame, rotations, row);
-            }
-        }
-        Clip::new(clip.joints().to_vec(), clip.frame_time(), values).with_position_rule(clip.position_rule())
-    }
-
-    /// Translates the hips.
-    fn translate_hips(&self, frame: usize, rotations: &[Matrix3<f64>], row: &mut [f64]) {
-        let Some(translating_joint) = self.translating_joint else { return };
-        let offset = self.hip_offset[frame];
-        if offset.norm() <= NEGLIGIBLE * self.length || !offset.norm().is_finite() {
-            return;
-        }
-        let joint = &self.clip.joints()[translating_joint];
-        let offset = joint.parent.map_or(offset, |parent| rotations[parent].transpose() * offset);
-        for (value, channel) in
-            row[self.clip.channel_range(translating_joint)].iter_mut().zip(&joint.channels)
-        {
-            if let Channel::Position(axis) = channel {
-                *value += offset[axis.index()];
-            }
-        }
-    }
-
-    /// Rotates the joints of one leg.
-    fn rotate_leg(
-        &self,
-        leg: &Leg,
-        correction: &Correction,
-        frame: usize,
-        rotations: &[Matrix3<f64>],
-        row: &mut [f64],
-    ) {
-        let Joints { upper: Some([thigh, shank]), ankle, .. } = leg.joints else { return };
-        if !can_rotate(self.clip, [thigh, shank], ankle) {
-            return;
-        }
-        let (translation, rotation_vector) =
-            (correction.ankle[frame] - self.hip_offset[frame], correction.foot[frame]);
-        if translation.norm() <= NEGLIGIBLE * self.length && rotation_vector.norm() <= NEGLIGIBLE {
-            return;
-        }
-        let hip_to_ankle = leg.ankle[frame] - leg.hip[frame] + translation;
-        let [upper, lower] = knee::rotations(leg, frame, rotations[thigh] * leg.hinge, hip_to_ankle);
-        let foot = Rotation3::new(rotation_vector).into_inner();
-        // Joints in between follow the joint above them.
-        let mut above: Matrix3<f64> = Matrix3::identity();
-        for (joint, rotation) in [(thigh, upper), (shank, lower), (ankle, foot)] {
-            let parent = self.clip.joints()[joint].parent.map_or(Matrix3::identity(), |p| rotations[p]);
-            let target = (above * parent).transpose() * rotation * rotations[joint];
-            let channels = &self.clip.joints()[joint].channels;
-            euler::set_rotation(channels, &mut row[self.clip.channel_range(joint)], &target);
-            above = rotation;
-        }
-    }
 }

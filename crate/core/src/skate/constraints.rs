@@ -15,13 +15,13 @@ use crate::skeleton::Up;
 const MAX_ROTATION: f64 = 0.8;
 
 /// One foot with its plants.
-pub(crate) struct Planted {
+pub(crate) struct Planted<'a> {
     /// Phase of the foot in each frame.
-    pub phases: Vec<Phase>,
+    pub phases: &'a [Phase],
     /// Frame ranges of the plants.
-    pub plants: Vec<Range<usize>>,
+    pub plants: &'a [Range<usize>],
     /// True for each plant to be constrained.
-    pub is_constrained: Vec<bool>,
+    pub is_constrained: &'a [bool],
     /// Position of the heel relative to the ankle, in the ankle's axes.
     pub heel: Vector3<f64>,
 }
@@ -58,7 +58,25 @@ struct Hold {
     toe: Vector3<f64>,
 }
 
-impl Planted {
+impl Planted<'_> {
+    /// Returns the plants to be constrained.
+    fn constrained(&self) -> impl Iterator<Item = &Range<usize>> {
+        self.plants
+            .iter()
+            .zip(self.is_constrained)
+            .filter(|(_, constrained)| **constrained)
+            .map(|(plant, _)| plant)
+    }
+
+    /// Returns true for each frame in which the foot is constrained.
+    pub fn constrained_frames(&self) -> Vec<bool> {
+        let mut constrained = vec![false; self.phases.len()];
+        for plant in self.constrained() {
+            constrained[plant.clone()].fill(true);
+        }
+        constrained
+    }
+
     /// Returns the corrections that constrain the plants, blended between them.
     pub fn correction(&self, leg: &Leg, settings: &Settings) -> Correction {
         let mut foot = self.flat_rotations(leg, settings);
@@ -68,7 +86,7 @@ impl Planted {
         let mut ankle = vec![Vector3::zeros(); leg.ankle.len()];
         let mut positions = Vec::new();
         let mut fixed = Vec::new();
-        for (plant, &is_constrained) in self.plants.iter().zip(&self.is_constrained) {
+        for (plant, &is_constrained) in self.plants.iter().zip(self.is_constrained) {
             if !is_constrained {
                 positions.push(None);
                 continue;
@@ -89,7 +107,7 @@ impl Planted {
                 from = hold.frames.end;
             }
             stance.hold_heel(from..plant.end, plant, &mut ankle);
-            for run in runs(&self.phases, plant, |phase| phase == Phase::Toe) {
+            for run in runs(self.phases, plant, |phase| phase == Phase::Toe) {
                 stance.smooth_ankle(run, plant, settings.ankle_half_width, &mut ankle);
             }
             for frame in plant.clone() {
@@ -107,10 +125,8 @@ impl Planted {
     fn flat_rotations(&self, leg: &Leg, settings: &Settings) -> Vec<Vector3<f64>> {
         let mut rotations = vec![Vector3::zeros(); leg.ankle.len()];
         let mut fixed = Vec::new();
-        for (plant, _) in
-            self.plants.iter().zip(&self.is_constrained).filter(|(_, is_constrained)| **is_constrained)
-        {
-            for run in runs(&self.phases, plant, |phase| phase == Phase::Flat) {
+        for plant in self.constrained() {
+            for run in runs(self.phases, plant, |phase| phase == Phase::Flat) {
                 let sum = run.clone().map(|frame| leg.foot[frame]).sum::<Matrix3<f64>>();
                 let first = Rotation3::from_matrix_unchecked(leg.foot[run.start]);
                 let mean = Rotation3::from_matrix_eps(&sum, 1e-12, 64, first);
@@ -131,9 +147,7 @@ impl Planted {
     /// Returns the fixed positions of the toe: its median, on the ground.
     fn holds(&self, leg: &Leg, settings: &Settings) -> Vec<Hold> {
         let (up, up_direction) = (settings.up, settings.up.vector());
-        let constrained =
-            self.plants.iter().zip(&self.is_constrained).filter(|(_, is_constrained)| **is_constrained);
-        let all = constrained.flat_map(|(plant, _)| runs(&self.phases, plant, Phase::has_toe));
+        let all = self.constrained().flat_map(|plant| runs(self.phases, plant, Phase::has_toe));
         let mut holds: Vec<Hold> = all
             .map(|frames| {
                 let median_coordinate =

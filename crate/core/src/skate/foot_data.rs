@@ -95,16 +95,16 @@ impl FootData {
 
     /// Returns the slides of all plants.
     pub fn skate(&self, skeleton: &Skeleton) -> Skate {
+        self.slides(&self.legs, skeleton)
+    }
+
+    /// Returns the slides of all plants for other tracks of the legs.
+    pub fn slides(&self, legs: &[Leg; 2], skeleton: &Skeleton) -> Skate {
         let of_foot = |side: Side| {
             let foot = side as usize;
             self.plants[foot].iter().map(move |frames| {
-                let slide = measure::slide(
-                    &self.legs[foot],
-                    &self.phases[foot],
-                    frames,
-                    self.heels[foot],
-                    skeleton.up,
-                );
+                let slide =
+                    measure::slide(&legs[foot], &self.phases[foot], frames, self.heels[foot], skeleton.up);
                 let [distance, path] = [slide.0, slide.1].map(|units| units * skeleton.metres_per_unit);
                 Slide { side, frames: frames.clone(), distance, path }
             })

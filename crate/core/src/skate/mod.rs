@@ -7,20 +7,24 @@
 //! enough for every leg to reach.
 //!
 //! Data flow: [`Contacts`] → phases (heel, flat, toe) → plants → constraints → corrections of the
-//! feet → offset of the hips → legs → channels.
+//! feet → offset of the hips → legs → channels. Spikes of the hips are repaired before, and corrections that
+//! harm are withdrawn after it.
 
 mod blend;
+mod channels;
 mod clean;
 mod constraints;
 mod contacts;
 mod euler;
 mod foot_data;
+mod harm;
 mod heel;
 mod knee;
 mod leg;
 mod measure;
 mod phases;
 mod root;
+mod spikes;
 #[cfg(test)]
 mod tests;
 

@@ -87,16 +87,14 @@ pub(super) struct Body<'a> {
 
 impl<'a> Body<'a> {
     pub fn measure(clip: &'a Clip, root: usize, roles: &Roles) -> Body<'a> {
-        let joints = clip.joints();
-        let end = joints[root + 1..].iter().position(|joint| joint.parent.is_none());
-        let members = root..end.map_or(joints.len(), |count| root + 1 + count);
+        let members = clip.skeleton_joints(root);
         let hips = roles.get(Role::Hips).unwrap_or(root);
         let head = roles.get(Role::Head).or(roles.get(Role::Neck));
         let legs = Side::BOTH.map(|side| {
             let leg = LegRoles::for_side(side);
             [leg.thigh, leg.shank, leg.ankle, leg.toe, leg.tip].map(|role| roles.get(role))
         });
-        let mut kinematics = Kinematics::new(clip);
+        let mut kinematics = Kinematics::for_skeleton(clip, members.clone());
         let frames = kinematics::sample_frames(clip, SAMPLED_POSES);
         let track = |joint: usize| (joint, Track::with_capacity(frames.len()));
         let mut hips = track(hips);
@@ -107,9 +105,8 @@ impl<'a> Body<'a> {
             let pose = kinematics.pose(frame);
             let tracks = legs.iter_mut().flatten().flatten().chain(&mut head);
             for (joint, track) in tracks.chain(std::iter::once(&mut hips)) {
-                track.push(pose[*joint]);
+                track.push(pose[*joint - root]);
             }
-            let pose = &pose[members.clone()];
             bounds.push([
                 pose.iter().fold(pose[0], |a, b| a.inf(b)),
                 pose.iter().fold(pose[0], |a, b| a.sup(b)),
@@ -220,12 +217,12 @@ impl<'a> Body<'a> {
         if frame_count <= step {
             return sums;
         }
-        let mut kinematics = Kinematics::new(self.clip);
+        let mut kinematics = Kinematics::for_skeleton(self.clip, self.members.clone());
         let samples = SAMPLED_PAIRS.min(frame_count - step);
         for sample in 0..samples {
             let frame = sample * (frame_count - step) / samples;
-            let before = kinematics.pose(frame)[self.members.clone()].to_vec();
-            let after = &kinematics.pose(frame + step)[self.members.clone()];
+            let before = kinematics.pose(frame).to_vec();
+            let after = kinematics.pose(frame + step);
             let moved = |joint: usize| (after[joint] - before[joint]).norm();
             let mean = (0..before.len()).map(moved).sum::<f64>() / before.len() as f64;
             if mean < MOVING * scale * step as f64 * frame_time {
@@ -273,11 +270,18 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Returns the maximum distance between two joints of the first pose, in file units.
+    /// Returns the distance between two joints of the first pose that are far apart, in file units: the joint
+    /// farthest from the root, and the joint farthest from that one.
     fn extent(&self) -> f64 {
-        let mut kinematics = Kinematics::new(self.clip);
-        let pose = &kinematics.pose(0)[self.members.clone()];
-        pose.iter().flat_map(|a| pose.iter().map(move |b| (a - b).norm())).fold(0.0, f64::max)
+        let mut kinematics = Kinematics::for_skeleton(self.clip, self.members.clone());
+        let pose = kinematics.pose(0);
+        let farthest = |from: Vector3<f64>| {
+            pose.iter().fold((0.0, from), |best, &position| {
+                let distance = (position - from).norm();
+                if distance > best.0 { (distance, position) } else { best }
+            })
+        };
+        farthest(farthest(pose[0]).1).0
     }
 
     /// Returns the height of the ankles above the lowest part of the feet, without outliers.

@@ -17,7 +17,7 @@ use std::ops::Range;
 use crate::bvh::{Clip, JointKind};
 use crate::foot::Side;
 use crate::kinematics;
-use crate::notice::{Code, Notice};
+use crate::notice::{self, Code, Notice, shortened};
 use body::Body;
 use find::RoleSearch;
 
@@ -50,9 +50,6 @@ pub struct Skeleton {
     pub notices: Vec<Notice>,
 }
 
-/// Number of joints that a notice lists.
-const LISTED_JOINTS: usize = 20;
-
 impl Skeleton {
     /// Returns the skeletons of a clip, one per root.
     pub fn all(clip: &Clip, overrides: &Overrides) -> Vec<Skeleton> {
@@ -71,7 +68,7 @@ impl Skeleton {
         let index = all.iter().position(is_main).unwrap_or(0);
         let mut main = all.swap_remove(index);
         if !all.is_empty() {
-            let text = format!("The feet of {} are measured.", clip.joints()[main.root].name);
+            let text = format!("The feet of {} are measured.", shortened(&clip.joints()[main.root].name));
             main.notices.push(Notice::new(Code::SeveralRoots, text));
         }
         main
@@ -159,19 +156,15 @@ fn role_notices(clip: &Clip, root: usize, roles: &Roles) -> Vec<Notice> {
     let mut notices = Vec::new();
     let legs = Side::BOTH.map(LegRoles::for_side);
     if !roles.has_feet() {
-        let names: Vec<&str> = clip.joints()[root..]
+        let names: Vec<&str> = clip.joints()[clip.skeleton_joints(root)]
             .iter()
             .filter(|joint| joint.kind != JointKind::EndSite)
             .map(|joint| joint.name.as_str())
             .collect();
-        let more = names
-            .len()
-            .checked_sub(LISTED_JOINTS + 1)
-            .map_or_else(String::new, |more| format!(" and {} more", more + 1));
-        let names = names[..names.len().min(LISTED_JOINTS)].join(", ");
         let text = format!(
             "No pair of feet was found in the skeleton. If it has feet, name the joints of both ankles. The \
-             joints are {names}{more}."
+             joints are {}.",
+            notice::list(&names)
         );
         notices.push(Notice::new(Code::NoFeet, text));
         return notices;
@@ -184,7 +177,7 @@ fn role_notices(clip: &Clip, root: usize, roles: &Roles) -> Vec<Notice> {
     if let [Some(left), Some(right)] = ankles
         && (left.is_doubtful() || right.is_doubtful())
     {
-        let name = |ankle: &Assignment| &clip.joints()[ankle.joint].name;
+        let name = |ankle: &Assignment| shortened(&clip.joints()[ankle.joint].name);
         let text = format!(
             "Joint names do not identify the feet. By the structure of the skeleton, the left ankle is {} and \
              the right ankle is {}. Set the ankle joints if this is wrong.",

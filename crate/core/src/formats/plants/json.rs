@@ -36,10 +36,15 @@ fn recognises(bytes: &[u8]) -> bool {
     text_of(bytes).is_some_and(|text| text.trim_start().starts_with('{'))
 }
 
-fn read(bytes: &[u8], _frames: usize) -> Result<Annotation, ReadError> {
+fn read(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
     let value: Value = serde_json::from_str(text_of(bytes).unwrap_or_default())?;
     if value["format"] == PlantsDocument::FORMAT {
-        return Ok(document_annotation(&from_json(value)?));
+        let document: PlantsDocument = from_json(value)?;
+        // Checked first, as memory is used for the stated number of frames.
+        return match document.header.frames {
+            found if found == frames => Ok(document_annotation(&document)),
+            found => Err(ReadError::Length { found, frames }),
+        };
     }
     let ContactFile { left, right } = serde_json::from_value(value).map_err(|_| ReadError::NoPlants)?;
     let known = |labels: Vec<i8>| labels.into_iter().map(|label| (label >= 0).then_some(label > 0)).collect();

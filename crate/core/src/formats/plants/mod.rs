@@ -133,6 +133,14 @@ mod tests {
         assert_eq!(read(&text, 3), Err(ReadError::Version(99)));
         let annotation = r#"{"left": [0], "right": [1]}"#;
         assert_eq!(read(annotation, 3), Err(ReadError::Length { found: 1, frames: 3 }));
+        for found in [1_000_000_000, usize::MAX] {
+            let text = format!(
+                r#"{{"format": "{}", "version": 1, "source": {{"name": "a"}}, "frames": {found}, "rate": 30,
+                "method": {{"name": "truth"}}, "left": {{"contact": []}}, "right": {{"contact": []}}}}"#,
+                PlantsDocument::FORMAT
+            );
+            assert_eq!(read(&text, 3), Err(ReadError::Length { found, frames: 3 }));
+        }
     }
 
     #[test]

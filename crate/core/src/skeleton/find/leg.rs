@@ -24,26 +24,6 @@ const MAX_FOOT: f64 = 0.3;
 /// pelvis in front they have less than 0.96.
 const MIN_STRAIGHTNESS: f64 = 0.98;
 
-/// Returns the longest chain of a branch with its length, without helpers and without heels that have
-/// siblings.
-pub(super) fn main_chain(tree: &Tree, branch: usize) -> (f64, Vec<usize>) {
-    let mut best = (0.0, branch);
-    let mut stack = vec![(0.0, branch)];
-    while let Some((length, joint)) = stack.pop() {
-        if length > best.0 {
-            best = (length, joint);
-        }
-        let children: Vec<usize> =
-            tree.children(joint).filter(|&child| !tree.name(child).is_helper).collect();
-        let is_heel = |child: usize| tree.name(child).part == Some(BodyPart::Heel);
-        let are_all_heels = children.iter().all(|&child| is_heel(child));
-        for child in children.into_iter().filter(|&child| are_all_heels || !is_heel(child)) {
-            stack.push((length + tree.distance(joint, child), child));
-        }
-    }
-    (best.0, tree.path(branch, best.1))
-}
-
 /// Returns the index of the ankle in a chain of joints by bone lengths: the first joint after which
 /// only a foot is left.
 pub(super) fn ankle_index(tree: &Tree, chain: &[usize]) -> usize {
@@ -89,11 +69,10 @@ pub(super) fn thigh_and_shank(tree: &Tree, chain: &[usize]) -> (Option<usize>, O
 /// the ankle is straight when the leg is stretched.
 fn hip_joint(tree: &Tree, chain: &[usize], end: usize) -> Option<usize> {
     let ankle = *chain.last()?;
-    let tracks = tree.tracks();
     let straightness: Vec<f64> = (0..end.min(chain.len() - 1))
         .map(|start| {
             let length: f64 = chain[start..].windows(2).map(|bone| tree.distance(bone[0], bone[1])).sum();
-            let poses = tracks[chain[start]].iter().zip(&tracks[ankle]);
+            let poses = tree.track(chain[start]).iter().zip(tree.track(ankle));
             let reach = poses.map(|(hip, ankle)| (ankle - hip).norm()).fold(0.0, f64::max);
             if length > 0.0 { reach / length } else { 0.0 }
         })

@@ -78,7 +78,7 @@ fn candidates(tree: &Tree, side: Side) -> Vec<Candidate> {
 /// Returns the ankle below the topmost joint of a leg by bone lengths; never a joint named thigh or
 /// knee.
 fn unnamed_ankle(tree: &Tree, top: usize) -> Option<usize> {
-    let (_, chain) = leg::main_chain(tree, top);
+    let (_, chain) = tree.main_chain(top);
     let is_above =
         |&joint: &usize| matches!(tree.part(joint), Some(BodyPart::Thigh | BodyPart::Hip | BodyPart::Shank));
     let first = chain.iter().rposition(is_above).map_or(0, |last| last + 1);

@@ -33,25 +33,44 @@ pub(super) struct Tree<'a> {
     pub root: usize,
     /// Parsed name of each member, indexed from the root.
     names: Vec<ParsedName>,
+    /// Side in the name of each member, or of its nearest ancestor with one.
+    sides: Vec<Option<Side>>,
     /// End of the subtree of each member, as a joint index.
     ends: Vec<usize>,
-    /// Positions of all joints of the clip at sampled poses, computed on first use.
+    /// Positions of the members at sampled poses, computed on first use.
     tracks: OnceCell<Vec<Track>>,
+    /// Median distance of each member from its parent, computed on first use.
+    bones: OnceCell<Vec<f64>>,
+    /// Length and last joint of the longest chain from each member, computed on first use.
+    chains: OnceCell<Vec<(f64, usize)>>,
     /// Pairs of poses of the members, computed on first use.
-    steps: OnceCell<Vec<[Vec<Vector3<f64>>; 2]>>,
+    steps: OnceCell<Steps>,
+}
+
+/// Pairs of poses of the members.
+struct Steps {
+    poses: Vec<[Vec<Vector3<f64>>; 2]>,
+    /// Mean distance that the root moves in a step.
+    mean: f64,
+    /// True if the root travels farther than the size of the body.
+    travels: bool,
 }
 
 impl<'a> Tree<'a> {
     pub fn new(clip: &'a Clip, root: usize) -> Tree<'a> {
         let joints = clip.joints();
-        let end = joints[root + 1..].iter().position(|joint| joint.parent.is_none());
-        let members = root..end.map_or(joints.len(), |count| root + 1 + count);
+        let members = clip.skeleton_joints(root);
         let named: Vec<usize> =
             members.clone().filter(|&joint| joints[joint].kind != JointKind::EndSite).collect();
         let parsed = names::parse_all(named.iter().map(|&joint| joints[joint].name.as_str()));
         let mut names = vec![ParsedName { is_tip: true, ..ParsedName::default() }; members.len()];
         for (joint, name) in named.into_iter().zip(parsed) {
             names[joint - root] = name;
+        }
+        let mut sides: Vec<Option<Side>> = names.iter().map(|name| name.side).collect();
+        for joint in members.clone().skip(1) {
+            let inherited = joints[joint].parent.and_then(|parent| sides[parent - root]);
+            sides[joint - root] = sides[joint - root].or(inherited);
         }
         // A subtree is contiguous because joints are in depth-first order.
         let mut ends: Vec<usize> = members.clone().map(|joint| joint + 1).collect();
@@ -60,7 +79,8 @@ impl<'a> Tree<'a> {
                 ends[parent - root] = ends[parent - root].max(ends[joint - root]);
             }
         }
-        Tree { clip, root, names, ends, tracks: OnceCell::new(), steps: OnceCell::new() }
+        let (tracks, bones, chains, steps) = Default::default();
+        Tree { clip, root, names, sides, ends, tracks, bones, chains, steps }
     }
 
     /// Returns the joints of the skeleton, parents first.
@@ -81,7 +101,7 @@ impl<'a> Tree<'a> {
 
     /// Returns the side in the name of a joint, or of its nearest ancestor with one.
     pub fn side(&self, joint: usize) -> Option<Side> {
-        std::iter::once(joint).chain(self.ancestors(joint)).find_map(|joint| self.name(joint).side)
+        self.sides[joint - self.root]
     }
 
     pub fn parent(&self, joint: usize) -> Option<usize> {
@@ -130,18 +150,75 @@ impl<'a> Tree<'a> {
         path
     }
 
-    /// Returns the positions of all joints of the clip at sampled poses.
+    /// Returns the positions of a joint at sampled poses.
+    pub fn track(&self, joint: usize) -> &Track {
+        &self.tracks()[joint - self.root]
+    }
+
+    /// Returns the positions of the members at sampled poses.
     pub fn tracks(&self) -> &[Track] {
         self.tracks.get_or_init(|| {
-            let joints: Vec<usize> = (0..self.clip.joints().len()).collect();
-            kinematics::tracks_at(self.clip, &joints, kinematics::sample_frames(self.clip, SAMPLED_POSES))
+            let mut kinematics = Kinematics::for_skeleton(self.clip, self.members());
+            let frames = kinematics::sample_frames(self.clip, SAMPLED_POSES);
+            let mut tracks = vec![Vec::with_capacity(frames.len()); self.names.len()];
+            for frame in frames {
+                for (track, &position) in tracks.iter_mut().zip(kinematics.pose(frame)) {
+                    track.push(position);
+                }
+            }
+            tracks
         })
     }
 
     /// Returns the median distance between two joints, in file units.
     pub fn distance(&self, a: usize, b: usize) -> f64 {
-        let tracks = self.tracks();
-        median_low(tracks[a].iter().zip(&tracks[b]).map(|(a, b)| (a - b).norm())).unwrap_or_default()
+        if self.parent(b) == Some(a) {
+            return self.bones()[b - self.root];
+        }
+        self.median_distance(a, b)
+    }
+
+    fn median_distance(&self, a: usize, b: usize) -> f64 {
+        let poses = self.track(a).iter().zip(self.track(b));
+        median_low(poses.map(|(a, b)| (a - b).norm())).unwrap_or_default()
+    }
+
+    /// Returns the median distance of each member from its parent, in file units; 0 for the root.
+    fn bones(&self) -> &[f64] {
+        self.bones.get_or_init(|| {
+            let length = |joint| self.parent(joint).map_or(0.0, |parent| self.median_distance(parent, joint));
+            self.members().map(length).collect()
+        })
+    }
+
+    /// Returns the longest chain from `joint` down, with its length, in file units. Helpers, and heels that
+    /// have siblings, do not belong to chains.
+    pub fn main_chain(&self, joint: usize) -> (f64, Vec<usize>) {
+        let (length, last) = self.chains()[joint - self.root];
+        (length, self.path(joint, last))
+    }
+
+    fn chains(&self) -> &[(f64, usize)] {
+        self.chains.get_or_init(|| {
+            let is_heel = |child: usize| self.name(child).part == Some(BodyPart::Heel);
+            let mut chains: Vec<(f64, usize)> = self.members().map(|joint| (0.0, joint)).collect();
+            for joint in self.members().rev() {
+                let mut children: Vec<usize> =
+                    self.children(joint).filter(|&child| !self.name(child).is_helper).collect();
+                if !children.iter().all(|&child| is_heel(child)) {
+                    children.retain(|&child| !is_heel(child));
+                }
+                // Of equal chains, the last one in the file counts.
+                for child in children.into_iter().rev() {
+                    let (length, last) = chains[child - self.root];
+                    let length = length + self.bones()[child - self.root];
+                    if length > chains[joint - self.root].0 {
+                        chains[joint - self.root] = (length, last);
+                    }
+                }
+            }
+            chains
+        })
     }
 
     /// Returns the positions of the members in the rest pose, relative to the root.
@@ -185,39 +262,37 @@ impl<'a> Tree<'a> {
     ///
     /// At rest is a joint that moves less than a quarter as far as the root.
     pub fn rest_fraction(&self, joints: &[usize]) -> Option<f64> {
-        let steps = self.steps();
+        let Steps { poses, mean, travels } = self.steps();
         let moved = |step: &[Vec<Vector3<f64>>; 2], joint: usize| {
             (step[1][joint - self.root] - step[0][joint - self.root]).norm()
         };
-        let mean = steps.iter().map(|step| moved(step, self.root)).sum::<f64>() / steps.len().max(1) as f64;
-        let (first, last) = (steps.first()?, steps.last()?);
-        let travel = (last[0][0] - first[0][0]).norm();
-        let size =
-            (1..self.names.len()).map(|index| (first[0][index] - first[0][0]).norm()).fold(0.0, f64::max);
-        if travel < size {
+        if !travels {
             return None;
         }
-        let travelling = || steps.iter().filter(|step| moved(step, self.root) > 0.5 * mean);
+        let travelling = || poses.iter().filter(|step| moved(step, self.root) > 0.5 * mean);
         let resting = travelling()
             .filter(|step| joints.iter().any(|&joint| moved(step, joint) < 0.25 * moved(step, self.root)));
         Some(resting.count() as f64 / travelling().count().max(1) as f64)
     }
 
     /// Returns poses of the members in pairs that are 0.04 s apart, at equal distances over the clip.
-    fn steps(&self) -> &[[Vec<Vector3<f64>>; 2]] {
+    fn steps(&self) -> &Steps {
         self.steps.get_or_init(|| {
             let apart = ((STEP_SECONDS / self.clip.frame_time()).round() as usize).max(1);
-            let Some(count) = self.clip.frame_count().checked_sub(apart).filter(|&count| count > 0) else {
-                return Vec::new();
-            };
-            let mut kinematics = Kinematics::new(self.clip);
+            let count = self.clip.frame_count().saturating_sub(apart);
+            let mut kinematics = Kinematics::for_skeleton(self.clip, self.members());
             let samples = count.min(SAMPLED_POSES);
-            (0..samples)
+            let poses: Vec<[Vec<Vector3<f64>>; 2]> = (0..samples)
                 .map(|sample| sample * count / samples)
-                .map(|frame| {
-                    [frame, frame + apart].map(|frame| kinematics.pose(frame)[self.members()].to_vec())
-                })
-                .collect()
+                .map(|frame| [frame, frame + apart].map(|frame| kinematics.pose(frame).to_vec()))
+                .collect();
+            let moved = poses.iter().map(|[before, after]| (after[0] - before[0]).norm());
+            let mean = moved.sum::<f64>() / poses.len().max(1) as f64;
+            let travels = poses.first().zip(poses.last()).is_some_and(|([first, _], [last, _])| {
+                let sizes = first.iter().map(|position| (position - first[0]).norm());
+                (last[0] - first[0]).norm() >= sizes.fold(0.0, f64::max)
+            });
+            Steps { poses, mean, travels }
         })
     }
 

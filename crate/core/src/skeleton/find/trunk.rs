@@ -114,8 +114,7 @@ pub(super) fn hands_stand(tree: &Tree, roles: &Roles) -> bool {
             && trunk.dot(&up) < LYING_TRUNK * trunk.norm() * up.norm()
     };
     let rest = tree.rest_pose();
-    let tracks = tree.tracks();
-    let poses = tracks[hips].len();
-    let standing = (0..poses).filter(|&pose| stands(&|joint| tracks[joint][pose])).count();
+    let poses = tree.track(hips).len();
+    let standing = (0..poses).filter(|&pose| stands(&|joint| tree.track(joint)[pose])).count();
     stands(&|joint| rest[joint - tree.root]) && 2 * standing > poses
 }

@@ -49,15 +49,17 @@ impl LimbPairing {
 /// Directions are those of the rest pose or, if it decides nothing, of the motion.
 pub(super) fn find(tree: &Tree) -> Option<[Leg; 2]> {
     let rest: Vec<Track> = tree.rest_pose().into_iter().map(|position| vec![position]).collect();
-    let members = &tree.tracks()[tree.members()];
     let by_rest_pose = if tree.has_standing_rest_pose() { find_in(tree, &rest, false) } else { None };
-    by_rest_pose.or_else(|| find_in(tree, members, true))
+    by_rest_pose.or_else(|| find_in(tree, tree.tracks(), true))
 }
 
 /// Returns the legs by the directions of limbs in the tracks of the members, and by rest on the ground if
 /// `is_motion`.
 fn find_in(tree: &Tree, tracks: &[Track], is_motion: bool) -> Option<[Leg; 2]> {
-    let pairs = tree.members().flat_map(|joint| pairs_below(tree, tracks, joint));
+    let means: Vec<Vector3<f64>> =
+        tracks.iter().map(|track| track.iter().sum::<Vector3<f64>>() / track.len() as f64).collect();
+    let no_legs = branches_without_legs(tree);
+    let pairs = tree.members().flat_map(|joint| pairs_below(tree, &means, &no_legs, joint));
     let mut pairs: Vec<LimbPairing> = pairs.collect();
     let is_hind = |pair: &LimbPairing| is_limb(tree, pair, LimbPair::Hind);
     if pairs.iter().any(is_hind) {
@@ -106,25 +108,25 @@ fn shares_limb(tree: &Tree, pair: &LimbPairing, other: &LimbPairing) -> bool {
 }
 
 /// Returns the pairs of mirrored branches of one joint that may be legs.
-fn pairs_below(tree: &Tree, tracks: &[Track], joint: usize) -> Vec<LimbPairing> {
+fn pairs_below(tree: &Tree, means: &[Vector3<f64>], no_legs: &[bool], joint: usize) -> Vec<LimbPairing> {
     let mut branches: Vec<(f64, Vec<usize>)> = tree
         .children(joint)
-        .filter(|&child| !is_excluded(tree, child))
-        .map(|child| leg::main_chain(tree, child))
+        .filter(|&child| !no_legs[child - tree.root] && !tree.name(child).is_helper)
+        .map(|child| tree.main_chain(child))
         .collect();
     if branches.len() < 2 {
         return Vec::new();
     }
     branches.sort_by(|a, b| b.0.total_cmp(&a.0));
     branches.truncate(MAX_BRANCHES);
-    let head = head_direction(tree, tracks, joint);
+    let head = head_direction(tree, means, joint);
     let mut pairs = Vec::new();
     for (index, (_, a)) in branches.iter().enumerate() {
         for (_, b) in &branches[index + 1..] {
             if !are_mirrored(tree, a, b) {
                 continue;
             }
-            let reach = mean_vector(tree, tracks, joint, &[a[a.len() - 1], b[b.len() - 1]]);
+            let reach = mean_vector(tree, means, joint, &[a[a.len() - 1], b[b.len() - 1]]);
             let points_to_head = head.is_some_and(|head| head.dot(&reach) > 0.0);
             if !points_to_head {
                 pairs.push(LimbPairing { fork: joint, chains: [a.clone(), b.clone()], reach });
@@ -134,12 +136,18 @@ fn pairs_below(tree: &Tree, tracks: &[Track], joint: usize) -> Vec<LimbPairing> 
     pairs
 }
 
-/// True if names within the branch say that it is no leg.
-fn is_excluded(tree: &Tree, branch: usize) -> bool {
-    std::iter::once(branch).chain(tree.descendants(branch)).any(|joint| {
+/// Returns for each member whether names within the branch that begins with it say that it is no leg.
+fn branches_without_legs(tree: &Tree) -> Vec<bool> {
+    let mut no_legs = vec![false; tree.members().len()];
+    for joint in tree.members().rev() {
         let name = tree.name(joint);
-        name.part.is_some_and(BodyPart::excludes_leg) || name.limb_pair == Some(LimbPair::Fore)
-    }) || tree.name(branch).is_helper
+        no_legs[joint - tree.root] |=
+            name.part.is_some_and(BodyPart::excludes_leg) || name.limb_pair == Some(LimbPair::Fore);
+        if let Some(parent) = tree.parent(joint) {
+            no_legs[parent - tree.root] |= no_legs[joint - tree.root];
+        }
+    }
+    no_legs
 }
 
 /// True if two chains have equal bone lengths.
@@ -151,27 +159,23 @@ fn are_mirrored(tree: &Tree, a: &[usize], b: &[usize]) -> bool {
         && bones(a).iter().zip(&bones(b)).all(|(a, b)| (a - b).abs() <= MIRROR_TOLERANCE * a.max(*b))
 }
 
-/// Returns the mean vector from `joint` to `tips`, over poses and tips.
-fn mean_vector(tree: &Tree, tracks: &[Track], joint: usize, tips: &[usize]) -> Vector3<f64> {
-    let track = |joint: usize| &tracks[joint - tree.root];
-    let sum: Vector3<f64> = tips
-        .iter()
-        .flat_map(|&tip| track(tip).iter().zip(track(joint)).map(|(tip, joint)| tip - joint))
-        .sum();
-    sum / (tips.len() * track(joint).len()) as f64
+/// Returns the mean vector from `joint` to `tips`, from the mean position of each member.
+fn mean_vector(tree: &Tree, means: &[Vector3<f64>], joint: usize, tips: &[usize]) -> Vector3<f64> {
+    let sum: Vector3<f64> = tips.iter().map(|&tip| means[tip - tree.root]).sum();
+    sum / tips.len() as f64 - means[joint - tree.root]
 }
 
 /// Returns the mean vector from `joint` to the head: by name, or to the joints of the longest branch that
 /// has no mirrored one, the trunk with the arms.
-fn head_direction(tree: &Tree, tracks: &[Track], joint: usize) -> Option<Vector3<f64>> {
+fn head_direction(tree: &Tree, means: &[Vector3<f64>], joint: usize) -> Option<Vector3<f64>> {
     let named = tree.descendants(joint).find(|&below| {
         matches!(tree.part(below), Some(BodyPart::Head | BodyPart::Neck)) && tree.name(below).side.is_none()
     });
     if let Some(head) = named {
-        return Some(mean_vector(tree, tracks, joint, &[head]));
+        return Some(mean_vector(tree, means, joint, &[head]));
     }
     let chains: Vec<(f64, Vec<usize>)> =
-        tree.children(joint).take(MAX_BRANCHES).map(|child| leg::main_chain(tree, child)).collect();
+        tree.children(joint).take(MAX_BRANCHES).map(|child| tree.main_chain(child)).collect();
     let is_single = |index: usize| {
         chains
             .iter()
@@ -183,7 +187,7 @@ fn head_direction(tree: &Tree, tracks: &[Track], joint: usize) -> Option<Vector3
         .max_by(|&a, &b| chains[a].0.total_cmp(&chains[b].0))?;
     let (length, chain) = &chains[longest];
     let branch: Vec<usize> = std::iter::once(chain[0]).chain(tree.descendants(chain[0])).collect();
-    (*length > 0.0).then(|| mean_vector(tree, tracks, joint, &branch))
+    (*length > 0.0).then(|| mean_vector(tree, means, joint, &branch))
 }
 
 fn leg_of_chain(tree: &Tree, chain: &[usize]) -> Leg {
