@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::num::NonZeroUsize;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -15,12 +16,15 @@ use plantigrade::skeleton::{Role, Up};
 
 use crate::error::UsageError;
 
+/// Frame rates that can be given, in Hz.
+const RATES: RangeInclusive<f64> = 1.0..=1000.0;
+
 /// Detects foot plants and actions in motion capture, without tuning.
 ///
 /// Reads BVH files, folders (recursively) and - for standard input.
 /// Exit codes: 0 if all inputs succeeded, 1 if some failed (one line each on
 /// standard error; the results of the others are written), 2 if the command
-/// line is invalid.
+/// line is invalid, 141 if the reader of the output closes the pipe.
 #[derive(Parser)]
 #[command(name = "plantigrade", version)]
 pub struct Args {
@@ -52,8 +56,8 @@ pub struct ReadArgs {
     /// BVH files, folders, or - for standard input
     #[arg(required = true, value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Frame rate; overrides the frame time of the file
-    #[arg(long, value_name = "HZ", value_parser = parse_positive)]
+    /// Frame rate, from 1 to 1000 Hz; overrides the frame time of the file
+    #[arg(long, value_name = "HZ", value_parser = parse_rate, allow_negative_numbers = true)]
     pub fps: Option<f64>,
     /// Up axis: x, y or z; a leading - reverses it [default: detected from the motion]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
@@ -331,9 +335,43 @@ fn parse_joint(text: &str) -> Result<(Role, String), String> {
     Ok((role, name.to_owned()))
 }
 
+/// Parses a frame rate, in Hz.
+fn parse_rate(text: &str) -> Result<f64, String> {
+    let range = format!("must be a number from {} to {} Hz", RATES.start(), RATES.end());
+    let value: f64 = text.parse().map_err(|_| range.clone())?;
+    if RATES.contains(&value) {
+        return Ok(value);
+    }
+    let rate = (100.0 / value).round() / 100.0;
+    if value < 1.0 && RATES.contains(&rate) {
+        return Err(format!("{range}; {text} looks like a frame time: did you mean --fps {rate}?"));
+    }
+    Err(range)
+}
+
 fn parse_positive(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
         _ => Err("must be a number greater than 0".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rates_are_from_1_to_1000_hz() {
+        for (text, rate) in [("1", 1.0), ("29.97", 29.97), ("1000", 1000.0), ("1e2", 100.0)] {
+            assert_eq!(parse_rate(text), Ok(rate));
+        }
+        let range = "must be a number from 1 to 1000 Hz";
+        for text in ["0", "-3", "-0.01", "1e-6", "1000.5", "1e300", "1e-320", "inf", "NaN", "", "fast"] {
+            assert_eq!(parse_rate(text), Err(range.into()), "{text}");
+        }
+        for (time, rate) in [("0.0083333", "120"), ("0.0333667", "29.97"), (".04", "25"), ("0.001", "1000")] {
+            let hint = format!("{range}; {time} looks like a frame time: did you mean --fps {rate}?");
+            assert_eq!(parse_rate(time), Err(hint));
+        }
     }
 }

@@ -28,7 +28,7 @@ pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
 
 /// Loads the feet of the standing clip that is clustered together with the inputs.
 fn load_standing(path: &Path, args: &DetectArgs) -> Result<Feet, InputError> {
-    let input = Input { path: path.into(), stem: PathBuf::new() };
+    let input = Input { path: path.into(), stem: PathBuf::new(), problem: None };
     let loaded = input::load(&input, &args.read)?;
     let clip = &loaded.parsed.clip;
     let feet = Feet::new(clip, &loaded.main_skeleton());
