@@ -1,7 +1,7 @@
 //! Standard output and messages.
 
 use std::fmt::Arguments;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 #[cfg(unix)]
 use std::os::fd::AsFd;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -42,9 +42,17 @@ pub fn print(text: Arguments<'_>) {
     end_on_error(print_bytes(text.to_string().as_bytes()));
 }
 
-/// Writes bytes to standard output. Ends the program quietly if the reader has closed the pipe.
+/// Writes a result to standard output; on a terminal, control characters are escaped. Ends the program
+/// quietly if the reader has closed the pipe.
 pub fn print_bytes(bytes: &[u8]) -> io::Result<()> {
-    print_with(|| io::stdout().write_all(bytes))
+    print_with(|| {
+        let mut stdout = io::stdout();
+        if !stdout.is_terminal() {
+            return stdout.write_all(bytes);
+        }
+        let lines: Vec<String> = String::from_utf8_lossy(bytes).split('\n').map(escape).collect();
+        stdout.write_all(lines.join("\n").as_bytes())
+    })
 }
 
 /// Prints the help, the version or an error of the command line. Returns the exit code.

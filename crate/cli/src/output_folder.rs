@@ -113,7 +113,8 @@ impl OutputFolder {
 
 /// Opens a file for appending, creating it if necessary.
 fn appendable(path: &Path) -> io::Result<File> {
-    OpenOptions::new().create(true).append(true).open(path)
+    // Windows locks files only if they can be read, too.
+    OpenOptions::new().create(true).read(true).append(true).open(path)
 }
 
 /// Returns the valid entries of a record by the names of their results.

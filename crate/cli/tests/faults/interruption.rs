@@ -6,7 +6,7 @@ use std::process::{Child, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use crate::support::{Random, clip, empty_folder, program, relative_snapshot, results, run, write};
+use crate::support::{Random, clip, empty_folder, program, project, relative_snapshot, results, run, write};
 
 /// Clips processed in parallel.
 const JOBS: usize = 2;
@@ -174,6 +174,21 @@ fn results_of_other_options_or_other_authors_are_not_taken_for_up_to_date() {
 }
 
 #[test]
+fn results_depend_on_the_content_of_the_standing_clip() {
+    let folder = empty_folder();
+    let folder = folder.path();
+    let sample = |name: &str| fs::read(project(&format!("samples/{name}.bvh"))).expect("a sample");
+    write(&folder.join("walk.bvh"), &sample("curved-walk"));
+    let args = ["detect", "walk.bvh", "--method", "paper", "--still", "still.bvh", "--out", "out"];
+    let documents = ["curved-walk", "bowling"].map(|still| {
+        write(&folder.join("still.bvh"), &sample(still));
+        assert_eq!(run(folder, &args).0, 0);
+        fs::read(folder.join("out/walk.plants.json")).expect("a result")
+    });
+    assert!(documents[0] != documents[1]);
+}
+
+#[test]
 fn a_damaged_record_costs_only_its_damaged_lines() {
     let folder = empty_folder();
     let folder = folder.path();
@@ -224,7 +239,7 @@ fn temporary_files_of_killed_processes_are_removed() {
     assert!(is_clean() && folder.join("out/own.tmp.txt").exists());
     // `clean` removes those next to its output.
     write(&folder.join("clean/.plantigrade-a1B2c3.tmp"), b"part of a result");
-    let sample = crate::support::project("samples/curved-walk.bvh");
+    let sample = project("samples/curved-walk.bvh");
     let sample = sample.to_str().expect("a path");
     assert_eq!(run(folder, &["clean", sample, "-o", "clean/out.bvh"]).0, 0);
     assert!(is_clean());

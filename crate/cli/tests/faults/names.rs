@@ -4,8 +4,9 @@ use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
+use std::process::{Command, Stdio};
 
-use crate::support::{clip, empty_folder, project, relative_snapshot, results, run, write};
+use crate::support::{clip, empty_folder, output, project, relative_snapshot, results, run, write};
 
 /// Characters that change the terminal or break lines.
 const HOSTILE: &str = "a\u{1b}[2J\n\rb\u{7f}\u{9b}31m\u{202e}c\td";
@@ -98,6 +99,25 @@ fn control_characters_in_joint_names_are_escaped() {
     }
     let (code, text, messages) = run(folder, &["info", "one.bvh", "--joint", &joint]);
     assert!(code == 0 && text.contains(&escaped), "{text}{messages}");
+}
+
+#[test]
+fn control_characters_in_results_are_escaped_on_a_terminal_only() {
+    let folder = empty_folder();
+    let folder = folder.path();
+    let text = fs::read_to_string(project("tests/files/good/two-skeletons.bvh")).expect("a clip");
+    write(&folder.join("walk.bvh"), text.replace("B:Hips", "B:Hips\u{1b}[2J").as_bytes());
+    let args = ["detect", "walk.bvh", "--format", "csv"];
+    assert!(run(folder, &args).1.contains("\nB:Hips\u{1b}[2J,"), "files have the names as they are");
+    // A terminal is simulated by `script`, if it is installed.
+    let line = format!("'{}' {}", env!("CARGO_BIN_EXE_plantigrade"), args.join(" "));
+    let mut terminal = Command::new("script");
+    terminal.current_dir(folder).args(["-qec", &line, "/dev/null"]).stdin(Stdio::null());
+    if terminal.output().is_ok() {
+        let (code, text, _) = output(&mut terminal);
+        assert!(code == 0 && text.contains(r"B:Hips\u{1b}[2J,"), "{text}");
+        assert_is_plain(&text.replace('\r', ""));
+    }
 }
 
 #[test]
