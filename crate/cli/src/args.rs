@@ -19,6 +19,9 @@ use crate::error::UsageError;
 /// Frame rates that can be given, in Hz.
 const RATES: RangeInclusive<f64> = 1.0..=1000.0;
 
+/// Units that can be given, in metres.
+const UNITS: RangeInclusive<f64> = 1e-6..=1e6;
+
 /// Detects foot plants and actions in motion capture, without tuning.
 ///
 /// Reads BVH files, folders (recursively) and - for standard input.
@@ -68,8 +71,8 @@ pub struct ReadArgs {
     /// [default: detected from names and structure; info --format json lists the roles]
     #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = parse_joint)]
     pub joints: Vec<(Role, String)>,
-    /// Metres per file unit [default: detected from the length of the legs]
-    #[arg(long, value_name = "METRES", value_parser = parse_positive)]
+    /// Metres per file unit, from 0.000001 to 1000000 [default: detected from the length of the legs]
+    #[arg(long, value_name = "METRES", value_parser = parse_unit)]
     pub unit: Option<f64>,
     /// Replace invalid numbers by the value of the previous frame
     #[arg(long)]
@@ -337,23 +340,25 @@ fn parse_joint(text: &str) -> Result<(Role, String), String> {
 
 /// Parses a frame rate, in Hz.
 fn parse_rate(text: &str) -> Result<f64, String> {
-    let range = format!("must be a number from {} to {} Hz", RATES.start(), RATES.end());
-    let value: f64 = text.parse().map_err(|_| range.clone())?;
-    if RATES.contains(&value) {
-        return Ok(value);
-    }
-    let rate = (100.0 / value).round() / 100.0;
-    if value < 1.0 && RATES.contains(&rate) {
-        return Err(format!("{range}; {text} looks like a frame time: did you mean --fps {rate}?"));
-    }
-    Err(range)
+    parse_in(RATES, text).map_err(|error| {
+        let rate = text.parse().map_or(f64::NAN, |time: f64| (100.0 / time).round() / 100.0);
+        if RATES.contains(&rate) {
+            format!("{error}; {text} looks like a frame time: did you mean --fps {rate}?")
+        } else {
+            error
+        }
+    })
 }
 
-fn parse_positive(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
-        _ => Err("must be a number greater than 0".into()),
-    }
+/// Parses the size of a unit, in metres.
+fn parse_unit(text: &str) -> Result<f64, String> {
+    parse_in(UNITS, text)
+}
+
+/// Parses a number of a range.
+fn parse_in(range: RangeInclusive<f64>, text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| format!("must be a number from {} to {}", range.start(), range.end()))
 }
 
 #[cfg(test)]
@@ -361,17 +366,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rates_are_from_1_to_1000_hz() {
+    fn rates_and_units_have_ranges() {
         for (text, rate) in [("1", 1.0), ("29.97", 29.97), ("1000", 1000.0), ("1e2", 100.0)] {
             assert_eq!(parse_rate(text), Ok(rate));
         }
-        let range = "must be a number from 1 to 1000 Hz";
+        let range = "must be a number from 1 to 1000";
         for text in ["0", "-3", "-0.01", "1e-6", "1000.5", "1e300", "1e-320", "inf", "NaN", "", "fast"] {
             assert_eq!(parse_rate(text), Err(range.into()), "{text}");
         }
         for (time, rate) in [("0.0083333", "120"), ("0.0333667", "29.97"), (".04", "25"), ("0.001", "1000")] {
             let hint = format!("{range}; {time} looks like a frame time: did you mean --fps {rate}?");
             assert_eq!(parse_rate(time), Err(hint));
+        }
+        assert_eq!(
+            (parse_unit("0.01"), parse_unit("1e-6"), parse_unit("1e6")),
+            (Ok(0.01), Ok(1e-6), Ok(1e6))
+        );
+        for text in ["0", "-1", "1e-300", "1e300", "inf", "NaN"] {
+            assert_eq!(parse_unit(text), Err("must be a number from 0.000001 to 1000000".into()), "{text}");
         }
     }
 }

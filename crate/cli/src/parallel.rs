@@ -38,8 +38,8 @@ pub fn map<R: Send>(
     jobs: Option<NonZeroUsize>,
     work: impl Fn(&Input) -> Result<R, InputError> + Sync,
 ) -> (Vec<R>, usize) {
-    // Zero selects one thread per processor.
-    let threads = jobs.map_or(0, NonZeroUsize::get);
+    // Zero selects one thread per processor. Further threads than inputs would be idle.
+    let threads = jobs.map_or(0, |jobs| jobs.get().min(inputs.len().max(1)));
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
     let bar = progress_bar(inputs.len());
     let run = |input: &Input| {
@@ -105,6 +105,13 @@ mod tests {
         assert_eq!(message.lines().count(), 1, "{message}");
         assert!(message.starts_with("walk.bvh: error: internal error: panicked at "), "{message}");
         assert!(message.contains("parallel.rs:") && message.contains(r": on\npurpose. Please report it"));
+    }
+
+    #[test]
+    fn no_more_threads_than_inputs_are_started() {
+        let (threads, _) =
+            map(&inputs(["a", "b"]), NonZeroUsize::new(1000), |_| Ok(rayon::current_num_threads()));
+        assert_eq!(threads, [2, 2]);
     }
 
     #[test]

@@ -497,8 +497,8 @@ fn invalid_command_lines_exit_with_2_and_failed_inputs_with_1() {
     }
     for (rate, message) in [
         ("0.0083333", "0.0083333 looks like a frame time: did you mean --fps 120?"),
-        ("1e-6", "must be a number from 1 to 1000 Hz"),
-        ("1e300", "must be a number from 1 to 1000 Hz"),
+        ("1e-6", "must be a number from 1 to 1000"),
+        ("1e300", "must be a number from 1 to 1000"),
     ] {
         for command in [&["info", "good/plain.bvh"][..], &["clean", "good/plain.bvh", "-o", "none.bvh"]] {
             let output = plantigrade(&[command, &["--fps", rate]].concat());
