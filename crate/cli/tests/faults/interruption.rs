@@ -115,12 +115,6 @@ fn a_killed_batch_resumes() {
 
 #[test]
 fn a_killed_batch_with_hostile_files_resumes() {
-    kill_and_resume(200, 10, 10);
-}
-
-#[test]
-#[ignore = "takes minutes unless optimised"]
-fn a_killed_batch_of_1000_files_resumes() {
     kill_and_resume(1000, 50, 10);
 }
 
