@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::num::NonZeroUsize;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -15,12 +16,18 @@ use plantigrade::skeleton::{Role, Up};
 
 use crate::error::UsageError;
 
+/// Frame rates that can be given, in Hz.
+const RATES: RangeInclusive<f64> = 1.0..=1000.0;
+
+/// Units that can be given, in metres.
+const UNITS: RangeInclusive<f64> = 1e-6..=1e6;
+
 /// Detects foot plants and actions in motion capture, without tuning.
 ///
 /// Reads BVH files, folders (recursively) and - for standard input.
 /// Exit codes: 0 if all inputs succeeded, 1 if some failed (one line each on
 /// standard error; the results of the others are written), 2 if the command
-/// line is invalid.
+/// line is invalid, 141 if the reader of the output closes the pipe.
 #[derive(Parser)]
 #[command(name = "plantigrade", version)]
 pub struct Args {
@@ -52,8 +59,8 @@ pub struct ReadArgs {
     /// BVH files, folders, or - for standard input
     #[arg(required = true, value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Frame rate; overrides the frame time of the file
-    #[arg(long, value_name = "HZ", value_parser = parse_positive)]
+    /// Frame rate, from 1 to 1000 Hz; overrides the frame time of the file
+    #[arg(long, value_name = "HZ", value_parser = parse_rate, allow_negative_numbers = true)]
     pub fps: Option<f64>,
     /// Up axis: x, y or z; a leading - reverses it [default: detected from the motion]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
@@ -64,8 +71,8 @@ pub struct ReadArgs {
     /// [default: detected from names and structure; info --format json lists the roles]
     #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = parse_joint)]
     pub joints: Vec<(Role, String)>,
-    /// Metres per file unit [default: detected from the length of the legs]
-    #[arg(long, value_name = "METRES", value_parser = parse_positive)]
+    /// Metres per file unit, from 0.000001 to 1000000 [default: detected from the length of the legs]
+    #[arg(long, value_name = "METRES", value_parser = parse_unit)]
     pub unit: Option<f64>,
     /// Replace invalid numbers by the value of the previous frame
     #[arg(long)]
@@ -331,9 +338,52 @@ fn parse_joint(text: &str) -> Result<(Role, String), String> {
     Ok((role, name.to_owned()))
 }
 
-fn parse_positive(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
-        _ => Err("must be a number greater than 0".into()),
+/// Parses a frame rate, in Hz.
+fn parse_rate(text: &str) -> Result<f64, String> {
+    parse_in(RATES, text).map_err(|error| {
+        let rate = text.parse().map_or(f64::NAN, |time: f64| (100.0 / time).round() / 100.0);
+        if RATES.contains(&rate) {
+            format!("{error}; {text} looks like a frame time: did you mean --fps {rate}?")
+        } else {
+            error
+        }
+    })
+}
+
+/// Parses the size of a unit, in metres.
+fn parse_unit(text: &str) -> Result<f64, String> {
+    parse_in(UNITS, text)
+}
+
+/// Parses a number of a range.
+fn parse_in(range: RangeInclusive<f64>, text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| format!("must be a number from {} to {}", range.start(), range.end()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rates_and_units_have_ranges() {
+        for (text, rate) in [("1", 1.0), ("29.97", 29.97), ("1000", 1000.0), ("1e2", 100.0)] {
+            assert_eq!(parse_rate(text), Ok(rate));
+        }
+        let range = "must be a number from 1 to 1000";
+        for text in ["0", "-3", "-0.01", "1e-6", "1000.5", "1e300", "1e-320", "inf", "NaN", "", "fast"] {
+            assert_eq!(parse_rate(text), Err(range.into()), "{text}");
+        }
+        for (time, rate) in [("0.0083333", "120"), ("0.0333667", "29.97"), (".04", "25"), ("0.001", "1000")] {
+            let hint = format!("{range}; {time} looks like a frame time: did you mean --fps {rate}?");
+            assert_eq!(parse_rate(time), Err(hint));
+        }
+        assert_eq!(
+            (parse_unit("0.01"), parse_unit("1e-6"), parse_unit("1e6")),
+            (Ok(0.01), Ok(1e-6), Ok(1e6))
+        );
+        for text in ["0", "-1", "1e-300", "1e300", "inf", "NaN"] {
+            assert_eq!(parse_unit(text), Err("must be a number from 0.000001 to 1000000".into()), "{text}");
+        }
     }
 }

@@ -1,13 +1,16 @@
 //! Batch processing: one result per input, on standard output or in a folder.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::args::{ReadArgs, WriteArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input, LoadedClip};
-use crate::output::{self, Origin, OutputFolder};
+use crate::output;
+use crate::output_folder::{Origin, OutputFolder, RESERVED_NAMES};
 use crate::parallel;
+use crate::text::{decode, display_name};
 
 /// Inputs, outputs and options of a batch.
 pub struct Batch<'a> {
@@ -34,27 +37,30 @@ impl Batch<'_> {
                 let (_, failures) = parallel::map(&inputs, self.write.jobs, |input| {
                     let result = compute(input, &input::load(input, self.read)?)?;
                     let written = output::print_bytes(result.as_ref());
-                    written.map_err(|error| InputError::Write { path: "<stdout>".into(), error })
+                    written.map_err(|error| InputError::Write { path: output::STDOUT.into(), error })
                 });
                 Ok(failures)
             }
-            Some(folder) => self.run_to_folder(folder, &inputs, compute),
+            Some(folder) => Ok(self.run_to_folder(folder, inputs, compute)),
         }
     }
 
     fn run_to_folder<R: AsRef<[u8]>>(
         &self,
         folder: &Path,
-        inputs: &[Input],
+        mut inputs: Vec<Input>,
         compute: impl Fn(&Input, &LoadedClip) -> Result<R, InputError> + Sync,
-    ) -> Result<usize, UsageError> {
-        self.check_output_names(inputs)?;
-        let folder_error = |error| UsageError::OutputFolder { folder: folder.into(), error };
-        let output = OutputFolder::open(folder).map_err(folder_error)?;
+    ) -> usize {
+        let names: Vec<PathBuf> = inputs.iter().map(|input| self.output_name(input)).collect();
+        let output = match OutputFolder::open(folder, names.iter().map(PathBuf::as_path)) {
+            Ok(output) => output,
+            Err(error) => return report_folder_error(folder, error),
+        };
+        mark_conflicts(&mut inputs, &names, output.ignores_case());
         let ReadArgs { paths: _, fps, up, joints, unit, lenient } = self.read;
         let read_options = format!("{fps:?} {up:?} {joints:?} {unit:?} {lenient}");
         let options = format!("{} {} {read_options}", self.options, self.extension);
-        let (_, failures) = parallel::map(inputs, self.write.jobs, |input| {
+        let (_, failures) = parallel::map(&inputs, self.write.jobs, |input| {
             let name = self.output_name(input);
             let loaded = input::load(input, self.read)?;
             let origin = Origin { sha256: &loaded.sha256, options: options.clone() };
@@ -65,21 +71,10 @@ impl Batch<'_> {
             let written = output.write(&name, result.as_ref(), &origin);
             written.map_err(|error| InputError::Write { path: output.path(&name), error })
         });
-        output.close().map_err(folder_error)?;
-        Ok(failures)
-    }
-
-    /// Checks that no two inputs have the same output file.
-    fn check_output_names(&self, inputs: &[Input]) -> Result<(), UsageError> {
-        let mut input_by_output: BTreeMap<PathBuf, &Input> = BTreeMap::new();
-        for input in inputs {
-            let output = self.output_name(input);
-            if let Some(other) = input_by_output.insert(output.clone(), input) {
-                let (first, second) = (other.path.clone(), input.path.clone());
-                return Err(UsageError::OutputConflict { first, second, output });
-            }
+        match output.close() {
+            Ok(()) => failures,
+            Err(error) => failures + report_folder_error(folder, error),
         }
-        Ok(())
     }
 
     /// Returns the path of the result of an input, relative to the output folder.
@@ -88,5 +83,59 @@ impl Batch<'_> {
         name.push(".");
         name.push(self.extension);
         name.into()
+    }
+}
+
+/// Reports that the output folder cannot be used. Returns the number of failures.
+fn report_folder_error(folder: &Path, error: io::Error) -> usize {
+    output::report(format_args!("{}", InputError::OutputFolder { folder: folder.into(), error }));
+    1
+}
+
+/// Marks the inputs whose results conflict with those of earlier inputs or with the record: they are the same
+/// file, or one is a folder of the other.
+fn mark_conflicts(inputs: &mut [Input], names: &[PathBuf], ignore_case: bool) {
+    let fold = |path: &Path| match ignore_case {
+        true => path.to_string_lossy().to_lowercase().into(),
+        false => path.to_owned(),
+    };
+    let record = RESERVED_NAMES.map(|name| (fold(Path::new(name)), "the record of the folder".to_owned()));
+    // Owners of files, and of the folders that contain them.
+    let mut files: BTreeMap<PathBuf, String> = record.into();
+    let mut folders: BTreeMap<PathBuf, String> = BTreeMap::new();
+    for (input, name) in inputs.iter_mut().zip(names).filter(|(input, _)| input.problem.is_none()) {
+        let path = fold(name);
+        let parents = || path.ancestors().skip(1).filter(|parent| !parent.as_os_str().is_empty());
+        let owner = folders.get(&path).or_else(|| path.ancestors().find_map(|path| files.get(path)));
+        if let Some(owner) = owner {
+            let name = decode(name.as_os_str());
+            input.problem = Some(format!(
+                "its result {name} conflicts with {owner}. Rename the file, or use another output folder"
+            ));
+            continue;
+        }
+        let owner = format!("that of {}", display_name(&input.path));
+        folders.extend(parents().map(|parent| (parent.to_owned(), owner.clone())));
+        files.insert(path, owner);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conflicts_depend_on_case_where_the_folder_does() {
+        let conflicts = |ignore_case| -> Vec<bool> {
+            let names = ["Walk.json", "walk.json", "WALK.JSON/run.json", "É.json", "é.json"];
+            let names = [&names[..], &[".Plantigrade.LOCK", "run.json"]].concat();
+            let names: Vec<PathBuf> = names.iter().map(PathBuf::from).collect();
+            let input = |path: &PathBuf| Input { path: path.clone(), stem: path.clone(), problem: None };
+            let mut inputs: Vec<Input> = names.iter().map(input).collect();
+            mark_conflicts(&mut inputs, &names, ignore_case);
+            inputs.iter().map(|input| input.problem.is_some()).collect()
+        };
+        assert_eq!(conflicts(false), [false; 7]);
+        assert_eq!(conflicts(true), [false, true, true, false, true, true, false]);
     }
 }

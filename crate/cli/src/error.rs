@@ -1,13 +1,15 @@
 //! Errors of the command line and of single inputs.
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use plantigrade::bvh;
 use plantigrade::formats::ReadError;
 use plantigrade::plants::DetectError;
 use plantigrade::segments::SegmentError;
 use plantigrade::skate::SkateError;
+
+use crate::text::display_name;
 
 /// Invalid command line; the program exits with code 2.
 #[derive(Debug, thiserror::Error)]
@@ -18,11 +20,8 @@ pub enum UsageError {
     /// `score --method` names an unknown method.
     #[error("{0}")]
     UnknownMethod(String),
-    /// A folder cannot be listed.
-    #[error(transparent)]
-    ListFolder(#[from] walkdir::Error),
     /// A folder has no BVH files.
-    #[error("no .bvh files in {folder}", folder = .0.display())]
+    #[error("no .bvh files in {folder}", folder = display_name(.0))]
     EmptyFolder(PathBuf),
     /// The clip named by `--still` cannot be used.
     #[error(transparent)]
@@ -36,27 +35,8 @@ pub enum UsageError {
     /// Several inputs without an output folder.
     #[error("found {0} inputs: name a folder for the results with --out")]
     MissingOut(usize),
-    /// Two inputs have the same output file.
-    #[error("{first} and {second} would both be written to {output}",
-        first = .first.display(), second = .second.display(), output = .output.display())]
-    OutputConflict {
-        /// The first input.
-        first: PathBuf,
-        /// The second input.
-        second: PathBuf,
-        /// Their common output, relative to the output folder.
-        output: PathBuf,
-    },
-    /// The output folder cannot be used.
-    #[error("cannot write to {folder}: {error}", folder = .folder.display())]
-    OutputFolder {
-        /// The folder.
-        folder: PathBuf,
-        /// Error of the operating system.
-        error: io::Error,
-    },
     /// No clip of a folder has truth.
-    #[error("no clip in {folder} has a truth file ({expected})", folder = .folder.display())]
+    #[error("no clip in {folder} has a truth file ({expected})", folder = display_name(.folder))]
     NoTruth {
         /// The folder.
         folder: PathBuf,
@@ -137,12 +117,30 @@ pub enum InputError {
         /// Cause.
         error: SegmentError,
     },
-    /// The program panicked; the panic message was printed before.
-    #[error("{name}: error: internal error: please report the message above together with the clip",
+    /// The input cannot be processed for a reason that was found before reading it.
+    #[error("{name}: error: {problem}", name = display_name(.path))]
+    Problem {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        problem: String,
+    },
+    /// The program panicked.
+    #[error("{name}: error: internal error: {message}. Please report it together with the clip",
         name = display_name(.path))]
     Panic {
         /// The file.
         path: PathBuf,
+        /// Message and location of the panic.
+        message: String,
+    },
+    /// The output folder cannot be used.
+    #[error("{name}: error: cannot write results to the folder: {error}", name = display_name(.folder))]
+    OutputFolder {
+        /// The folder.
+        folder: PathBuf,
+        /// Error of the operating system.
+        error: io::Error,
     },
     /// The result cannot be written.
     #[error("{name}: error: cannot write the result: {error}", name = display_name(.path))]
@@ -152,9 +150,4 @@ pub enum InputError {
         /// Error of the operating system.
         error: io::Error,
     },
-}
-
-/// Returns the name of an input in messages: its path, or `<stdin>`.
-pub fn display_name(path: &Path) -> String {
-    if path == Path::new("-") { "<stdin>".into() } else { path.display().to_string() }
 }

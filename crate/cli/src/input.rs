@@ -1,7 +1,7 @@
 //! Input files: from paths to clips.
 
 use std::ffi::OsStr;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -21,6 +21,8 @@ pub struct Input {
     pub path: PathBuf,
     /// Path of the result relative to the output folder, without extension.
     pub stem: PathBuf,
+    /// Reason why the file cannot be processed, if it was found before reading.
+    pub problem: Option<String>,
 }
 
 /// A clip that was read.
@@ -66,7 +68,7 @@ fn ancestors(clip: &Clip, joint: usize) -> impl Iterator<Item = usize> + '_ {
 }
 
 /// Collects the input files. Folders are searched recursively for BVH files; the companion files
-/// that macOS adds to archives are left out.
+/// that macOS adds to archives are left out. A folder that cannot be listed is an input with a problem.
 pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
     let mut inputs = Vec::new();
     for path in &args.paths {
@@ -75,7 +77,7 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
         } else {
             let stem = if path == Path::new("-") { "stdin".into() } else { path.with_extension("") };
             let stem = stem.file_name().map_or_else(|| stem.clone(), PathBuf::from);
-            inputs.push(Input { path: path.clone(), stem });
+            inputs.push(Input { path: path.clone(), stem, problem: None });
         }
     }
     Ok(inputs)
@@ -86,16 +88,29 @@ fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageErr
     let is_companion = |name: &OsStr| name == "__MACOSX" || name.as_encoded_bytes().starts_with(b"._");
     let entries = WalkDir::new(folder).sort_by_file_name().into_iter();
     for entry in entries.filter_entry(|entry| entry.depth() == 0 || !is_companion(entry.file_name())) {
-        let path = entry?.into_path();
-        if path.is_file() && path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("bvh")) {
+        let (path, problem) = match entry {
+            Ok(entry) => (entry.into_path(), None),
+            Err(error) => (error.path().unwrap_or(folder).to_owned(), Some(list_error(error))),
+        };
+        let is_bvh = || {
+            let has_extension = path.extension().is_some_and(|name| name.eq_ignore_ascii_case("bvh"));
+            // A link without a target is an input; reading it fails.
+            has_extension && fs::metadata(&path).map_or(true, |data| data.is_file())
+        };
+        if problem.is_some() || is_bvh() {
             let stem = path.strip_prefix(folder).unwrap_or(&path).with_extension("");
-            inputs.push(Input { path, stem });
+            inputs.push(Input { path, stem, problem });
         }
     }
     if inputs.len() == count_before {
         return Err(UsageError::EmptyFolder(folder.into()));
     }
     Ok(())
+}
+
+/// Returns the message of a folder that cannot be listed.
+fn list_error(error: walkdir::Error) -> String {
+    error.into_io_error().map_or_else(|| "the folder cannot be listed".into(), |error| error.to_string())
 }
 
 /// Returns the overrides of the command line.

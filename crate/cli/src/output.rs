@@ -1,22 +1,35 @@
-//! Output: JSON on standard output; files that are written atomically and reused while up to date.
+//! Standard output and messages.
 
-use std::collections::BTreeMap;
 use std::fmt::Arguments;
-use std::fs;
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::io::{self, IsTerminal, Write};
+#[cfg(unix)]
+use std::os::fd::AsFd;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
+use serde::Serialize;
 
 use crate::error::InputError;
+use crate::text::escape;
 
-/// Name of the file in an output folder that records the origin of its results.
-const RECORD_FILE: &str = ".plantigrade.json";
+/// Name of standard output in messages.
+pub const STDOUT: &str = "<stdout>";
 
 /// Exit code of a program that is ended by the signal for a closed pipe, as shells report it.
 const CLOSED_PIPE: i32 = 141;
+
+/// True if standard output was closed when the program was started.
+static IS_STDOUT_CLOSED: AtomicBool = AtomicBool::new(false);
+
+// Runs before `main`: the runtime replaces closed streams by the null device, which would drop results
+// silently. Safety: it only calls the operating system and stores a value.
+#[cfg(unix)]
+ctor::declarative::ctor! {
+    #[ctor(unsafe)]
+    fn check_stdout() {
+        let is_closed = io::stdout().as_fd().try_clone_to_owned().is_err();
+        IS_STDOUT_CLOSED.store(is_closed, Ordering::Relaxed);
+    }
+}
 
 /// Prints a value as indented JSON.
 pub fn print_json(value: &impl Serialize) {
@@ -26,93 +39,53 @@ pub fn print_json(value: &impl Serialize) {
 
 /// Prints text on standard output. Ends the program if that is impossible.
 pub fn print(text: Arguments<'_>) {
-    if let Err(error) = print_bytes(text.to_string().as_bytes()) {
-        report(format_args!("{}", InputError::Write { path: "<stdout>".into(), error }));
-        std::process::exit(1);
-    }
+    end_on_error(print_bytes(text.to_string().as_bytes()));
 }
 
-/// Writes bytes to standard output. Ends the program quietly if the reader has closed the pipe.
+/// Writes a result to standard output; on a terminal, control characters are escaped. Ends the program
+/// quietly if the reader has closed the pipe.
 pub fn print_bytes(bytes: &[u8]) -> io::Result<()> {
-    let mut stdout = io::stdout().lock();
-    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
+    print_with(|| {
+        let mut stdout = io::stdout();
+        if !stdout.is_terminal() {
+            return stdout.write_all(bytes);
+        }
+        let lines: Vec<String> = String::from_utf8_lossy(bytes).split('\n').map(escape).collect();
+        stdout.write_all(lines.join("\n").as_bytes())
+    })
+}
+
+/// Prints the help, the version or an error of the command line. Returns the exit code.
+pub fn print_command_line_error(error: &clap::Error) -> u8 {
+    if error.use_stderr() {
+        let _ = error.print();
+    } else {
+        end_on_error(print_with(|| error.print()));
+    }
+    u8::from(error.use_stderr()) * 2
+}
+
+/// Prints a line on standard error, unless its reader has closed the pipe. Control characters are escaped.
+pub fn report(line: Arguments<'_>) {
+    let line = escape(&line.to_string()) + "\n";
+    let _ = io::stderr().write_all(line.as_bytes());
+}
+
+/// Writes to standard output by `write`. Ends the program quietly if the reader has closed the pipe.
+fn print_with(write: impl FnOnce() -> io::Result<()>) -> io::Result<()> {
+    if IS_STDOUT_CLOSED.load(Ordering::Relaxed) {
+        return Err(io::Error::other("standard output is closed"));
+    }
+    match write().and_then(|()| io::stdout().flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => std::process::exit(CLOSED_PIPE),
         result => result,
     }
 }
 
-/// Prints a line on standard error, unless its reader has closed the pipe.
-pub fn report(line: Arguments<'_>) {
-    let _ = writeln!(io::stderr(), "{line}");
-}
-
-/// A folder of results.
-pub struct OutputFolder {
-    folder: PathBuf,
-    record: Mutex<Record>,
-}
-
-/// Digest of the origin of each result, by file name.
-#[derive(Default, Serialize, Deserialize)]
-struct Record(BTreeMap<PathBuf, String>);
-
-impl OutputFolder {
-    /// Opens a folder, creating it if necessary.
-    pub fn open(folder: &Path) -> io::Result<OutputFolder> {
-        fs::create_dir_all(folder)?;
-        // With a missing or damaged record all results are computed again.
-        let bytes = fs::read(folder.join(RECORD_FILE)).ok();
-        let record = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
-        Ok(OutputFolder { folder: folder.into(), record: Mutex::new(record) })
+/// Reports an error of standard output and ends the program.
+fn end_on_error(result: io::Result<()>) {
+    if let Err(error) = result {
+        report(format_args!("{}", InputError::Write { path: STDOUT.into(), error }));
+        std::process::exit(1);
     }
-
-    /// Returns the path of a result.
-    pub fn path(&self, name: &Path) -> PathBuf {
-        self.folder.join(name)
-    }
-
-    /// True if a result exists and has the given origin.
-    pub fn is_up_to_date(&self, name: &Path, origin: &Origin) -> bool {
-        let record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
-        record.0.get(name) == Some(&origin.digest()) && self.path(name).is_file()
-    }
-
-    /// Writes a result atomically.
-    pub fn write(&self, name: &Path, result: &[u8], origin: &Origin) -> io::Result<()> {
-        write_atomically(&self.path(name), result)?;
-        let mut record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
-        record.0.insert(name.into(), origin.digest());
-        Ok(())
-    }
-
-    /// Writes the record of origins.
-    pub fn close(self) -> io::Result<()> {
-        let record = self.record.into_inner().unwrap_or_else(PoisonError::into_inner);
-        write_atomically(&self.folder.join(RECORD_FILE), &serde_json::to_vec_pretty(&record)?)
-    }
-}
-
-/// Origin of a result: everything it depends on.
-pub struct Origin<'a> {
-    /// SHA-256 of the input.
-    pub sha256: &'a str,
-    /// All options that change the result.
-    pub options: String,
-}
-
-impl Origin<'_> {
-    fn digest(&self) -> String {
-        let text = format!("{} {} {}", env!("CARGO_PKG_VERSION"), self.sha256, self.options);
-        Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
-    }
-}
-
-/// Writes a file atomically: to a temporary file that then replaces `path`.
-pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder)?;
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    file.write_all(bytes)?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
 }

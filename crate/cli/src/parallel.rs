@@ -1,8 +1,9 @@
 //! Parallel processing of inputs with a progress bar.
 
+use std::cell::Cell;
 use std::io::IsTerminal;
 use std::num::NonZeroUsize;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{self, AssertUnwindSafe, catch_unwind};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::ThreadPoolBuilder;
@@ -11,6 +12,21 @@ use rayon::iter::{ParallelBridge, ParallelIterator};
 use crate::error::InputError;
 use crate::input::Input;
 use crate::output;
+
+thread_local! {
+    /// Message and location of the last panic of the thread.
+    static PANIC: Cell<Option<String>> = const { Cell::new(None) };
+}
+
+/// Keeps the messages of panics for [`catch_panic`]; otherwise they are printed in several lines.
+pub fn keep_panic_messages() {
+    panic::set_hook(Box::new(|panic| PANIC.set(Some(panic.to_string().replacen(":\n", ": ", 1)))));
+}
+
+/// Returns the result of `work`, or the message of its panic.
+pub fn catch_panic<R>(work: impl FnOnce() -> R) -> Result<R, String> {
+    catch_unwind(AssertUnwindSafe(work)).map_err(|_| PANIC.take().unwrap_or_else(|| "panicked".into()))
+}
 
 /// Applies `work` to each input, `jobs` at a time (default: one per processor).
 ///
@@ -22,13 +38,16 @@ pub fn map<R: Send>(
     jobs: Option<NonZeroUsize>,
     work: impl Fn(&Input) -> Result<R, InputError> + Sync,
 ) -> (Vec<R>, usize) {
-    // Zero selects one thread per processor.
-    let threads = jobs.map_or(0, NonZeroUsize::get);
+    // Zero selects one thread per processor. Further threads than inputs would be idle.
+    let threads = jobs.map_or(0, |jobs| jobs.get().min(inputs.len().max(1)));
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
     let bar = progress_bar(inputs.len());
     let run = |input: &Input| {
-        let result = catch_unwind(AssertUnwindSafe(|| work(input)))
-            .unwrap_or_else(|_| Err(InputError::Panic { path: input.path.clone() }));
+        let result = match &input.problem {
+            Some(problem) => Err(InputError::Problem { path: input.path.clone(), problem: problem.clone() }),
+            None => catch_panic(|| work(input))
+                .unwrap_or_else(|message| Err(InputError::Panic { path: input.path.clone(), message })),
+        };
         let result = result.map_err(|error| bar.suspend(|| output::report(format_args!("{error}")))).ok();
         bar.inc(1);
         result
@@ -57,7 +76,7 @@ mod tests {
     use super::*;
 
     fn inputs<const N: usize>(names: [&str; N]) -> [Input; N] {
-        names.map(|name| Input { path: name.into(), stem: name.into() })
+        names.map(|name| Input { path: name.into(), stem: name.into(), problem: None })
     }
 
     #[test]
@@ -68,6 +87,31 @@ mod tests {
             Ok(input.path.clone())
         });
         assert_eq!((results, failures), (vec!["a".into(), "c".into()], 1));
+    }
+
+    /// The test runs itself in a second process, whose standard error it reads.
+    #[test]
+    fn panic_is_reported_in_one_line() {
+        const CHILD: &str = "PLANTIGRADE_TEST_CHILD";
+        if std::env::var_os(CHILD).is_some() {
+            keep_panic_messages();
+            map(&inputs(["walk.bvh"]), NonZeroUsize::new(1), |_| -> Result<(), _> { panic!("on\npurpose") });
+            return;
+        }
+        let mut command = std::process::Command::new(std::env::current_exe().expect("the test"));
+        let name = "parallel::tests::panic_is_reported_in_one_line";
+        let child = command.args(["--exact", name, "--nocapture"]).env(CHILD, "1").output().expect("a run");
+        let message = String::from_utf8(child.stderr).expect("text");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.starts_with("walk.bvh: error: internal error: panicked at "), "{message}");
+        assert!(message.contains("parallel.rs:") && message.contains(r": on\npurpose. Please report it"));
+    }
+
+    #[test]
+    fn no_more_threads_than_inputs_are_started() {
+        let (threads, _) =
+            map(&inputs(["a", "b"]), NonZeroUsize::new(1000), |_| Ok(rayon::current_num_threads()));
+        assert_eq!(threads, [2, 2]);
     }
 
     #[test]

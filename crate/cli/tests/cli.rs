@@ -495,6 +495,17 @@ fn invalid_command_lines_exit_with_2_and_failed_inputs_with_1() {
         assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{args:?}");
         assert!(stderr(&output).starts_with("error: "), "{args:?}: {}", stderr(&output));
     }
+    for (rate, message) in [
+        ("0.0083333", "0.0083333 looks like a frame time: did you mean --fps 120?"),
+        ("1e-6", "must be a number from 1 to 1000"),
+        ("1e300", "must be a number from 1 to 1000"),
+    ] {
+        for command in [&["info", "good/plain.bvh"][..], &["clean", "good/plain.bvh", "-o", "none.bvh"]] {
+            let output = plantigrade(&[command, &["--fps", rate]].concat());
+            assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{rate}");
+            assert!(stderr(&output).contains(message), "{rate}: {}", stderr(&output));
+        }
+    }
     let output = plantigrade(&["info", "nowhere.bvh"]);
     assert_eq!(code(&output), 1);
     assert!(stderr(&output).starts_with("nowhere.bvh: error: "));

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::io::Read;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,27 +12,26 @@ use plantigrade::plants::{self, Feet};
 use plantigrade::skate::{self, Cleaned, Contacts, Options};
 
 use crate::args::CleanArgs;
-use crate::error::{InputError, UsageError, display_name};
+use crate::error::{InputError, UsageError};
+use crate::file;
 use crate::input::{self, Input, LoadedClip};
 use crate::output;
+use crate::parallel;
+use crate::text::display_name;
 
 /// Removes foot skate from one clip. Returns the number of inputs that failed (0 or 1).
 pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
-    let [input] = <[Input; 1]>::try_from(input::collect(&args.read)?)
-        .map_err(|inputs| UsageError::NotOneClip(inputs.len()))?;
+    let inputs = input::collect(&args.read)?;
+    let [input] = &inputs[..] else { return Err(UsageError::NotOneClip(inputs.len())) };
     if args.labels.as_deref() == Some(Path::new("-")) && input.path == Path::new("-") {
         return Err(UsageError::StdinTwice);
     }
-    let result = input::load_with_bytes(&input, &args.read)
-        .and_then(|(loaded, bytes)| clean(&input, &loaded, &bytes, params, args));
-    Ok(match result {
-        Ok(()) => 0,
-        Err(error) => {
-            output::report(format_args!("{error}"));
-            1
-        }
-    })
+    let (_, failures) = parallel::map(&inputs, NonZeroUsize::new(1), |input| {
+        let (loaded, bytes) = input::load_with_bytes(input, &args.read)?;
+        clean(input, &loaded, &bytes, params, args)
+    });
+    Ok(failures)
 }
 
 /// Cleans a clip, writes the result and prints a summary and the notices.
@@ -60,7 +60,8 @@ fn clean(
     let summary = summary(&cleaned);
     let cleaned_clip = Arc::new(cleaned.clip);
     let text = bvh::rewrite(bytes, &loaded.parsed.layout, &cleaned_clip, 0..clip.frame_count());
-    let written = output::write_atomically(&args.out, &text);
+    file::remove_temporary_files([&*args.out]);
+    let written = file::write(&args.out, &text);
     written.map_err(|error| InputError::Write { path: args.out.clone(), error })?;
     let name = display_name(&input.path);
     output::report(format_args!("{name}: {summary}"));

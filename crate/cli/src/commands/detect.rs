@@ -16,23 +16,25 @@ use crate::input::{self, Input, LoadedClip};
 pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
     let standing = args.still.as_deref().map(|path| load_standing(path, args)).transpose();
-    let standing = standing.map_err(UsageError::Still)?;
+    let (standing, standing_sha256) = standing.map_err(UsageError::Still)?.unzip();
     let batch = Batch {
         read: &args.read,
         write: &args.write,
         extension: args.format.extension(),
-        options: format!("{params:?} {:?}", args.still),
+        options: format!("{params:?} {standing_sha256:?}"),
     };
     batch.run(|input, loaded| detect(input, loaded, params, standing.as_ref(), args))
 }
 
-/// Loads the feet of the standing clip that is clustered together with the inputs.
-fn load_standing(path: &Path, args: &DetectArgs) -> Result<Feet, InputError> {
-    let input = Input { path: path.into(), stem: PathBuf::new() };
+/// Loads the feet of the standing clip that is clustered together with the inputs. Returns them with the
+/// SHA-256 of the file.
+fn load_standing(path: &Path, args: &DetectArgs) -> Result<(Feet, String), InputError> {
+    let input = Input { path: path.into(), stem: PathBuf::new(), problem: None };
     let loaded = input::load(&input, &args.read)?;
     let clip = &loaded.parsed.clip;
     let feet = Feet::new(clip, &loaded.main_skeleton());
-    feet.map_err(|error| InputError::Detect { path: path.into(), error })
+    let feet = feet.map_err(|error| InputError::Detect { path: path.into(), error })?;
+    Ok((feet, loaded.sha256))
 }
 
 /// A skeleton with its feet and its detection.

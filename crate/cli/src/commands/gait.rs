@@ -7,10 +7,11 @@ use serde::Serialize;
 
 use super::detect::{self, DetectedSkeleton};
 use crate::args::{GaitArgs, GaitFormat};
-use crate::error::{InputError, UsageError, display_name};
+use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
 use crate::output::{self, print_json};
 use crate::parallel;
+use crate::text::{display_name, escape};
 
 /// Gait of one skeleton of a clip.
 #[derive(Serialize)]
@@ -76,8 +77,8 @@ fn csv(records: &[Record]) -> String {
 
 fn row(record: &Record) -> Vec<String> {
     let clip_values = [
-        record.path.clone(),
-        record.root.clone().unwrap_or_default(),
+        escape(&record.path),
+        record.root.as_deref().map_or_else(String::new, escape),
         record.frames.to_string(),
         rounded(record.rate).to_string(),
         record.method.to_owned(),
@@ -94,10 +95,10 @@ fn rounded(value: f64) -> f64 {
 
 fn text(record: &Record) -> String {
     let gait = &record.gait;
-    let mut text = record.path.clone();
+    let mut text = escape(&record.path);
     // Writing to a String cannot fail.
     let _ = match &record.root {
-        Some(root) => writeln!(text, ", {root}"),
+        Some(root) => writeln!(text, ", {}", escape(root)),
         None => writeln!(text),
     };
     if gait.strides == 0 {

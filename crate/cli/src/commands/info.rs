@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::num::NonZeroUsize;
 
 use plantigrade::bvh::{JointKind, Parsed};
 use plantigrade::foot::Side;
@@ -10,9 +11,11 @@ use plantigrade::skeleton::{self, LegRoles, Reason, Role};
 use serde::Serialize;
 
 use crate::args::{InfoArgs, InfoFormat};
-use crate::error::{UsageError, display_name};
+use crate::error::UsageError;
 use crate::input::{self, Input, LoadedClip};
 use crate::output::{self, print_json};
+use crate::parallel;
+use crate::text::{display_name, escape};
 
 /// Description of one file.
 #[derive(Serialize)]
@@ -46,17 +49,9 @@ struct Evidence {
 /// Describes all inputs. Returns the number of inputs that failed.
 pub fn run(args: &InfoArgs) -> Result<usize, UsageError> {
     let inputs = input::collect(&args.read)?;
-    let mut infos = Vec::new();
-    let mut failures = 0;
-    for input in &inputs {
-        match input::load(input, &args.read) {
-            Ok(loaded) => infos.push(describe(input, &loaded)),
-            Err(error) => {
-                output::report(format_args!("{error}"));
-                failures += 1;
-            }
-        }
-    }
+    let one_by_one = NonZeroUsize::new(1);
+    let (infos, failures) =
+        parallel::map(&inputs, one_by_one, |input| Ok(describe(input, &input::load(input, &args.read)?)));
     match args.format {
         InfoFormat::Text => infos.iter().for_each(|info| output::print(format_args!("{}", text(info)))),
         InfoFormat::Json if inputs.len() == 1 => infos.first().into_iter().for_each(print_json),
@@ -90,10 +85,10 @@ fn describe(input: &Input, loaded: &LoadedClip) -> Info {
 }
 
 fn text(info: &Info) -> String {
-    let mut text = format!("{}\n", info.path);
+    let mut text = format!("{}\n", escape(&info.path));
     let mut line = |label: &str, value: String| {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "  {label:<8} {value}");
+        let _ = writeln!(text, "  {label:<8} {}", escape(&value));
     };
     let seconds = info.frames as f64 * info.frame_time;
     line("motion", format!("{} frames at {:.4} Hz, {seconds:.2} s", info.frames, 1.0 / info.frame_time));

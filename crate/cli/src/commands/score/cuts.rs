@@ -13,6 +13,7 @@ use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
 use crate::output;
+use crate::text::{decode, escape};
 
 /// Tallies of correct cuts by tolerance; `None` if the truth has no ranges.
 type Tallies = [Option<CutTally>; Tolerance::REPORTED.len()];
@@ -48,7 +49,7 @@ fn trial(
         let is_known = tolerance != Tolerance::Inside || has_ranges;
         is_known.then(|| score::cuts(&cuts, &truth, clip.frame_time(), tolerance))
     };
-    Ok(Some((input.stem.display().to_string(), Tolerance::REPORTED.map(tally))))
+    Ok(Some((escape(&decode(input.stem.as_os_str())), Tolerance::REPORTED.map(tally))))
 }
 
 /// Returns path and text of the truth file of a clip, if any. Files named after the clip take

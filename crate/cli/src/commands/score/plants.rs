@@ -14,6 +14,7 @@ use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
 use crate::output;
+use crate::text::{decode, escape};
 
 /// One clip with its labels and its truth.
 struct Trial {
@@ -49,7 +50,7 @@ fn trial(input: &Input, params: ValidParams, read: &ReadArgs) -> Result<Option<T
     let feet = Feet::new(&clip, &Skeleton::main(&clip, &Overrides::default()))
         .map_err(|error| InputError::Detect { path: input.path.clone(), error })?;
     Ok(Some(Trial {
-        name: input.stem.display().to_string(),
+        name: escape(&decode(input.stem.as_os_str())),
         frame_time: clip.frame_time(),
         detection: plants::detect(&feet, params),
         truth: masked(truth, clip.frame_time()),

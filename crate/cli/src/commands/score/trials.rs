@@ -1,31 +1,24 @@
 //! Clips with truth, and the method to score.
 
+use std::num::NonZeroUsize;
 use std::str::FromStr;
 
 use crate::args::{ReadArgs, ScoreArgs};
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input};
-use crate::output;
+use crate::parallel;
 
 /// Runs `trial` on each clip of the folder; it returns `None` for clips without truth. Returns the
 /// trials and the number of inputs that failed. `expected` lists the names of truth files.
-pub fn trials<T>(
+pub fn trials<T: Send>(
     args: &ScoreArgs,
     expected: &'static str,
-    trial: impl Fn(&Input, &ReadArgs) -> Result<Option<T>, InputError>,
+    trial: impl Fn(&Input, &ReadArgs) -> Result<Option<T>, InputError> + Sync,
 ) -> Result<(Vec<T>, usize), UsageError> {
     let read = ReadArgs { paths: vec![args.folder.clone()], ..ReadArgs::default() };
-    let mut trials = Vec::new();
-    let mut failures = 0;
-    for input in input::collect(&read)? {
-        match trial(&input, &read) {
-            Ok(trial) => trials.extend(trial),
-            Err(error) => {
-                output::report(format_args!("{error}"));
-                failures += 1;
-            }
-        }
-    }
+    let one_by_one = NonZeroUsize::new(1);
+    let (trials, failures) = parallel::map(&input::collect(&read)?, one_by_one, |input| trial(input, &read));
+    let trials: Vec<T> = trials.into_iter().flatten().collect();
     if trials.is_empty() && failures == 0 {
         return Err(UsageError::NoTruth { folder: args.folder.clone(), expected });
     }

@@ -1,0 +1,157 @@
+//! Folders of results with a record of their origins, from which an interrupted batch resumes.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use crate::file;
+
+/// Name of the record: one line of JSON per result. Lines are appended when results are finished, the last
+/// line about a result holds, and damaged lines are ignored. The last process that uses a folder sorts the
+/// record when it finishes.
+const RECORD_FILE: &str = ".plantigrade.jsonl";
+
+/// Name of a file without content, of which each process that appends to the record holds a shared lock. The
+/// record itself cannot be locked because it is replaced when it is sorted.
+const LOCK_FILE: &str = ".plantigrade.lock";
+
+/// Name of the record of earlier versions, which would take results of this one for theirs.
+const EARLIER_RECORD_FILE: &str = ".plantigrade.json";
+
+/// Names in an output folder that results cannot have.
+pub const RESERVED_NAMES: [&str; 2] = [RECORD_FILE, LOCK_FILE];
+
+/// A folder of results.
+pub struct OutputFolder {
+    folder: PathBuf,
+    /// Record at the time when the folder was opened.
+    entries: BTreeMap<String, Entry>,
+    record: File,
+    lock: File,
+}
+
+/// Line of the record.
+#[derive(Serialize, Deserialize)]
+struct Entry {
+    /// Path of the result in the folder, escaped without loss.
+    result: String,
+    /// Digest of the origin.
+    origin: String,
+    /// SHA-256 of the result.
+    sha256: String,
+}
+
+impl OutputFolder {
+    /// Opens a folder for results of the given names, creating it if necessary. Removes the temporary files
+    /// of killed processes.
+    pub fn open<'a>(folder: &Path, names: impl IntoIterator<Item = &'a Path>) -> io::Result<OutputFolder> {
+        fs::create_dir_all(folder)?;
+        let lock = appendable(&folder.join(LOCK_FILE))?;
+        match lock.lock_shared() {
+            Err(error) if error.kind() != io::ErrorKind::Unsupported => return Err(error),
+            _ => {}
+        }
+        let paths: Vec<PathBuf> = names.into_iter().map(|name| folder.join(name)).collect();
+        file::remove_temporary_files(paths.iter().map(PathBuf::as_path).chain([&*folder.join(RECORD_FILE)]));
+        let _ = fs::remove_file(folder.join(EARLIER_RECORD_FILE));
+        let mut record = appendable(&folder.join(RECORD_FILE))?;
+        let bytes = fs::read(folder.join(RECORD_FILE))?;
+        if !bytes.is_empty() && !bytes.ends_with(b"\n") {
+            // Ends the line of a killed process.
+            record.write_all(b"\n")?;
+        }
+        Ok(OutputFolder { folder: folder.into(), entries: entries(&bytes), record, lock })
+    }
+
+    /// Returns the path of a result.
+    pub fn path(&self, name: &Path) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    /// True if names that differ in case only are the same file.
+    pub fn ignores_case(&self) -> bool {
+        self.folder.join(LOCK_FILE.to_uppercase()).exists()
+    }
+
+    /// True if a result has the given origin and was not changed since.
+    pub fn is_up_to_date(&self, name: &Path, origin: &Origin) -> bool {
+        self.entries.get(&key(name)).is_some_and(|entry| {
+            entry.origin == origin.digest()
+                && fs::read(self.path(name)).is_ok_and(|bytes| entry.sha256 == hex_digest(&bytes))
+        })
+    }
+
+    /// Writes a result atomically and records its origin.
+    pub fn write(&self, name: &Path, result: &[u8], origin: &Origin) -> io::Result<()> {
+        file::write(&self.path(name), result)?;
+        let entry = Entry { result: key(name), origin: origin.digest(), sha256: hex_digest(result) };
+        // One write, so that lines of several processes do not mix.
+        (&self.record).write_all(&line(&entry))
+    }
+
+    /// Sorts the record and leaves out lines that no longer hold, unless another process uses the folder.
+    pub fn close(self) -> io::Result<()> {
+        let OutputFolder { folder, lock, record, .. } = self;
+        drop(record);
+        let is_last = lock.unlock().is_ok() && lock.try_lock().is_ok();
+        if !is_last {
+            return Ok(());
+        }
+        let path = folder.join(RECORD_FILE);
+        let bytes = fs::read(&path)?;
+        let sorted: Vec<u8> = entries(&bytes).values().flat_map(line).collect();
+        if sorted != bytes {
+            file::write(&path, &sorted)?;
+        }
+        Ok(())
+    }
+}
+
+/// Opens a file for appending, creating it if necessary.
+fn appendable(path: &Path) -> io::Result<File> {
+    // Windows locks files only if they can be read, too.
+    OpenOptions::new().create(true).read(true).append(true).open(path)
+}
+
+/// Returns the valid entries of a record by the names of their results.
+fn entries(record: &[u8]) -> BTreeMap<String, Entry> {
+    let lines = record.split(|&byte| byte == b'\n');
+    let entries = lines.filter_map(|line| serde_json::from_slice(line).ok());
+    entries.map(|entry: Entry| (entry.result.clone(), entry)).collect()
+}
+
+/// Returns the line of an entry.
+fn line(entry: &Entry) -> Vec<u8> {
+    let mut line = serde_json::to_vec(entry).expect("an entry of text");
+    line.push(b'\n');
+    line
+}
+
+/// Returns the name of a result as text; different names have different texts.
+fn key(name: &Path) -> String {
+    name.as_os_str().as_encoded_bytes().escape_ascii().to_string()
+}
+
+/// Origin of a result: everything it depends on.
+pub struct Origin<'a> {
+    /// SHA-256 of the input.
+    pub sha256: &'a str,
+    /// All options that change the result.
+    pub options: String,
+}
+
+impl Origin<'_> {
+    fn digest(&self) -> String {
+        let text = format!("{} {} {}", env!("CARGO_PKG_VERSION"), self.sha256, self.options);
+        hex_digest(text.as_bytes())
+    }
+}
+
+/// Returns the SHA-256 of bytes in hexadecimal.
+fn hex_digest(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
