@@ -8,19 +8,14 @@ use std::str::FromStr;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use plantigrade::bvh::FRAME_RATES;
 use plantigrade::foot::Part;
 use plantigrade::formats::{PlantFormat, SegmentFormat};
 use plantigrade::plants;
 use plantigrade::segments::{self, Residual, Template};
-use plantigrade::skeleton::{Role, Up};
+use plantigrade::skeleton::{Role, UNITS, Up};
 
 use crate::error::UsageError;
-
-/// Frame rates that can be given, in Hz.
-const RATES: RangeInclusive<f64> = 1.0..=1000.0;
-
-/// Units that can be given, in metres.
-const UNITS: RangeInclusive<f64> = 1e-6..=1e6;
 
 /// Detects foot plants and actions in motion capture, without tuning.
 ///
@@ -340,9 +335,9 @@ fn parse_joint(text: &str) -> Result<(Role, String), String> {
 
 /// Parses a frame rate, in Hz.
 fn parse_rate(text: &str) -> Result<f64, String> {
-    parse_in(RATES, text).map_err(|error| {
+    parse_in(FRAME_RATES, text).map_err(|error| {
         let rate = text.parse().map_or(f64::NAN, |time: f64| (100.0 / time).round() / 100.0);
-        if RATES.contains(&rate) {
+        if FRAME_RATES.contains(&rate) {
             format!("{error}; {text} looks like a frame time: did you mean --fps {rate}?")
         } else {
             error

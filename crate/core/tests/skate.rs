@@ -197,11 +197,7 @@ fn with_spike(clip: &Clip, channel: Channel, frames: Range<usize>, jump: f64) ->
 
 #[test]
 fn spikes_do_not_spread() {
-    let names = ["straight-walk", "jog", "standing"];
-    let specs: Vec<ClipSpec> =
-        full_set(1.0).into_iter().filter(|spec| names.contains(&spec.name.as_str())).collect();
-    assert_eq!(specs.len(), names.len());
-    for spec in specs {
+    for spec in full_set(1.0).into_iter().step_by(12) {
         let generated = generate(&spec, 0);
         let clip = &generated.clip;
         let skeleton = Skeleton::main(clip, &Overrides::default());

@@ -9,7 +9,7 @@ mod up;
 
 pub use names::{joint_names_document, known_name_count};
 pub use roles::{Assignment, LegRoles, Reason, Role, Roles};
-pub use unit::unit_name;
+pub use unit::{LIMITS as UNITS, unit_name};
 pub use up::{Up, UpError};
 
 use std::ops::Range;

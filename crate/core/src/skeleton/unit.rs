@@ -29,6 +29,9 @@ const MEAN_ADULTS: RangeInclusive<f64> = 0.8..=1.07;
 /// Leg length of an animal with four legs in a known unit, in metres.
 const ANIMALS: RangeInclusive<f64> = 0.08..=1.6;
 
+/// Units that may replace the one of a file, in metres.
+pub const LIMITS: RangeInclusive<f64> = 1e-6..=1e6;
+
 /// Units of BVH files: metres per unit, name, and the logarithm of how much rarer than metres and
 /// centimetres they are.
 const UNITS: [(f64, &str, f64); 7] = [

@@ -1,9 +1,10 @@
 //! Description of a clip, and overrides of it.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
-use plantigrade::bvh::JointKind;
-use plantigrade::skeleton::{self, Role};
+use plantigrade::bvh::{FRAME_RATES, JointKind};
+use plantigrade::skeleton::{self, Role, UNITS};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
@@ -94,13 +95,13 @@ pub struct ClipInfo {
 #[tsify(hashmap_as_object)]
 #[serde(rename_all = "camelCase", default)]
 pub struct Overrides {
-    /// Frame rate, in Hz.
+    /// Frame rate, from 1 to 1000 Hz.
     #[tsify(optional)]
     pub rate: Option<f64>,
     /// Up axis.
     #[tsify(optional, type = "\"x\" | \"-x\" | \"y\" | \"-y\" | \"z\" | \"-z\"")]
     pub up: Option<String>,
-    /// Metres per file unit.
+    /// Metres per file unit, from 10⁻⁶ to 10⁶.
     #[tsify(optional)]
     pub metres_per_unit: Option<f64>,
     /// Role to joint index; −1 clears a role.
@@ -112,15 +113,16 @@ impl Overrides {
     /// Converts to the core's overrides, for a clip with `joints` joints.
     ///
     /// # Errors
-    /// If a role, joint or axis does not exist or a number is not positive.
+    /// If a role, joint or axis does not exist, or a number is beyond its limits.
     pub fn check(&self, joints: usize) -> Result<skeleton::Overrides, Failure> {
-        let positive = |name: &'static str, value: Option<f64>| match value {
-            Some(value) if !(value > 0.0 && value.is_finite()) => {
-                Err(Failure::from(ArgumentError::NotPositive { name, value }))
+        let within = |name: &'static str, value: Option<f64>, range: RangeInclusive<f64>| match value {
+            Some(value) if !range.contains(&value) => {
+                let range = [*range.start(), *range.end()];
+                Err(Failure::from(ArgumentError::OutOfRange { name, value, range }))
             }
             value => Ok(value),
         };
-        positive("rate", self.rate)?;
+        within("rate", self.rate, FRAME_RATES)?;
         let role = |(name, &joint): (&String, &i32)| {
             let role = Role::from_name(name).ok_or_else(|| ArgumentError::Role(name.clone()))?;
             match usize::try_from(joint) {
@@ -132,7 +134,7 @@ impl Overrides {
         Ok(skeleton::Overrides {
             roles: self.roles.iter().flatten().map(role).collect::<Result<_, Failure>>()?,
             up: self.up.as_deref().map(parse_name).transpose()?,
-            metres_per_unit: positive("scale", self.metres_per_unit)?,
+            metres_per_unit: within("scale", self.metres_per_unit, UNITS)?,
         })
     }
 }

@@ -17,12 +17,14 @@ pub enum ArgumentError {
     Joint(usize),
     /// A name that the core does not accept, with its reason.
     Name(String),
-    /// A quantity that must be positive and finite.
-    NotPositive {
+    /// A quantity beyond its limits.
+    OutOfRange {
         /// Name of the quantity.
         name: &'static str,
         /// The value given.
         value: f64,
+        /// Least and largest value.
+        range: [f64; 2],
     },
     /// A frame range that is empty or extends beyond the clip.
     FrameRange {
@@ -49,7 +51,9 @@ impl fmt::Display for ArgumentError {
             Self::Side(name) => write!(f, "the side must be left or right, not {name:?}"),
             Self::Role(name) => write!(f, "unknown role {name:?}"),
             Self::Joint(index) => write!(f, "unknown joint {index}"),
-            Self::NotPositive { name, value } => write!(f, "the {name} must be greater than 0, not {value}"),
+            Self::OutOfRange { name, value, range: [least, largest] } => {
+                write!(f, "the {name} must be from {least} to {largest}, not {value}")
+            }
             Self::FrameRange { start, end, frames } => {
                 write!(f, "invalid frame range {start} to {end}: the clip has {frames} frames")
             }
