@@ -1,0 +1,70 @@
+//! Memory of reading and of the search for roles: in proportion to the file, whatever its shape.
+
+use std::sync::Mutex;
+
+use peak_alloc::PeakAlloc;
+use plantigrade::bvh::{self, Options};
+use plantigrade::skeleton::{Overrides, Skeleton};
+
+#[global_allocator]
+static ALLOCATOR: PeakAlloc = PeakAlloc;
+
+/// Held while memory is measured, as it is measured for the whole process.
+static MEASURING: Mutex<()> = Mutex::new(());
+
+const CHANNELS: &str = "CHANNELS 3 Zrotation Xrotation Yrotation";
+
+/// Returns a file with a hierarchy, whose rotation channels are counted, and three frames.
+fn file(hierarchy: &str) -> Vec<u8> {
+    let width = hierarchy.matches("rotation").count();
+    let frame = |frame: usize| (0..width).map(|n| (n * frame % 9).to_string()).collect::<Vec<_>>().join(" ");
+    let frames: Vec<String> = (0..3).map(frame).collect();
+    format!("HIERARCHY\n{hierarchy}MOTION\nFrames: 3\nFrame Time: 0.03\n{}\n", frames.join("\n")).into_bytes()
+}
+
+fn joint(kind: &str, name: &str, content: &str) -> String {
+    format!("{kind} {name}\n{{\nOFFSET 1 2 3\n{CHANNELS}\n{content}}}\n")
+}
+
+/// Returns files of a shape with `size` joints, roots or repetitions.
+fn shapes(size: usize) -> Vec<(&'static str, Vec<u8>)> {
+    let root = |content: &str| joint("ROOT", "hips", content);
+    let leaves = |name: &dyn Fn(usize) -> String| -> String {
+        (0..size).map(|n| joint("JOINT", &name(n), "")).collect()
+    };
+    let chain = (0..size.min(900)).fold(String::new(), |below, n| {
+        joint("JOINT", &format!("s{n}"), &(joint("JOINT", &format!("l{n}"), "") + &below))
+    });
+    let short = "OFFSET 1 2 3 ".repeat(20 * size);
+    vec![
+        ("leaves", file(&root(&leaves(&|n| format!("j{n}"))))),
+        ("roots", file(&(0..size).map(|n| joint("ROOT", &format!("r{n}"), "")).collect::<String>())),
+        ("a chain with leaves", file(&root(&chain))),
+        ("equal names", file(&root(&leaves(&|_| "foot".into())))),
+        ("long names", file(&root(&leaves(&|n| format!("{n}{}", "x".repeat(300)))))),
+        ("one long name", file(&joint("ROOT", &"x".repeat(100 * size), ""))),
+        ("joints on one line", file(&root(&leaves(&|n| format!("j{n}"))).replace('\n', " ")).to_vec()),
+        ("repeated offsets", file(&joint("ROOT", &"x".repeat(10 * size), &short))),
+        ("missing offsets", file(&root(&leaves(&|n| format!("j{n}"))).replace("OFFSET 1 2 3\n", ""))),
+        ("wrong channel counts", file(&root(&leaves(&|n| format!("j{n}"))).replace("S 3 Z", "S 5 Z"))),
+    ]
+}
+
+#[test]
+fn memory_is_in_proportion_to_the_file() {
+    let _measuring = MEASURING.lock();
+    let overrides = Overrides::default();
+    for ((shape, small), (_, large)) in shapes(400).into_iter().zip(shapes(2000)) {
+        let per_byte = [small, large].map(|file| {
+            let before = ALLOCATOR.current_usage();
+            ALLOCATOR.reset_peak_usage();
+            let parsed =
+                bvh::parse(&file, Options::default()).unwrap_or_else(|error| panic!("{shape}: {error}"));
+            assert!(!Skeleton::all(&parsed.clip, &overrides).is_empty());
+            (ALLOCATOR.peak_usage() - before) as f64 / file.len() as f64
+        });
+        println!("{shape}: {:.1} and {:.1} bytes per byte", per_byte[0], per_byte[1]);
+        assert!(per_byte.iter().all(|&ratio| ratio < 200.0), "{shape}: {per_byte:?}");
+        assert!(per_byte[1] < 1.5 * per_byte[0] + 1.0, "{shape} grows faster than the file: {per_byte:?}");
+    }
+}
