@@ -1,6 +1,6 @@
 /** A pool of workers that take jobs from one queue. */
 
-import { isTrap } from "./worker-handle";
+import { isFatal } from "../model/failure";
 
 interface PoolWorker<Calls> {
   calls: Calls;
@@ -65,7 +65,7 @@ export function createPool<Calls>(
     try {
       resolve(await Promise.race([job(worker.calls), stopped]));
     } catch (error) {
-      if (isTrap(error)) isReusable = false;
+      if (isFatal(error)) isReusable = false;
       reject(error);
     }
     signal?.removeEventListener("abort", abort);
