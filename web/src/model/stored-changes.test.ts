@@ -1,6 +1,14 @@
 import { expect, test } from "vitest";
 import type { StoredChanges } from "./batch";
-import { isConflict, mergeChanges, mergeLists, nextRecord, noChanges, parseRecord, sameChanges } from "./stored-changes";
+import {
+  isConflict,
+  mergeChanges,
+  mergeLists,
+  nextRecord,
+  noChanges,
+  parseRecord,
+  sameChanges,
+} from "./stored-changes";
 import type { Edit } from "./types";
 
 const edit = (start: number, planted = true, side: "left" | "right" = "left"): Edit => ({

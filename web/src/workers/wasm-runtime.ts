@@ -1,6 +1,6 @@
 /** Functions shared by the workers: starting the wasm module, reading a clip, reporting failures. */
 
-import { failureOf, messageOf, WorkerError } from "../model/failure";
+import { failureOf, WorkerError } from "../model/failure";
 import type { Failure, OnProgress } from "../model/types";
 import init, { type WasmClip, WasmReader } from "../wasm/plantigrade";
 import { readChunks } from "./read-blob";
@@ -14,9 +14,12 @@ export const wasmReady = new Promise<WebAssembly.Module>((resolve) => {
   resolveModule = resolve;
 })
   .then((module) => init({ module_or_path: module }))
-  .catch((error) => {
-    throw new WorkerError(`its module could not be started: ${messageOf(error)}`);
+  .catch((error: Error) => {
+    throw new WorkerError(`its module could not be started: ${error.message}`);
   });
+
+// Each call reports the failure; a worker without a call does not.
+wasmReady.catch(() => {});
 
 export function startWasm(module: WebAssembly.Module) {
   resolveModule(module);
