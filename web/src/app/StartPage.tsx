@@ -2,6 +2,7 @@ import { openSample } from "../actions/open";
 import { pickFiles } from "../actions/pick-files";
 import { type Sample, samples } from "../actions/samples";
 import { maxFileBytes } from "../model/limits";
+import { ThirdPartyLink } from "./ThirdParty";
 
 /** The page without a clip. A sample plays in the background; files can be dropped anywhere. */
 export function StartPage() {
@@ -30,6 +31,9 @@ export function StartPage() {
           </ul>
         </div>
       )}
+      <p class="start-foot">
+        <ThirdPartyLink />
+      </p>
     </section>
   );
 }
