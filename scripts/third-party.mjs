@@ -170,6 +170,15 @@ export function noticesText(packages, subject) {
   return `${intro(subject)}\n\n${groups.join(`\n${"-".repeat(80)}\n\n`)}`;
 }
 
+/** Returns the licence that all packages of a group have in common, MIT if they can choose it. */
+function titleOf(packages) {
+  const lists = packages.map(({ licence }) => licence.match(/[\w.-]+/g) ?? []);
+  const common = (lists[0] ?? []).filter(
+    (name) => !/^(AND|OR|WITH)$/.test(name) && lists.every((list) => list.includes(name)),
+  );
+  return common.includes("MIT") ? "MIT" : common.join(" and ");
+}
+
 const escapeHtml = (text) =>
   text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 
@@ -180,9 +189,8 @@ export function noticesHtml(packages, subject) {
       const lines = copyright.map((line) => `<br>${escapeHtml(line)}`).join("");
       return `<li><b>${escapeHtml(name)}</b> ${escapeHtml(version)} (${escapeHtml(licence)})${lines}</li>`;
     });
-    const title = [...new Set(packages.map(({ licence }) => licence))].slice(0, 3).join(", ");
     return `<section>
-<h2>${escapeHtml(title)}</h2>
+<h2>${escapeHtml(titleOf(packages))}</h2>
 <ul>
 ${items.join("\n")}
 </ul>

@@ -19,21 +19,21 @@ export function StartPage() {
           </span>
         </p>
       </div>
-      {samples.length > 0 && (
-        <div class="gallery">
-          <h2>Or start with a sample</h2>
-          <ul>
-            {samples.map((sample) => (
-              <li key={sample.name}>
-                <SampleCard sample={sample} />
-              </li>
-            ))}
-          </ul>
-        </div>
-      )}
-      <p class="start-foot">
+      <div class="start-end">
+        {samples.length > 0 && (
+          <div class="gallery">
+            <h2>Or start with a sample</h2>
+            <ul>
+              {samples.map((sample) => (
+                <li key={sample.name}>
+                  <SampleCard sample={sample} />
+                </li>
+              ))}
+            </ul>
+          </div>
+        )}
         <ThirdPartyLink />
-      </p>
+      </div>
     </section>
   );
 }

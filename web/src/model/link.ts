@@ -45,11 +45,11 @@ export function downloadUrl(address: string, page: string): URL {
   const shown = `“${address.slice(0, 80)}${address.length > 80 ? "…" : ""}”`;
   if (!address.trim()) throw fail("The link contains no address of a clip.");
   const isAbsolute = /^\s*[a-z][a-z0-9+.-]*:/i.test(address);
-  const url = URL.parse(address, isAbsolute ? undefined : page);
+  const url = parseUrl(address, isAbsolute ? undefined : page);
   if (!url) throw fail(`The address in the link, ${shown}, is not valid.`);
   if (!/^https?:$/.test(url.protocol))
     throw fail(
-      `The address in the link, ${shown}, starts with ${url.protocol} Only https and http addresses can be downloaded.`,
+      `The address in the link, ${shown}, starts with “${url.protocol}”. Only https and http addresses can be downloaded.`,
     );
   if (url.username || url.password)
     throw fail(
@@ -61,10 +61,19 @@ export function downloadUrl(address: string, page: string): URL {
 /** Returns the file name at the end of a URL, or the host if there is none. */
 export function fileNameOfUrl(url: string): string {
   try {
-    const { pathname, hostname } = new URL(url);
+    const { protocol, pathname, hostname } = new URL(url);
+    if (!/^https?:$/.test(protocol)) return "The link";
     return decode(pathname.split("/").pop() ?? "") || hostname || url;
   } catch {
     return url || "The link";
+  }
+}
+
+function parseUrl(address: string, base?: string): URL | undefined {
+  try {
+    return new URL(address, base);
+  } catch {
+    return undefined;
   }
 }
 

@@ -23,13 +23,13 @@ export function PlantEditor() {
         <HistoryButton id="undo" />
         <HistoryButton id="redo" />
       </div>
+      <StorageNotices />
       {selection.value ? (
         <SelectedPlant />
       ) : (
         <p class="note">Select a bar on the timeline or a plant in the list to edit it.</p>
       )}
       <AddPlant />
-      <StorageNotices />
     </div>
   );
 }
