@@ -1,6 +1,7 @@
 /** Workers that end, trap or do not start: the page says so, goes on, and preserves edits. */
 
 import type { Page } from "@playwright/test";
+import { unzipSync } from "fflate";
 import { type App, expect, test } from "./app";
 import { sample } from "./clips";
 import { readLabels } from "./labels";
@@ -10,39 +11,46 @@ const plants = async (app: App) => readLabels(await app.save("Labels")).left.con
 /** A method of the worker API, at whose call the worker is ended. */
 type Moment = "start" | "open" | "detect" | "segment" | "edit" | "save" | "summarize" | "unpack";
 
-/** Ends one worker without any event, as a browser does that lacks memory. */
-async function endWorker(page: Page, moment: Moment) {
-  await page.addInitScript((moment) => {
-    let isEnded = false;
-    let count = 0;
-    const Real = globalThis.Worker;
-    globalThis.Worker = class extends Real {
-      constructor(url: string | URL, options?: WorkerOptions) {
-        super(url, options);
-        count++;
-        if (moment === "start" && !isEnded) this.terminate();
-        isEnded ||= moment === "start";
-      }
-      override postMessage(message: { path?: string[] }, options?: object) {
-        if (message.path?.[0] !== moment || isEnded) {
-          super.postMessage(message, options);
-          return;
+/**
+ * Ends one worker without any event, as a browser does that lacks memory: at a call of a method,
+ * after `skipped` other calls of it.
+ */
+async function endWorker(page: Page, moment: Moment, skipped = 0) {
+  await page.addInitScript(
+    ([moment, skipped]) => {
+      let left = skipped;
+      let isEnded = false;
+      let count = 0;
+      const Real = globalThis.Worker;
+      globalThis.Worker = class extends Real {
+        constructor(url: string | URL, options?: WorkerOptions) {
+          super(url, options);
+          count++;
+          if (moment === "start" && !isEnded) this.terminate();
+          isEnded ||= moment === "start";
         }
-        isEnded = true;
-        void this.terminateWhenStarted();
-      }
-      /** The page knows of the end of workers that have started; the others time out. */
-      async terminateWhenStarted() {
-        const name = (lock: LockInfo) => lock.name?.startsWith("plantigrade:worker:");
-        for (;;) {
-          const { pending = [] } = await navigator.locks.query();
-          if (pending.filter(name).length === count) break;
-          await new Promise(requestAnimationFrame);
+        override postMessage(message: { path?: string[] }, options?: object) {
+          if (message.path?.[0] !== moment || isEnded || left-- > 0) {
+            super.postMessage(message, options);
+            return;
+          }
+          isEnded = true;
+          void this.terminateWhenStarted();
         }
-        this.terminate();
-      }
-    };
-  }, moment);
+        /** The page knows of the end of workers that have started; the others time out. */
+        async terminateWhenStarted() {
+          const name = (lock: LockInfo) => lock.name?.startsWith("plantigrade:worker:");
+          for (;;) {
+            const { pending = [] } = await navigator.locks.query();
+            if (pending.filter(name).length === count) break;
+            await new Promise(requestAnimationFrame);
+          }
+          this.terminate();
+        }
+      };
+    },
+    [moment, skipped] as const,
+  );
 }
 
 /** Waits until no worker exists. */
@@ -207,4 +215,23 @@ test("goes on with a batch, and processes the failed file again", async ({ app, 
   await expect(page.getByRole("row").filter({ hasText: "the worker was ended" })).toHaveCount(0);
   await expect(page.getByText(/^All processed/)).toBeVisible();
   await expect(page.getByRole("row").filter({ hasText: /\d Hz/ })).toHaveCount(3);
+});
+
+test("saves a complete archive after a worker ended while it was written", async ({
+  app,
+  page,
+}) => {
+  await endWorker(page, "summarize", 4);
+  await app.openStartPage();
+  await app.drop(sample("curved-walk"), sample("bowling"), sample("frog-jumps"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  await page.getByRole("button", { name: /^Save all/ }).click();
+  await expect(app.alert).toContainText("labels.zip could not be saved");
+  const saved = await app.download(() =>
+    app.alert.getByRole("button", { name: "Try again" }).click(),
+  );
+  const labels = ["curved-walk", "bowling", "frog-jumps"].map((name) => `${name}.plants.json`);
+  expect(Object.keys(unzipSync(saved.bytes))).toEqual(expect.arrayContaining(labels));
+  // Each name is twice in an archive: with the file, and in the list of files.
+  for (const name of labels) expect(saved.text.split(name)).toHaveLength(3);
 });

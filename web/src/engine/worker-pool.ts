@@ -1,7 +1,5 @@
 /** A pool of workers that take jobs from one queue. */
 
-import { isFatal } from "../model/failure";
-
 interface PoolWorker<Calls> {
   calls: Calls;
   stop: () => void;
@@ -17,6 +15,15 @@ interface QueuedJob<Calls> {
   resolve: (value: unknown) => void;
   reject: (reason: unknown) => void;
   signal: AbortSignal | undefined;
+}
+
+/** A worker that is busy or idle. */
+interface Slot<Calls> {
+  worker: PoolWorker<Calls>;
+  /** Called when the worker breaks. */
+  onBroken: (reason: Error) => void;
+  /** Stops the worker when it has been idle for long. */
+  timeout?: ReturnType<typeof setTimeout>;
 }
 
 /** Time after which an idle worker is stopped to free its memory. */
@@ -35,7 +42,7 @@ export function createPool<Calls>(
   size = poolSize(),
 ): Pool<Calls> {
   const queue: QueuedJob<Calls>[] = [];
-  const idle: { worker: PoolWorker<Calls>; timeout: ReturnType<typeof setTimeout> }[] = [];
+  const idle: Slot<Calls>[] = [];
   let busy = 0;
 
   function next() {
@@ -45,6 +52,11 @@ export function createPool<Calls>(
       if (queued.signal?.aborted) queued.reject(queued.signal.reason);
       else void runJob(queued);
     }
+  }
+
+  function startSlot(): Slot<Calls> {
+    const slot: Omit<Slot<Calls>, "worker"> = { onBroken: () => {} };
+    return Object.assign(slot, { worker: start((reason) => slot.onBroken(reason)) });
   }
 
   async function runJob({ job, resolve, reject, signal }: QueuedJob<Calls>) {
@@ -59,31 +71,32 @@ export function createPool<Calls>(
     });
     const abort = () => stop(signal?.reason);
     signal?.addEventListener("abort", abort, { once: true });
-    const reused = idle.pop();
-    clearTimeout(reused?.timeout);
-    const worker = reused?.worker ?? start((reason) => stop(reason));
+    const slot = idle.pop() ?? startSlot();
+    clearTimeout(slot.timeout);
+    slot.onBroken = stop;
     try {
-      resolve(await Promise.race([job(worker.calls), stopped]));
+      resolve(await Promise.race([job(slot.worker.calls), stopped]));
     } catch (error) {
-      if (isFatal(error)) isReusable = false;
+      // The worker may be in any state, such as in the middle of an archive.
+      isReusable = false;
       reject(error);
     }
     signal?.removeEventListener("abort", abort);
-    if (isReusable) retain(worker);
-    else worker.stop();
+    if (isReusable) retain(slot);
+    else slot.worker.stop();
     busy--;
     next();
   }
 
-  function retain(worker: PoolWorker<Calls>) {
-    const timeout = setTimeout(() => {
-      idle.splice(
-        idle.findIndex((other) => other.worker === worker),
-        1,
-      );
-      worker.stop();
-    }, idleTimeoutMs);
-    idle.push({ worker, timeout });
+  function retain(slot: Slot<Calls>) {
+    const remove = () => {
+      clearTimeout(slot.timeout);
+      idle.splice(idle.indexOf(slot), 1);
+      slot.worker.stop();
+    };
+    slot.onBroken = remove;
+    slot.timeout = setTimeout(remove, idleTimeoutMs);
+    idle.push(slot);
   }
 
   return {
