@@ -1,12 +1,11 @@
 /** Edits survive reloads, other tabs, full storage, and records of other versions or damaged ones. */
 
-import { createHash } from "node:crypto";
 import { App, expect, test } from "./app";
 import { sample } from "./clips";
 import { type Labels, readLabels } from "./labels";
+import { keyOf, storeRecord } from "./stored-records";
 
-const hash = createHash("sha256").update(sample("curved-walk").buffer).digest("hex");
-const key = `plantigrade:clip:${hash}`;
+const key = keyOf(sample("curved-walk"));
 
 const contact = async (app: App, side: "left" | "right" = "left") => {
   const labels: Labels = readLabels(await app.save("Labels"));
@@ -36,7 +35,7 @@ async function otherTab(app: App): Promise<App> {
 /** Opens the clip after its record was stored. */
 async function openWithRecord(app: App, text: string) {
   await app.page.goto(app.site.home);
-  await app.page.evaluate(([key, text]) => localStorage.setItem(key, text), [key, text] as const);
+  await storeRecord(app, sample("curved-walk"), text);
   await app.openSample("curved-walk");
 }
 
@@ -268,7 +267,7 @@ for (const [reason, error, message] of [
 
 test("tells that the stored edits of a clip in the table cannot be read", async ({ app, page }) => {
   await page.goto(app.site.home);
-  await page.evaluate((key) => localStorage.setItem(key, "{"), key);
+  await storeRecord(app, sample("curved-walk"), "{");
   await app.openStartPage();
   await app.drop(sample("curved-walk"), sample("bowling"));
   await expect(page.getByText(/^All processed/)).toBeVisible();

@@ -39,6 +39,7 @@ test.each([
   ["evil\u202efdp.bvh", "evil_fdp.bvh"],
   ["walk. . .", "walk"],
   ["  walk", "walk"],
+  ["-rf.bvh", "_rf.bvh"],
   ["CON", "_CON"],
   ["con.bvh", "_con.bvh"],
   ["Nul .txt", "_Nul .txt"],

@@ -31,6 +31,8 @@ export function safeFileName(name: string): string {
     .toWellFormed()
     .replace(unsafeCharacters, "_")
     .replace(/^\s+|[\s.]+$/g, "")
+    // Commands take such a name for an option.
+    .replace(/^-/, "_")
     .replace(reservedName, "_$1");
   return shorten(clean) || "clip";
 }
