@@ -22,12 +22,17 @@ export const readUnsaved = (key: string): StoredRecord => parseRecord(unsaved.ge
 
 export function writeText(key: string, text: string) {
   localStorage.setItem(key, text);
-  unsaved.delete(key);
+  dropUnsaved(key);
 }
 
 /** Keeps a record that could not be stored. */
 export function keepUnsaved(key: string, text: string) {
   unsaved.set(key, text);
+}
+
+/** Forgets a record that could not be stored. */
+export function dropUnsaved(key: string) {
+  unsaved.delete(key);
 }
 
 /** Copies a text to another key, so that its own key can be written. */

@@ -19,11 +19,14 @@ const edit = (start: number): Edit => ({
 const key = "plantigrade:clip:abc";
 const stored = () => JSON.parse(localStorage.getItem(key) ?? "null");
 
-beforeEach(() => {
-  localStorage.clear();
+const openClip = () =>
   openSession(
     new ClipSession(createWalkingClip("walk.bvh"), { name: "walk.bvh", data: new Blob() }),
   );
+
+beforeEach(() => {
+  localStorage.clear();
+  openClip();
 });
 
 test("merges edits that were made before the hash of the file was known", async () => {
@@ -66,4 +69,21 @@ test("stores nothing for clips that are not edited", async () => {
   vi.spyOn(engine, "hash").mockResolvedValue("abc");
   await restorePersisted();
   expect(stored()).toBeNull();
+});
+
+test("forgets edits that could not be stored once they are undone", async () => {
+  vi.spyOn(engine, "hash").mockResolvedValue("abc");
+  await restorePersisted();
+  const setItem = () => {
+    throw new DOMException("full", "QuotaExceededError");
+  };
+  vi.stubGlobal("localStorage", { getItem: () => null, setItem });
+  await commitEdits([edit(0)], "");
+  expect(session.value.persistError.value).toContain("is full");
+  undo();
+  expect(session.value.persistError.value).toBe("");
+  vi.unstubAllGlobals();
+  openClip();
+  await restorePersisted();
+  expect(session.value.edits.value).toEqual([]);
 });

@@ -25,6 +25,7 @@ import { announcement } from "../store/view";
 import { stemOf } from "../util/file-names";
 import {
   deleteUnreadable,
+  dropUnsaved,
   hasUnsaved,
   keepUnsaved,
   keyOfHash,
@@ -99,27 +100,25 @@ class StoredSession {
     const { clipSession, key } = this;
     this.last = { ...initial, revision: "", ancestors: [] };
     this.known.set("", initial);
+    const { signal } = clipSession;
+    const onStorage = (event: StorageEvent) => {
+      if (event.key === key) void this.receive(event.newValue, { notify: true });
+    };
+    addEventListener("storage", onStorage, { signal });
     await this.take(initial, noChanges);
     try {
+      clipSession.unreadable.value = unreadableRecords(key);
       await this.receive(readText(key), { notify: false });
     } catch {
       // Storage is denied, which is reported when something has to be stored.
     }
     const unsaved = readUnsaved(key);
     if (unsaved.kind === "valid") await this.take(unsaved.record, this.baseOf(unsaved.record));
-    if (clipSession.signal.aborted) return;
-    const { signal } = clipSession;
-    addEventListener(
-      "storage",
-      (event) => {
-        if (event.key === key) void this.receive(event.newValue, { notify: true });
-      },
-      { signal },
-    );
-    signal.addEventListener(
-      "abort",
-      effect(() => this.save()),
-    );
+    if (!signal.aborted)
+      signal.addEventListener(
+        "abort",
+        effect(() => this.save()),
+      );
   }
 
   /** Returns the newest changes that a record and this page have in common. */
@@ -142,8 +141,10 @@ class StoredSession {
     const { clipSession } = this;
     const stored = parseRecord(text);
     if (stored.kind === "none" || text === this.lastText) return;
-    clipSession.unreadable.value = unreadableRecords(this.key);
-    if (stored.kind !== "valid") return;
+    if (stored.kind !== "valid") {
+      clipSession.unreadable.value = unreadableRecords(this.key);
+      return;
+    }
     const { record } = stored;
     const base = this.baseOf(record);
     const mine = changesOf(clipSession);
@@ -174,6 +175,7 @@ class StoredSession {
   private save() {
     const { clipSession, key } = this;
     if (sameChanges(changesOf(clipSession), this.last)) {
+      dropUnsaved(key);
       clipSession.persistError.value = "";
       return;
     }
