@@ -57,7 +57,9 @@ for (const [address, message] of [
     await expect(app.alert).toContainText("could not be opened");
     await expect(app.alert).toContainText(message);
     await expect(app.alert).toContainText("#url=https://example.org/walk.bvh");
-    await expect(app.alert.getByRole("heading")).toHaveText(/^(The link|http\S+) could not/);
+    await expect(app.alert.getByRole("heading")).toHaveText(
+      /^(The link|http\S+|walk\.bvh) could not/,
+    );
     await expect(page.getByRole("button", { name: "Open a file" })).toBeVisible();
   });
 }

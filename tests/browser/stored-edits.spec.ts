@@ -266,9 +266,8 @@ for (const [reason, error, message] of [
 }
 
 test("tells that the stored edits of a clip in the table cannot be read", async ({ app, page }) => {
-  await page.goto(app.site.home);
-  await storeRecord(app, sample("curved-walk"), "{");
   await app.openStartPage();
+  await storeRecord(app, sample("curved-walk"), "{");
   await app.drop(sample("curved-walk"), sample("bowling"));
   await expect(page.getByText(/^All processed/)).toBeVisible();
   await expect(page.getByRole("row", { name: /curved-walk/ })).toContainText("cannot be read");
