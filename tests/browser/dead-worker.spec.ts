@@ -1,7 +1,7 @@
 /** Workers that end, trap or do not start: the page says so, goes on, and preserves edits. */
 
 import type { Page } from "@playwright/test";
-import { unzipSync } from "fflate";
+import { unzipSync, zipSync } from "fflate";
 import { type App, expect, test } from "./app";
 import { sample } from "./clips";
 import { readLabels } from "./labels";
@@ -19,7 +19,8 @@ async function endWorker(page: Page, moment: Moment, skipped = 0) {
   await page.addInitScript(
     ([moment, skipped]) => {
       let left = skipped;
-      let isEnded = false;
+      // Not again after a reload.
+      let isEnded = sessionStorage.getItem("ended") !== null;
       let count = 0;
       const Real = globalThis.Worker;
       globalThis.Worker = class extends Real {
@@ -35,6 +36,7 @@ async function endWorker(page: Page, moment: Moment, skipped = 0) {
             return;
           }
           isEnded = true;
+          sessionStorage.setItem("ended", "");
           void this.terminateWhenStarted();
         }
         /** The page knows of the end of workers that have started; the others time out. */
@@ -215,6 +217,16 @@ test("goes on with a batch, and processes the failed file again", async ({ app, 
   await expect(page.getByRole("row").filter({ hasText: "the worker was ended" })).toHaveCount(0);
   await expect(page.getByText(/^All processed/)).toBeVisible();
   await expect(page.getByRole("row").filter({ hasText: /\d Hz/ })).toHaveCount(3);
+});
+
+test("reports a worker that ends while it unpacks an archive", async ({ app, page }) => {
+  await endWorker(page, "unpack");
+  await app.openStartPage();
+  const bytes = zipSync({ "walk.bvh": new Uint8Array(sample("curved-walk").buffer) });
+  await app.drop({ name: "walks.zip", mimeType: "", buffer: Buffer.from(bytes) });
+  await expect(app.alert).toContainText("walks.zip could not be opened");
+  await app.alert.getByRole("button", { name: "Try again" }).click();
+  await app.waitForClip("walk.bvh");
 });
 
 test("saves a complete archive after a worker ended while it was written", async ({

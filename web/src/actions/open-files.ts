@@ -25,7 +25,7 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
     return;
   }
   const [error] = errors;
-  if (error) reportOpenFailure(error.name, error.failure);
+  if (error) reportOpenFailure(error.name, error.failure, { retry: () => void openFiles(dropped) });
   if (clip) {
     if (!(await openSource(clip))) return;
     tableVisible.value = false;

@@ -61,13 +61,9 @@ export function createPool<Calls>(
 
   async function runJob({ job, resolve, reject, signal }: QueuedJob<Calls>) {
     busy++;
-    let isReusable = true;
     let stop: (reason: unknown) => void = () => {};
     const stopped = new Promise<never>((_, rejectStopped) => {
-      stop = (reason) => {
-        isReusable = false;
-        rejectStopped(reason);
-      };
+      stop = rejectStopped;
     });
     const abort = () => stop(signal?.reason);
     signal?.addEventListener("abort", abort, { once: true });
@@ -76,14 +72,13 @@ export function createPool<Calls>(
     slot.onBroken = stop;
     try {
       resolve(await Promise.race([job(slot.worker.calls), stopped]));
+      retain(slot);
     } catch (error) {
       // The worker may be in any state, such as in the middle of an archive.
-      isReusable = false;
+      slot.worker.stop();
       reject(error);
     }
     signal?.removeEventListener("abort", abort);
-    if (isReusable) retain(slot);
-    else slot.worker.stop();
     busy--;
     next();
   }
