@@ -3,10 +3,12 @@
 import { join } from "node:path";
 import { main, root, run, step } from "./run.mjs";
 import { setup } from "./setup.mjs";
+import { writeSiteNotices } from "./third-party.mjs";
 
 /** Builds the site; requires the wasm module. */
 export async function buildSite() {
   step("Building the site");
+  writeSiteNotices();
   await run(process.execPath, [
     join(root, "node_modules/vite/bin/vite.js"),
     "build",

@@ -4,6 +4,7 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "no
 import { join } from "node:path";
 import { main, root, run, step } from "./run.mjs";
 import { setup } from "./setup.mjs";
+import { noticesText, wasmPackages } from "./third-party.mjs";
 
 /** Folder of the built package. */
 const folder = join(root, "target/npm");
@@ -24,6 +25,10 @@ export async function buildPackage() {
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) {
     copyFileSync(join(root, name), join(folder, name));
   }
+  writeFileSync(
+    join(folder, "THIRD-PARTY.txt"),
+    noticesText(wasmPackages(), "The WebAssembly module of Plantigrade"),
+  );
   const options = ["--target", "es2023", "--module", "nodenext", "--lib", "es2023,dom,esnext"];
   const strict = ["--strict", "--declaration", "--types", "node", "--typeRoots"];
   await run(process.execPath, [

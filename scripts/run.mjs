@@ -67,7 +67,12 @@ export function run(program, args, options = {}) {
 
 /** Returns the output of a program, or undefined if it does not exist or fails. */
 export function ask(program, args, input = "") {
-  const { status, stdout } = spawnSync(program, args, { cwd: root, encoding: "utf8", input });
+  const { status, stdout } = spawnSync(program, args, {
+    cwd: root,
+    encoding: "utf8",
+    input,
+    maxBuffer: 2 ** 28,
+  });
   return status === 0 ? stdout.trim() : undefined;
 }
 

@@ -13,7 +13,8 @@ const WASM = "wasm32-unknown-unknown";
 
 const node = (script, ...args) =>
   run(process.execPath, [join(root, "node_modules", script), ...args]);
-const nodeTest = (file) => run(process.execPath, ["--test", join(root, file)]);
+const nodeTest = (...files) =>
+  run(process.execPath, ["--test", ...files.map((file) => join(root, file))]);
 const cargo = (args, env) => run("cargo", args, { source: CRATES, env });
 
 /** Each check by name: its title, and a function that runs it and returns its output. */
@@ -36,7 +37,10 @@ const checks = {
         "web/src",
       ),
   ],
-  scripts: ["Scripts", () => nodeTest("tests/scripts/counts.test.mjs")],
+  scripts: [
+    "Scripts",
+    () => nodeTest("tests/scripts/counts.test.mjs", "tests/scripts/third-party.test.mjs"),
+  ],
   core: [
     "Core, samples and command line",
     () =>

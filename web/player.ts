@@ -7,7 +7,8 @@ import { createHash } from "node:crypto";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { build, type Plugin } from "vite";
-import { blockIds } from "./src/model/player-html.ts";
+import { blockIds, noticesId } from "./src/model/player-html.ts";
+import { checkNotices, noticesText } from "./third-party.ts";
 
 const moduleId = "virtual:player";
 
@@ -48,9 +49,9 @@ async function buildPage(): Promise<string> {
     root: import.meta.dirname,
     logLevel: "warn",
     publicDir: false,
-    plugins: [singleFilePlugin()],
+    plugins: [singleFilePlugin(), checkNotices()],
     oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-    worker: { format: "iife", plugins: () => [singleFilePlugin()] },
+    worker: { format: "iife", plugins: () => [singleFilePlugin(), checkNotices()] },
     build: {
       write: false,
       assetsInlineLimit: Number.POSITIVE_INFINITY,
@@ -137,7 +138,9 @@ function toHtml(code: string, style: string): string {
 <body>
 <div id="app"></div>
 <noscript>This page requires JavaScript. It shows a clip on this computer and sends no data.</noscript>
-${blocks.join("")}<script type="module">${script}</script>
+${blocks.join("")}<script type="text/plain" id="${noticesId}">
+${noticesText().replace(/<(?=[/!])/g, "(")}</script>
+<script type="module">${script}</script>
 </body>
 </html>
 `;

@@ -2,6 +2,7 @@ import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
 import { offline } from "./offline.ts";
 import { player } from "./player.ts";
+import { checkNotices, noticesPage } from "./third-party.ts";
 
 /** Content security policy of the built page. `https:` allows clips of `#url=` links. */
 const policy = [
@@ -33,9 +34,9 @@ export default defineConfig({
   root: import.meta.dirname,
   base: "./",
   cacheDir: "../node_modules/.vite",
-  plugins: [contentSecurityPolicy, player(), offline()],
+  plugins: [contentSecurityPolicy, player(), noticesPage(), checkNotices(), offline()],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-  worker: { format: "es" },
+  worker: { format: "es", plugins: () => [checkNotices()] },
   build: {
     outDir: "dist",
     emptyOutDir: true,

@@ -1,6 +1,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import { type App, expect, test } from "./app";
-import { bad, clip, file, good } from "./clips";
+import { bad, clip, file, good, sample } from "./clips";
+import { storeRecord } from "./stored-records";
 
 /** States of the page, and functions that reach them. */
 const states: Record<string, (app: App) => Promise<void>> = {
@@ -78,6 +79,27 @@ const states: Record<string, (app: App) => Promise<void>> = {
     await app.tab("Labels");
     await app.page.keyboard.press("e");
     await app.page.keyboard.press("k");
+  },
+  "messages on the storage of edits": async (app) => {
+    await app.page.goto(app.site.home);
+    await storeRecord(app, sample("curved-walk"), "{");
+    await app.openSample("curved-walk");
+    await app.timeline.getByRole("button", { name: "Details" }).click();
+    await expect(app.panel).toContainText("damaged and cannot be read");
+  },
+  "a detection that failed": async (app) => {
+    await app.page.addInitScript(() => {
+      const { postMessage } = Worker.prototype;
+      Worker.prototype.postMessage = function (message: { path?: string[] }, ...rest: never[]) {
+        if (message.path?.[0] === "detect") this.dispatchEvent(new ErrorEvent("error"));
+        else postMessage.call(this, message, ...rest);
+      };
+    });
+    await app.page.goto(`${app.site.home}#sample=bowling`);
+    await expect(app.timeline.getByRole("button", { name: "Try again" })).toBeVisible();
+  },
+  "the notices of third-party software": async (app) => {
+    await app.page.goto(`${app.site.home}third-party.html`);
   },
   "a skeleton without motion": (app) => app.openFile(good("no-motion")),
 };

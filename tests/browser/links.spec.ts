@@ -37,3 +37,29 @@ test("reports the host of a link that cannot be reached", async ({ app, page }) 
   await expect(app.alert).toContainText("walk.bvh could not be opened");
   await expect(app.alert).toContainText("plantigrade.invalid");
 });
+
+for (const [address, message] of [
+  ["javascript:alert(document.domain)", "starts with “javascript:”"],
+  ["java%09script:alert(1)", "starts with “javascript:”"],
+  ["data:text/plain,HIERARCHY", "starts with “data:”"],
+  ["blob:https://example.org/walk", "starts with “blob:”"],
+  ["file:///etc/passwd", "starts with “file:”"],
+  ["about:blank", "starts with “about:”"],
+  ["ftp://example.org/walk.bvh", "starts with “ftp:”"],
+  ["https://", "is not valid"],
+  ["https:", "is not valid"],
+  ["http://[::1/walk.bvh", "is not valid"],
+  ["https://name:secret@example.org/walk.bvh", "user name or a password"],
+  ["", "contains no address"],
+] as const) {
+  test(`explains why a link cannot be opened: ${address || "empty"}`, async ({ app, page }) => {
+    await page.goto(`${app.site.home}#url=${address}`);
+    await expect(app.alert).toContainText("could not be opened");
+    await expect(app.alert).toContainText(message);
+    await expect(app.alert).toContainText("#url=https://example.org/walk.bvh");
+    await expect(app.alert.getByRole("heading")).toHaveText(
+      /^(The link|http\S+|walk\.bvh) could not/,
+    );
+    await expect(page.getByRole("button", { name: "Open a file" })).toBeVisible();
+  });
+}

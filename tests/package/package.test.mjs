@@ -101,3 +101,11 @@ test("exports public types only", () => {
   assert.match(types, /static read\(bytes: Uint8Array/);
   assert.doesNotMatch(types, /constructor\(clip: WasmClip/);
 });
+
+test("contains the licences of the software in its module", () => {
+  const notices = readFileSync(join(project, "node_modules/plantigrade/THIRD-PARTY.txt"), "utf8");
+  for (const name of ["nalgebra", "wasm-bindgen", "Rust standard library"]) {
+    assert.ok(notices.includes(`\n${name} `), name);
+  }
+  assert.match(notices, /Permission is hereby granted/);
+});

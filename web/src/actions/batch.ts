@@ -3,17 +3,18 @@
 import { batch } from "@preact/signals";
 import * as Comlink from "comlink";
 import { batchWorkers, type CallOptions, zipWorkers } from "../engine";
-import type { BatchRequest } from "../model/batch";
+import type { BatchRequest, ClipSummary } from "../model/batch";
+import { failureOf } from "../model/failure";
 import { fileTooLarge, maxFileBytes } from "../model/limits";
 import type { Source } from "../model/source";
 import { tableCsv } from "../model/table";
 import { type BatchRow, batchRequest, batchRows, tableVisible } from "../store/batch";
-import { type ErrorReport, messageOf } from "../store/errors";
+import type { ErrorReport } from "../store/errors";
 import { runJob } from "../store/jobs";
 import { detectOptions, segmentOptions } from "../store/settings";
 import { announcement } from "../store/view";
-import { stemOf, uniqueNames } from "../util/file-names";
-import { compareWith } from "./compare";
+import { safeFileName, stemOf, uniqueNames } from "../util/file-names";
+import { compareWithAll } from "./compare";
 import { download } from "./download";
 import { openSource } from "./open";
 import { storedChangesOf } from "./persist";
@@ -62,6 +63,14 @@ export async function rerunBatch() {
   await resumeBatch();
 }
 
+/** Processes the clips again on which the program failed. */
+export async function retryFailed() {
+  batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
+    row.failure?.canRetry ? { number, source, status: "waiting" } : { number, source, ...row },
+  );
+  await resumeBatch();
+}
+
 async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortSignal) {
   const { name, data } = row.source;
   if (data.size > maxFileBytes) {
@@ -77,14 +86,20 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
     updateRow(
       row,
       result.ok
-        ? { status: "done", summary: result.summary }
+        ? { status: "done", summary: withNotices(result.summary, row.source) }
         : { status: "failed", failure: result.failure },
     );
   } catch (error) {
     if (signal.aborted) return;
-    updateRow(row, { status: "failed", failure: { message: messageOf(error) } });
+    updateRow(row, { status: "failed", failure: failureOf(error) });
   }
 }
+
+/** Adds the notices of the source, which the worker does not know. */
+const withNotices = (summary: ClipSummary, { notices = [] }: Source): ClipSummary => ({
+  ...summary,
+  notices: summary.notices + notices.length,
+});
 
 /** Pending updates; they are collected so that a table of a thousand rows is rendered once for all. */
 const updates = new Map<number, Partial<BatchRow>>();
@@ -115,7 +130,7 @@ export function stopBatch() {
 export async function openRow({ source }: BatchRow): Promise<void> {
   if (!(await openSource(source))) return;
   tableVisible.value = false;
-  for (const { name, data } of source.labels ?? []) await compareWith(name, data);
+  await compareWithAll(source.labels ?? []);
 }
 
 /** Downloads labels and segments of all clips, and the table, in one archive. */
@@ -125,7 +140,7 @@ export async function exportAll(): Promise<void> {
     save: true,
     ...(batchRequest.peek() ?? { detect: detectOptions.value, segment: segmentOptions.value }),
   };
-  const names = uniqueNames(done.map(({ source }) => stemOf(source.name)));
+  const names = uniqueNames(done.map(({ source }) => safeFileName(stemOf(source.name))));
   const writeArchive = ({ signal, onProgress }: CallOptions) =>
     zipWorkers.run(async (zip) => {
       let count = 0;

@@ -1,13 +1,16 @@
 /** Collects the files of a drop: reads folders, unpacks archives, and separates clips from labels. */
 
 import { zipWorkers } from "../engine";
+import { failureOf } from "../model/failure";
 import { detectFileKind } from "../model/file-kind";
 import { maxFileBytes } from "../model/limits";
 import type { Source } from "../model/source";
-import { type ErrorReport, messageOf } from "../store/errors";
+import type { Failure, Notice } from "../model/types";
+import type { ErrorReport } from "../store/errors";
 import { runJob } from "../store/jobs";
-import { isMacCompanion, stemOf } from "../util/file-names";
+import { baseNameOf, isMacCompanion, stemOf } from "../util/file-names";
 import { mapConcurrent } from "../util/map-concurrent";
+import type { UnpackedFiles } from "../workers/zip.worker";
 
 export interface CollectedFiles {
   clips: Source[];
@@ -98,12 +101,11 @@ export async function collectFiles({
     else {
       const unpacked = await unpack(file);
       if (!unpacked) return undefined;
-      if (Array.isArray(unpacked)) {
-        const innerKinds = await mapConcurrent(unpacked, innerFileKind);
-        for (const [i, inner] of unpacked.entries()) {
-          addFile(collected, innerKinds[i] ?? "clip", inner);
-        }
-      } else collected.errors.push(unpacked);
+      collected.errors.push(...unpacked.errors);
+      const innerKinds = await mapConcurrent(unpacked.files, ({ file }) => innerFileKind(file));
+      for (const [i, { file, notice }] of unpacked.files.entries()) {
+        addFile(collected, innerKinds[i] ?? "clip", file, notice && [notice]);
+      }
     }
   }
   return collected;
@@ -144,24 +146,29 @@ async function innerFileKind(file: File) {
   return kind === "archive" ? "clip" : kind;
 }
 
-function addFile({ clips, labels }: CollectedFiles, kind: "clip" | "labels", file: File) {
-  (kind === "clip" ? clips : labels).push({ name: baseNameOf(file.name), data: file });
+function addFile(
+  { clips, labels }: CollectedFiles,
+  kind: "clip" | "labels",
+  file: File,
+  notices: readonly Notice[] = [],
+) {
+  const list = kind === "clip" ? clips : labels;
+  list.push({ name: baseNameOf(file.name), data: file, notices });
 }
 
-const baseNameOf = (path: string) => path.slice(path.lastIndexOf("/") + 1);
-
-async function unpack(archive: File): Promise<File[] | ErrorReport | undefined> {
+async function unpack(archive: File): Promise<UnpackedFiles | undefined> {
   const { name } = archive;
   const controller = new AbortController();
+  const failed = (failure: Failure) => ({ files: [], errors: [{ name, failure }] });
   try {
     const unpacked = await runJob({ title: "Unpacking", name }, controller, ({ signal }) =>
       zipWorkers.run((calls) => calls.unpack(archive, extensions, limitsOf(archive)), signal),
     );
-    if (!unpacked.ok) return { name, failure: unpacked.failure };
-    if (unpacked.files.length) return unpacked.files;
-    return { name, failure: { message: "the archive contains no BVH file" } };
+    if (!unpacked.ok) return failed(unpacked.failure);
+    if (unpacked.files.length || unpacked.errors.length) return unpacked;
+    return failed({ message: "the archive contains no BVH file" });
   } catch (error) {
     if (controller.signal.aborted) return undefined;
-    return { name, failure: { message: messageOf(error) } };
+    return failed(failureOf(error));
   }
 }

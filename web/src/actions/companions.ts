@@ -26,7 +26,7 @@ export async function addCompanion(source: Source): Promise<void> {
       ),
     );
     if (!loaded.ok) {
-      reportOpenFailure(name, loaded.failure, source);
+      reportOpenFailure(name, loaded.failure, { source });
       return;
     }
     const { clip, detection } = loaded;
@@ -36,7 +36,7 @@ export async function addCompanion(source: Source): Promise<void> {
     });
   } catch (error) {
     if (!(error instanceof DOMException && error.name === "AbortError")) {
-      reportFailure("shown", name, error);
+      reportFailure("shown", name, error, () => void addCompanion(source));
     }
   }
 }

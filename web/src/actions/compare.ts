@@ -3,10 +3,13 @@
 import { batch } from "@preact/signals";
 import { engine } from "../engine";
 import { nextDisagreement } from "../model/disagreements";
+import { failureOf } from "../model/failure";
+import type { Source } from "../model/source";
 import { type ClipSession, session } from "../store/clip-session";
-import { messageOf, reportOpenFailure } from "../store/errors";
+import { reportOpenFailure } from "../store/errors";
 import { frame } from "../store/playback";
 import { openClip, score, source } from "../store/session";
+import { showToast } from "../store/toasts";
 import { activeTab, announcement } from "../store/view";
 import { formatBytes } from "../util/format";
 import { fetchBlob } from "./fetch-blob";
@@ -35,7 +38,7 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
     const compared = await clipSession.run("compare", () => engine.compare(data, name));
     if (!compared) return;
     if (!compared.ok) {
-      reportOpenFailure(name, compared.failure);
+      reportOpenFailure(name, compared.failure, { retry: () => void compareWith(name, data) });
       return;
     }
     batch(() => {
@@ -50,7 +53,15 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
     });
     await ("segments" in compared ? updateCutScores(clipSession) : updateScores(clipSession));
   } catch (error) {
-    reportOpenFailure(name, { message: messageOf(error) });
+    reportOpenFailure(name, failureOf(error), { retry: () => void compareWith(name, data) });
+  }
+}
+
+/** Compares with files in turn, and shows the notices on them. */
+export async function compareWithAll(labels: readonly Source[]): Promise<void> {
+  for (const { name, data, notices = [] } of labels) {
+    for (const { text } of notices) showToast({ text });
+    await compareWith(name, data);
   }
 }
 
@@ -64,7 +75,7 @@ export async function compareWithTruth(): Promise<void> {
     const data = await fetchBlob(url, signal, maxReferenceBytes, () => {});
     if (!signal.aborted) await compareWith(name, data);
   } catch (error) {
-    reportOpenFailure(name, { message: messageOf(error) });
+    reportOpenFailure(name, failureOf(error));
   }
 }
 

@@ -2,9 +2,10 @@
 
 import { batch } from "@preact/signals";
 import { engine } from "../engine";
+import { failureOf } from "../model/failure";
 import type { DetectOptions, Overrides } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
-import { errorReport, messageOf, reportFailure } from "../store/errors";
+import { reportFailure } from "../store/errors";
 import { createExclusiveJob } from "../store/jobs";
 import { detectMethods, detectOptions, plantFormats } from "../store/settings";
 import { latestOnly } from "../util/latest-only";
@@ -58,10 +59,7 @@ export async function runDetection(options: DetectOptions = detectOptions.value)
   } catch (error) {
     batch(() => {
       clipSession.detection.value = null;
-      clipSession.detectFailure.value = {
-        message: messageOf(error),
-        hint: "Change a setting to try again.",
-      };
+      clipSession.detectFailure.value = failureOf(error);
     });
   }
 }
@@ -97,11 +95,11 @@ const overrideLatest = latestOnly(async (overrides: Overrides) => {
     const opened = await clipSession.run("override", () => engine.override(overrides));
     if (!opened) return;
     if (opened.ok) clipSession.clip.value = opened.clip;
-    else errorReport.value = { name, action, failure: opened.failure };
+    else reportFailure(action, name, opened.failure, () => setOverrides(overrides));
     await runDetection();
     if (!clipSession.signal.aborted) await runSegmentation();
   } catch (error) {
-    reportFailure(action, name, error);
+    reportFailure(action, name, error, () => setOverrides(overrides));
   }
 });
 

@@ -1,9 +1,11 @@
 import { Cancelled } from "../engine";
 import { reportFailure } from "../store/errors";
 import { announcement } from "../store/view";
+import { safeFileName } from "../util/file-names";
 
-/** Downloads a file to the user's computer. */
-export async function download(fileName: string, make: () => Promise<Blob>): Promise<void> {
+/** Downloads a file to the user's computer, under a name that every system allows. */
+export async function download(name: string, make: () => Promise<Blob>): Promise<void> {
+  const fileName = safeFileName(name);
   try {
     const url = URL.createObjectURL(await make());
     const link = document.createElement("a");
@@ -15,6 +17,6 @@ export async function download(fileName: string, make: () => Promise<Blob>): Pro
   } catch (error) {
     const isAborted = error instanceof Error && error.name === "AbortError";
     if (error instanceof Cancelled || isAborted) return;
-    reportFailure("saved", fileName, error);
+    reportFailure("saved", fileName, error, () => void download(fileName, make));
   }
 }

@@ -67,13 +67,27 @@ function isEdited({ intervals, edited }: Track, { start }: FrameRange): boolean 
   return false;
 }
 
-/** Gives the clip edits from storage or from a shared page; this cannot be undone. */
-export function initEdits(clipSession: ClipSession, stored: readonly Edit[]): Promise<void> {
-  clipSession.edits.value = stored;
-  return stored.length ? applyEdits(clipSession) : Promise.resolve();
+/** Replaces the edits, also those to which undo and redo return. */
+export async function replaceEdits(
+  clipSession: ClipSession,
+  replace: (edits: readonly Edit[]) => readonly Edit[],
+): Promise<void> {
+  const { edits, undoStack, redoStack } = clipSession;
+  const before = edits.value;
+  batch(() => {
+    edits.value = replace(before);
+    undoStack.value = undoStack.value.map(replace);
+    redoStack.value = redoStack.value.map(replace);
+  });
+  if (before.length || edits.value.length) await applyEdits(clipSession);
 }
 
-function commit(next: readonly Edit[], message: string, range?: FrameRange): Promise<void> {
+/** Replaces the edits; this can be undone. */
+export function commitEdits(
+  next: readonly Edit[],
+  message: string,
+  range?: FrameRange,
+): Promise<void> {
   const clipSession = session.value;
   batch(() => {
     clipSession.undoStack.value = [...clipSession.undoStack.value, clipSession.edits.value];
@@ -116,7 +130,12 @@ async function applyEdits(clipSession: ClipSession): Promise<void> {
     });
     await updateScores(clipSession);
   } catch (error) {
-    reportFailure("edited", clipSession.source?.name ?? "", error);
+    reportFailure(
+      "edited",
+      clipSession.source?.name ?? "",
+      error,
+      () => void applyEdits(clipSession),
+    );
   }
 }
 
@@ -182,7 +201,7 @@ export function resizeSelected(to: Partial<FrameRange>): Promise<void> | undefin
     return undefined;
   }
   const next = [...edits.value, ...resizePlant(track, plantRef, range)];
-  return commit(next, `Frames ${range.start} to ${range.end}`, range);
+  return commitEdits(next, `Frames ${range.start} to ${range.end}`, range);
 }
 
 /** Makes the frame under the playhead the first or last one of the selected plant. */
@@ -216,19 +235,19 @@ function change(
 ) {
   const current = selection.value;
   const added = current ? edit(current) : [];
-  if (added.length) void commit([...edits.value, ...added], success);
+  if (added.length) void commitEdits([...edits.value, ...added], success);
   else announcement.value = current ? failure : "Select a plant first";
 }
 
 /** Reverts the selected plant to what was detected. */
 export function revertSelected() {
   const plantRef = selected.value;
-  if (plantRef) void commit(withoutEditsOf(edits.value, plantRef), "Plant reverted");
+  if (plantRef) void commitEdits(withoutEditsOf(edits.value, plantRef), "Plant reverted");
 }
 
 /** Reverts all labels to what was detected. */
 export function revertAll() {
-  if (edits.value.length) void commit([], "All plants reverted");
+  if (edits.value.length) void commitEdits([], "All plants reverted");
 }
 
 /** Adds a plant that starts at the playhead. */
@@ -242,7 +261,7 @@ export function addAtPlayhead(side: Side, part: Part) {
     return;
   }
   select({ side, part, start: first.start, end: first.end });
-  void commit(
+  void commitEdits(
     [...edits.value, ...added],
     `${side} ${part} added, frames ${first.start} to ${first.end}`,
   );
@@ -258,7 +277,7 @@ export function addForLastSide() {
 export async function adoptReference(): Promise<void> {
   const clipSession = session.value;
   const reference = await clipSession.run("reference edits", () => engine.referenceEdits());
-  if (reference?.length) await commit(reference, "Labels replaced by those of the reference");
+  if (reference?.length) await commitEdits(reference, "Labels replaced by those of the reference");
 }
 
 /** Shows the start and end fields of a plant. */

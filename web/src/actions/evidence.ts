@@ -25,7 +25,9 @@ const request = latestOnly(
       if (answer) clipSession.evidence.value = answer;
     } catch (error) {
       if (!(error instanceof Cancelled))
-        reportFailure("explained", clipSession.source?.name ?? "", error);
+        reportFailure("explained", clipSession.source?.name ?? "", error, () =>
+          request({ part, clipSession }),
+        );
     }
   },
 );

@@ -1,3 +1,4 @@
+import { downloadUrl } from "../model/link";
 import type { OnProgress } from "../model/types";
 import { formatBytes } from "../util/format";
 
@@ -8,7 +9,8 @@ export async function fetchBlob(
   maxBytes: number,
   onProgress: (fraction: Parameters<OnProgress>[0] | undefined) => void,
 ): Promise<Blob> {
-  if (new URL(url, location.href).protocol === "http:" && location.protocol === "https:") {
+  const { protocol, host } = downloadUrl(url, location.href);
+  if (protocol === "http:" && location.protocol === "https:") {
     throw new Error("The link starts with http: only https links can be opened from here.");
   }
   let response: Response;
@@ -16,7 +18,6 @@ export async function fetchBlob(
     response = await fetch(url, { signal, credentials: "omit" });
   } catch (error) {
     if (signal.aborted) throw error;
-    const host = new URL(url, location.href).host;
     throw new Error(
       navigator.onLine
         ? `No answer from ${host}: it cannot be reached, or it does not let other sites read this file (CORS).`

@@ -33,7 +33,8 @@ export async function cleanClip(): Promise<void> {
       announcement.value = "Foot skate removed; the original is shown as a ghost";
     });
   } catch (error) {
-    if (!(error instanceof Cancelled)) reportFailure("cleaned", before.name, error);
+    if (!(error instanceof Cancelled))
+      reportFailure("cleaned", before.name, error, () => void cleanClip());
   } finally {
     clipSession.cleaning.value = false;
   }

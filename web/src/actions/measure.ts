@@ -34,6 +34,11 @@ async function measure(clipSession: ClipSession) {
     });
   } catch (error) {
     if (!(error instanceof Cancelled))
-      reportFailure("measured", clipSession.source?.name ?? "", error);
+      reportFailure(
+        "measured",
+        clipSession.source?.name ?? "",
+        error,
+        () => void measure(clipSession),
+      );
   }
 }

@@ -1,10 +1,11 @@
 /** Opening the clip of the address or of a shared page, or the preview of the start page. */
 
 import { engine } from "../engine";
+import { messageOf } from "../model/failure";
 import { type Link, parseHash } from "../model/link";
 import { tableVisible } from "../store/batch";
 import { type EmbeddedClip, embedded, embeddedSource } from "../store/embedded";
-import { messageOf, reportOpenFailure } from "../store/errors";
+import { reportOpenFailure } from "../store/errors";
 import { firstInteraction } from "../store/first-interaction";
 import { clip } from "../store/session";
 import { runDetection } from "./detect";

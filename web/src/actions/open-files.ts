@@ -4,7 +4,7 @@ import { tableVisible } from "../store/batch";
 import { reportOpenFailure } from "../store/errors";
 import { runBatch } from "./batch";
 import { attachLabels, collectFiles, type DroppedFiles } from "./collect-files";
-import { compareWith } from "./compare";
+import { compareWithAll } from "./compare";
 import { openSource, setAddress } from "./open";
 
 /** Aborted when other files are dropped while these are collected. */
@@ -25,11 +25,11 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
     return;
   }
   const [error] = errors;
-  if (error) reportOpenFailure(error.name, error.failure);
+  if (error) reportOpenFailure(error.name, error.failure, { retry: () => void openFiles(dropped) });
   if (clip) {
     if (!(await openSource(clip))) return;
     tableVisible.value = false;
     setAddress("");
   }
-  for (const source of labels) await compareWith(source.name, source.data);
+  await compareWithAll(labels);
 }

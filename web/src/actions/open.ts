@@ -2,12 +2,13 @@
 
 import { batch } from "@preact/signals";
 import { engine } from "../engine";
+import { failureOf } from "../model/failure";
 import { fileTooLarge, maxFileBytes } from "../model/limits";
 import { fileNameOfUrl, formatHash } from "../model/link";
 import type { Source } from "../model/source";
 import type { Clip } from "../model/types";
 import { ClipSession, openSession, session } from "../store/clip-session";
-import { errorReport, messageOf, reportOpenFailure } from "../store/errors";
+import { errorReport, reportOpenFailure } from "../store/errors";
 import { type Opening, opening, stopClipJobs } from "../store/jobs";
 import { segmentOptions } from "../store/settings";
 import { showToast } from "../store/toasts";
@@ -57,9 +58,10 @@ export async function openSource(
 ): Promise<boolean> {
   const { name, data } = source;
   if (data.size > maxFileBytes) {
-    reportOpenFailure(name, fileTooLarge(data.size), source);
+    reportOpenFailure(name, fileTooLarge(data.size), { source });
     return false;
   }
+  const retry = () => void openSource(source, { lenient });
   const signal = beginOpening(name, "read");
   // The worker would otherwise finish the pending calls first.
   stopClipJobs();
@@ -73,7 +75,7 @@ export async function openSource(
     ]);
     if (signal.aborted) return false;
     if (!opened.ok) {
-      reportOpenFailure(name, opened.failure, source);
+      reportOpenFailure(name, opened.failure, { source, retry });
       return false;
     }
     source.lenient = lenient;
@@ -90,7 +92,7 @@ export async function openSource(
     await Promise.all([restored, segmented]);
     return true;
   } catch (error) {
-    if (!signal.aborted) reportOpenFailure(name, { message: messageOf(error) }, source);
+    if (!signal.aborted) reportOpenFailure(name, failureOf(error), { source, retry });
     return false;
   }
 }
@@ -151,10 +153,12 @@ async function openRemote(
     return await openSource({ ...more, name, data });
   } catch (error) {
     if (!signal.aborted) {
-      reportOpenFailure(name, {
-        message: messageOf(error),
+      const failure = {
         hint: "Download the file and drop it here instead.",
-      });
+        canRetry: error instanceof Error,
+        ...failureOf(error),
+      };
+      reportOpenFailure(name, failure, { retry: () => void openRemote(url, name, stage, more) });
     }
     return false;
   }

@@ -1,73 +1,251 @@
-/** Stores edits and names in this browser, for each file by the hash of its bytes. */
+/**
+ * Stores edits and names in this browser, for each file by the hash of its bytes. Pages that have
+ * the same clip open merge their changes.
+ *
+ * A lock around reading and writing would not suffice, because a browser may give each page a
+ * cached copy of the storage. Instead, a record lists the revisions from which it was made: a page
+ * that knows a later one merges its changes into the record.
+ */
 
-import { effect } from "@preact/signals";
+import { batch, effect } from "@preact/signals";
 import { engine } from "../engine";
 import type { StoredChanges } from "../model/batch";
-import type { SegmentName } from "../model/segments";
-import type { Edit } from "../model/types";
+import { messageOf } from "../model/failure";
+import {
+  isConflict,
+  mergeChanges,
+  nextRecord,
+  noChanges,
+  parseRecord,
+  type StoredClip,
+  sameChanges,
+} from "../model/stored-changes";
 import { type ClipSession, session } from "../store/clip-session";
-import { initEdits } from "./edit";
+import { announcement } from "../store/view";
+import { stemOf } from "../util/file-names";
+import {
+  deleteUnreadable,
+  dropUnsaved,
+  hasUnsaved,
+  keepUnsaved,
+  keyOfHash,
+  readText,
+  readUnsaved,
+  setAside,
+  unreadableRecords,
+  writeText,
+} from "./clip-storage";
+import { download } from "./download";
+import { commitEdits, replaceEdits } from "./edit";
 
-interface StoredClip {
-  version: 1;
-  /** Name of the file, for people who inspect the storage. */
-  name: string;
-  edits: readonly Edit[];
-  names: readonly SegmentName[];
-}
-
-const keyOf = (hash: string) => `plantigrade:clip:${hash}`;
-
-/** Restores the stored edits and names of the open clip. */
+/** Restores the stored edits and names of the open clip, and stores them when they change. */
 export async function restorePersisted(): Promise<void> {
   const clipSession = session.value;
-  const hash = await clipSession.run("hash", () => engine.hash().catch(() => undefined));
-  if (clipSession.signal.aborted || clipSession.isPreview) return;
+  if (clipSession.isPreview) return;
+  const hash = await clipSession.run("hash", hashOfClip);
+  if (!hash) return;
+  if ("failure" in hash) {
+    const stop = effect(() => reportUnidentified(clipSession, hash.failure));
+    clipSession.signal.addEventListener("abort", stop);
+    return;
+  }
   const shared = clipSession.source?.shared;
   // Each share of a clip is stored separately.
-  const key = hash && keyOf(hash) + (shared ? `:${shared.id}` : "");
-  const stored = (key && read(key)) || shared;
-  // Changes made before the hash was known take precedence.
-  if (stored && !clipSession.edits.value.length) await initEdits(clipSession, stored.edits);
-  if (stored && !clipSession.segmentNames.value.length)
-    clipSession.segmentNames.value = stored.names;
-  if (key) clipSession.storageKey.value = key;
+  const key = keyOfHash(hash.value) + (shared ? `:${shared.id}` : "");
+  clipSession.storageKey.value = key;
+  await new StoredSession(clipSession, key).start(shared ?? noChanges);
+}
+
+/** Returns the hash of the open clip, or why it is unknown. */
+async function hashOfClip(): Promise<{ value: string } | { failure: string }> {
+  for (let attempt = 1; ; attempt++) {
+    try {
+      const value = await engine.hash();
+      return value ? { value } : { failure: "this page was not loaded over https" };
+    } catch (error) {
+      // The worker may have been stopped because of another call.
+      if (attempt === 3) return { failure: messageOf(error) };
+    }
+  }
+}
+
+function reportUnidentified(clipSession: ClipSession, reason: string) {
+  clipSession.persistError.value = sameChanges(changesOf(clipSession), noChanges)
+    ? ""
+    : `Edits of this clip cannot be stored (${reason}). Save the labels before you open another clip.`;
+}
+
+const changesOf = (clipSession: ClipSession): StoredChanges => ({
+  edits: clipSession.edits.value,
+  names: clipSession.segmentNames.value,
+});
+
+type Revision = StoredChanges & Pick<StoredClip, "revision" | "ancestors">;
+
+/** Keeps the changes of a clip and their record equal as long as the clip is open. */
+class StoredSession {
+  /** The content of the storage when it was last read or written, if it was valid. */
+  private lastText: string | null = null;
+  private last: Revision = { ...noChanges, revision: "", ancestors: [] };
+  /** Changes by revision, for the revisions that this page has read or written. */
+  private readonly known = new Map<string, StoredChanges>();
+
+  constructor(
+    private readonly clipSession: ClipSession,
+    private readonly key: string,
+  ) {}
+
+  /** Restores the record, or else the given changes. */
+  async start(initial: StoredChanges): Promise<void> {
+    const { clipSession, key } = this;
+    this.last = { ...initial, revision: "", ancestors: [] };
+    this.known.set("", initial);
+    const { signal } = clipSession;
+    const onStorage = (event: StorageEvent) => {
+      if (event.key === key) void this.receive(event.newValue, { notify: true });
+    };
+    addEventListener("storage", onStorage, { signal });
+    await this.take(initial, noChanges);
+    try {
+      clipSession.unreadable.value = unreadableRecords(key);
+      await this.receive(readText(key), { notify: false });
+    } catch {
+      // Storage is denied, which is reported when something has to be stored.
+    }
+    const unsaved = readUnsaved(key);
+    if (unsaved.kind === "valid") await this.take(unsaved.record, this.baseOf(unsaved.record));
+    if (!signal.aborted)
+      signal.addEventListener(
+        "abort",
+        effect(() => this.save()),
+      );
+  }
+
+  /** Returns the newest changes that a record and this page have in common. */
+  private baseOf({ revision, ancestors }: Revision): StoredChanges {
+    const common = [revision, ...ancestors, ""].find((id) => this.known.has(id));
+    return this.known.get(common ?? "") ?? noChanges;
+  }
+
+  /** Merges changes into those of the session. */
+  private take(theirs: StoredChanges, base: StoredChanges): Promise<void> {
+    const { clipSession } = this;
+    const { names } = changesOf(clipSession);
+    const merge = (edits: StoredChanges["edits"]) => mergeChanges(base, { edits, names }, theirs);
+    clipSession.segmentNames.value = merge([]).names;
+    return replaceEdits(clipSession, (edits) => merge(edits).edits);
+  }
+
+  /** Reads the content of the storage, which another page may have changed. */
+  private async receive(text: string | null, { notify }: { notify: boolean }): Promise<void> {
+    const { clipSession } = this;
+    const stored = parseRecord(text);
+    if (stored.kind === "none" || text === this.lastText) return;
+    if (stored.kind !== "valid") {
+      clipSession.unreadable.value = unreadableRecords(this.key);
+      return;
+    }
+    const { record } = stored;
+    const base = this.baseOf(record);
+    const mine = changesOf(clipSession);
+    await batch(() => {
+      this.remember(text, record);
+      if (notify && !sameChanges(mine, record)) {
+        clipSession.changedElsewhere.value = isConflict(base, mine, record)
+          ? { theirs: record }
+          : {};
+        announcement.value = "Edits of this clip were changed in another tab";
+      }
+      return this.take(record, base);
+    });
+  }
+
+  private remember(text: string | null, revision: Revision) {
+    this.lastText = text;
+    this.last = revision;
+    this.known.set(revision.revision, revision);
+  }
+
+  private nextRecord(): StoredClip {
+    const { clipSession, last } = this;
+    return nextRecord(last, clipSession.source?.name ?? "", changesOf(clipSession));
+  }
+
+  /** Stores the changes of the session if they differ from the record. */
+  private save() {
+    const { clipSession, key } = this;
+    if (sameChanges(changesOf(clipSession), this.last)) {
+      dropUnsaved(key);
+      clipSession.persistError.value = "";
+      return;
+    }
+    try {
+      const text = readText(key);
+      // The event of another page may be late.
+      void this.receive(text, { notify: true });
+      if (text !== null && text !== this.lastText) setAside(key, text);
+      const record = this.nextRecord();
+      const next = JSON.stringify(record);
+      writeText(key, next);
+      this.remember(next, record);
+      clipSession.persistError.value = "";
+    } catch (error) {
+      keepUnsaved(key, JSON.stringify(this.nextRecord()));
+      const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
+      clipSession.persistError.value = isFull
+        ? "The storage of this browser is full: edits last until the page is closed. Save the labels."
+        : "This browser does not store data for this page: edits last until it is closed. Save the labels.";
+    }
+  }
 }
 
 /** Returns the stored edits and names of the file with a hash. */
 export async function storedChangesOf(hash: string): Promise<StoredChanges> {
-  const { edits, names } = read(keyOf(hash)) ?? { edits: [], names: [] };
-  return { edits, names };
-}
-
-function read(key: string): StoredClip | undefined {
   try {
-    const stored = JSON.parse(localStorage.getItem(key) ?? "null") as StoredClip | null;
-    return stored?.version === 1 ? stored : undefined;
+    const key = keyOfHash(hash);
+    const unsaved = readUnsaved(key);
+    const stored = unsaved.kind === "valid" ? unsaved : parseRecord(readText(key));
+    if (stored.kind === "valid") return stored.record;
+    return { ...noChanges, isUnreadable: stored.kind !== "none" };
   } catch {
-    return undefined;
+    // The storage is denied.
+    return noChanges;
   }
 }
 
-/** Stores the edits and names of the open clip whenever they change. */
-export function startPersisting() {
-  effect(() => persist(session.value));
+/** Replaces the changes that conflict with those of another page; this can be undone. */
+export function useChangesElsewhere() {
+  const clipSession = session.value;
+  const { theirs } = clipSession.changedElsewhere.value ?? {};
+  if (!theirs) return;
+  dismissChangesElsewhere();
+  clipSession.segmentNames.value = theirs.names;
+  void commitEdits(theirs.edits, "Edits replaced by those of the other tab");
 }
 
-function persist(clipSession: ClipSession) {
-  const key = clipSession.storageKey.value;
-  const [edits, names] = [clipSession.edits.value, clipSession.segmentNames.value];
-  if (!key) return;
-  const stored: StoredClip = { version: 1, name: clipSession.source?.name ?? "", edits, names };
-  try {
-    if (edits.length || names.length || clipSession.source?.shared)
-      localStorage.setItem(key, JSON.stringify(stored));
-    else localStorage.removeItem(key);
-    clipSession.persistError.value = "";
-  } catch (error) {
-    const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
-    clipSession.persistError.value = isFull
-      ? "The storage of this browser is full: edits last until the page is closed. Save the labels."
-      : "This browser does not store data for this page: edits last until it is closed. Save the labels.";
-  }
+export function dismissChangesElsewhere() {
+  session.value.changedElsewhere.value = null;
+}
+
+/** Downloads the stored records of the open clip that cannot be read. */
+export function saveUnreadable(): Promise<void> {
+  const { source, unreadable } = session.value;
+  const texts = unreadable.value.map(({ text }) => text);
+  const name = `${stemOf(source?.name ?? "clip")}.stored-edits.txt`;
+  return download(name, async () => new Blob([texts.join("\n\n")], { type: "text/plain" }));
+}
+
+/** Deletes the stored records of the open clip that cannot be read. */
+export function discardUnreadable() {
+  const { storageKey, unreadable } = session.value;
+  if (storageKey.value) deleteUnreadable(storageKey.value);
+  unreadable.value = [];
+  announcement.value = "Unreadable edits deleted";
+}
+
+/** Asks before the page is closed if that loses edits. */
+export function warnBeforeLoss() {
+  addEventListener("beforeunload", (event) => {
+    if (hasUnsaved() || session.value.persistError.value) event.preventDefault();
+  });
 }

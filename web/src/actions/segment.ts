@@ -2,10 +2,10 @@
 
 import { batch } from "@preact/signals";
 import { engine } from "../engine";
+import { failureOf } from "../model/failure";
 import { matchingSegment, type NamedSegment, renameSegment } from "../model/segments";
 import type { SegmentOptions } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
-import { messageOf } from "../store/errors";
 import { createExclusiveJob } from "../store/jobs";
 import { renamedSegment, segmentNames } from "../store/session";
 import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
@@ -52,10 +52,7 @@ export async function runSegmentation(
   } catch (error) {
     batch(() => {
       clipSession.segmentation.value = null;
-      clipSession.segmentFailure.value = {
-        message: messageOf(error),
-        hint: "Change a setting to try again.",
-      };
+      clipSession.segmentFailure.value = failureOf(error);
     });
   }
 }

@@ -12,6 +12,7 @@ import { frame } from "../store/playback";
 import { edits, segmentNames, source } from "../store/session";
 import { dialog, stageHandle } from "../store/view";
 import { stemOf } from "../util/file-names";
+import { randomId } from "../util/random-id";
 import { download } from "./download";
 import { pause } from "./playback";
 import { currentViewState } from "./view-state";
@@ -46,7 +47,7 @@ async function createPage(options: CallOptions): Promise<Blob> {
   const { name, data } = source.value ?? { name: "clip.bvh", data: new Blob() };
   const clip: EmbeddedClip = {
     version: 1,
-    id: Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16)).join(""),
+    id: randomId(),
     name,
     showing: formatViewState(currentViewState()),
     edits: edits.value,

@@ -4,6 +4,7 @@ import { clip, notices } from "../store/session";
 import { dialog } from "../store/view";
 import { Dialog } from "../ui/Dialog";
 import { ShareDialog } from "./ShareDialog";
+import { ThirdPartyDialog, ThirdPartyLink } from "./ThirdParty";
 import { startTour } from "./Tour";
 
 /** The open dialog, if any. */
@@ -11,6 +12,7 @@ export function Dialogs() {
   if (dialog.value === "keys") return <KeysDialog />;
   if (dialog.value === "notices") return <NoticesDialog />;
   if (dialog.value === "share") return <ShareDialog />;
+  if (dialog.value === "third-party") return <ThirdPartyDialog />;
   return null;
 }
 
@@ -51,6 +53,9 @@ function KeysDialog() {
       >
         Show the tour
       </button>
+      <p class="note">
+        <ThirdPartyLink />
+      </p>
     </Dialog>
   );
 }

@@ -46,6 +46,18 @@ export function ErrorCard() {
       <Reason report={error} />
       {openClip.value && !error.action && <p class="muted">{openClip.value.name} is still open.</p>}
       <p class="error-foot">
+        {error.retry && (
+          <button
+            type="button"
+            class="button primary"
+            onClick={() => {
+              errorReport.value = null;
+              error.retry?.();
+            }}
+          >
+            Try again
+          </button>
+        )}
         <button type="button" class="button" onClick={copy}>
           {copied.value === report ? "Copied" : "Copy report"}
         </button>

@@ -5,9 +5,9 @@ export function MadeWith() {
   const text = "Made with Plantigrade";
   const { home = "" } = embedded ?? {};
   // The page may have been modified by others: only web addresses become links.
-  if (!/^https?:/.test(home)) return <span class="credit muted">{text}</span>;
+  if (!/^https?:/.test(home)) return <span class="credit made-with muted">{text}</span>;
   return (
-    <a class="credit link" href={home} target="_blank" rel="noreferrer">
+    <a class="credit made-with link" href={home} target="_blank" rel="noreferrer">
       {text}
     </a>
   );

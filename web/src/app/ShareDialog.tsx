@@ -8,6 +8,7 @@ import { announcement, stageHandle } from "../store/view";
 import { Dialog } from "../ui/Dialog";
 import { formatClock } from "../util/format";
 import { MadeWith } from "./MadeWith";
+import { ThirdPartyLink } from "./ThirdParty";
 
 /** Ways to share the open clip: a link, a single-file page, a picture. */
 export function ShareDialog() {
@@ -45,7 +46,12 @@ export function ShareDialog() {
           </button>
         </section>
       </div>
-      {embedded && <MadeWith />}
+      {embedded && (
+        <p class="credits">
+          <MadeWith />
+          <ThirdPartyLink />
+        </p>
+      )}
     </Dialog>
   );
 }

@@ -2,6 +2,7 @@ import { openSample } from "../actions/open";
 import { pickFiles } from "../actions/pick-files";
 import { type Sample, samples } from "../actions/samples";
 import { maxFileBytes } from "../model/limits";
+import { ThirdPartyLink } from "./ThirdParty";
 
 /** The page without a clip. A sample plays in the background; files can be dropped anywhere. */
 export function StartPage() {
@@ -18,18 +19,21 @@ export function StartPage() {
           </span>
         </p>
       </div>
-      {samples.length > 0 && (
-        <div class="gallery">
-          <h2>Or start with a sample</h2>
-          <ul>
-            {samples.map((sample) => (
-              <li key={sample.name}>
-                <SampleCard sample={sample} />
-              </li>
-            ))}
-          </ul>
-        </div>
-      )}
+      <div class="start-end">
+        {samples.length > 0 && (
+          <div class="gallery">
+            <h2>Or start with a sample</h2>
+            <ul>
+              {samples.map((sample) => (
+                <li key={sample.name}>
+                  <SampleCard sample={sample} />
+                </li>
+              ))}
+            </ul>
+          </div>
+        )}
+        <ThirdPartyLink />
+      </div>
     </section>
   );
 }

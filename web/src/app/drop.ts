@@ -1,6 +1,7 @@
 import { filesOfTransfer } from "../actions/collect-files";
 import { openFiles } from "../actions/open-files";
-import { messageOf, reportOpenFailure } from "../store/errors";
+import { failureOf } from "../model/failure";
+import { reportOpenFailure } from "../store/errors";
 import { filesDragged } from "../store/view";
 
 /** Opens files that are dropped anywhere on the page or pasted, until `signal` aborts. */
@@ -49,7 +50,7 @@ export function listenForDrops(signal: AbortSignal) {
       updateDragged();
       if (!event.dataTransfer) return;
       void filesOfTransfer(event.dataTransfer).then(openFiles, (error) =>
-        reportOpenFailure("The dropped files", { message: messageOf(error) }),
+        reportOpenFailure("The dropped files", failureOf(error)),
       );
     },
     { signal },

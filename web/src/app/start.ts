@@ -1,5 +1,5 @@
 import { startMeasuring } from "../actions/measure";
-import { startPersisting } from "../actions/persist";
+import { warnBeforeLoss } from "../actions/persist";
 import { engine } from "../engine";
 import { listenForFirstInteraction } from "../store/first-interaction";
 import { startTheme } from "../store/theme";
@@ -10,5 +10,5 @@ export function start() {
   startTheme();
   listenForFirstInteraction();
   startMeasuring();
-  startPersisting();
+  warnBeforeLoss();
 }

@@ -1,6 +1,6 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { exportAll, rerunBatch, resumeBatch, stopBatch } from "../actions/batch";
+import { exportAll, rerunBatch, resumeBatch, retryFailed, stopBatch } from "../actions/batch";
 import { columns, filterRows, sortRows } from "../model/table";
 import { batchRequest, batchRows, finishedCount, tableVisible } from "../store/batch";
 import { openClip } from "../store/session";
@@ -57,6 +57,11 @@ function Toolbar() {
       {isStopped && (
         <button type="button" class="button" onClick={resumeBatch}>
           Resume
+        </button>
+      )}
+      {!isRunning && batchRows.value.some(({ failure }) => failure?.canRetry) && (
+        <button type="button" class="button" onClick={retryFailed}>
+          Try failed files again
         </button>
       )}
       {!isRunning && !isStopped && isStale && (

@@ -48,6 +48,7 @@ function Cells({ row }: { row: BatchRow }) {
           {name?.text(row)}
         </button>
         {row.summary?.edited && <span class="muted"> edited</span>}
+        {row.summary?.hasUnreadableEdits && <span class="muted"> stored edits cannot be read</span>}
         {row.summary && openClip.value && row.source !== source.value && (
           <SideBySideButton row={row} />
         )}

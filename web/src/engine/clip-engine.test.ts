@@ -19,6 +19,7 @@ function fakeCalls(log: string[]) {
   let isBusy = false;
   const opened = () => ({ ok: true, clip: { name: openName } as Clip }) as const;
   const calls: WorkerHandle<ClipApi>["calls"] = {
+    holdLock: async () => false,
     startWasm() {},
     async open(_, name) {
       log.push(`open ${name}`);

@@ -1,10 +1,18 @@
 /** The page's side of the clip worker: starts it, stops it, and replaces it when it fails. */
 
 import * as Comlink from "comlink";
-import type { DetectOptions, Edit, OnProgress, Overrides, SegmentOptions } from "../model/types";
+import { failureOf, isFatal } from "../model/failure";
+import type {
+  DetectOptions,
+  Edit,
+  Failure,
+  OnProgress,
+  Overrides,
+  SegmentOptions,
+} from "../model/types";
 import type { ClipApi, Compared, Detected, Opened, Segmented } from "../workers/clip.worker";
 import { startClipWorker } from "./start-workers";
-import { type CallsOf, isTrap, type WorkerHandle, wrapWasmWorker } from "./worker-handle";
+import { type CallsOf, type WorkerHandle, wrapWasmWorker } from "./worker-handle";
 
 /** Options of any call. An aborted call ends the worker; other pending calls are repeated. */
 export interface CallOptions {
@@ -18,7 +26,7 @@ export interface OpenOptions {
   onProgress?: OnProgress;
 }
 
-type Calls = Omit<CallsOf<ClipApi>, "startWasm">;
+type Calls = Omit<CallsOf<ClipApi>, "startWasm" | "holdLock">;
 
 /** Calls that change the state to restore in a new worker; they are implemented individually. */
 type StatefulCall = "open" | "override" | "detect" | "segment" | "compare" | "edit";
@@ -166,7 +174,7 @@ export function createEngine(
     } catch (error) {
       if (signal?.aborted) throw new Cancelled();
       if (error instanceof Replaced) return call(run, signal);
-      if (isTrap(error) && running === worker) stop(error as Error);
+      if (isFatal(error) && running === worker) stop(error);
       throw error;
     }
   }
@@ -298,14 +306,7 @@ function startWorker(onBroken: (reason: Error) => void): WorkerHandle<ClipApi> {
 }
 
 /** Converts an internal error to a failure; a cancelled call stays cancelled. */
-function asFailure(error: unknown): { ok: false; failure: { message: string; hint: string } } {
+function asFailure(error: unknown): { ok: false; failure: Failure } {
   if (error instanceof Cancelled) throw error;
-  const reason = error instanceof Error ? error.message : String(error);
-  return {
-    ok: false,
-    failure: {
-      message: `the program failed on this clip (${reason})`,
-      hint: "Please report the problem, with the file if possible.",
-    },
-  };
+  return { ok: false, failure: failureOf(error) };
 }

@@ -1,5 +1,6 @@
 /** The wasm module, compiled once for all workers of the page. */
 
+import { WorkerError } from "../model/failure";
 import url from "../wasm/plantigrade_bg.wasm?url";
 
 export const wasmBytes = () => fetch(url).then((response) => response.blob());
@@ -10,7 +11,7 @@ let compiled: Promise<WebAssembly.Module> | undefined;
 export function wasmModule(): Promise<WebAssembly.Module> {
   compiled ??= WebAssembly.compileStreaming(fetch(url)).catch((error) => {
     compiled = undefined;
-    throw new Error(`the program could not be loaded (${error.message}): reload the page`);
+    throw new WorkerError(`its module could not be loaded: ${error.message}`);
   });
   return compiled;
 }

@@ -1,6 +1,8 @@
 /** Workers as the page calls them. */
 
 import * as Comlink from "comlink";
+import { WorkerError } from "../model/failure";
+import { randomId } from "../util/random-id";
 import { wasmModule } from "./wasm-module";
 
 /** The methods of a worker API, with the signatures that they have in the worker. */
@@ -16,30 +18,62 @@ export interface WorkerHandle<Api> {
   stop: () => void;
 }
 
-/** Wraps a worker; `onBroken` is called if it fails outside of a call. */
-export function wrapWorker<Api>(
+/** What every worker offers. */
+interface WatchedApi {
+  holdLock(name: string): Promise<boolean>;
+}
+
+/** Time after which a worker that has not answered is replaced. */
+const startTimeoutMs = 20_000;
+
+/** Wraps a worker; `onBroken` is called if it fails outside of a call, ends or does not start. */
+export function wrapWorker<Api extends WatchedApi>(
   worker: Worker,
   onBroken: (reason: Error) => void,
 ): WorkerHandle<Api> {
   worker.addEventListener("error", (event) =>
-    onBroken(new Error(event.message || "The worker failed.")),
+    onBroken(new WorkerError(event.message || "the worker could not be loaded")),
   );
   // Comlink's types distribute promises over unions; the answers have the types of the worker.
   const calls = Comlink.wrap<Api>(worker) as unknown as CallsOf<Api>;
-  return { calls, stop: () => worker.terminate() };
+  const controller = new AbortController();
+  void watch(calls as unknown as CallsOf<WatchedApi>, onBroken, controller.signal);
+  const stop = () => {
+    controller.abort();
+    worker.terminate();
+  };
+  return { calls, stop };
+}
+
+/** Reports a worker that ends or does not start, for which browsers have no event. */
+async function watch(
+  calls: CallsOf<WatchedApi>,
+  onBroken: (reason: Error) => void,
+  signal: AbortSignal,
+) {
+  const lock = `plantigrade:worker:${randomId()}`;
+  const timeout = setTimeout(
+    () => onBroken(new WorkerError("the worker did not start")),
+    startTimeoutMs,
+  );
+  signal.addEventListener("abort", () => clearTimeout(timeout));
+  const isHeld = await calls.holdLock(lock);
+  clearTimeout(timeout);
+  if (!isHeld || signal.aborted) return;
+  try {
+    // Granted when the worker no longer exists.
+    await navigator.locks.request(lock, { signal }, () => {});
+  } catch {
+    return;
+  }
+  onBroken(new WorkerError("the worker was ended, perhaps for lack of memory"));
 }
 
 /** Wraps a worker that waits for the wasm module, and sends it. */
-export function wrapWasmWorker<Api extends { startWasm(module: WebAssembly.Module): void }>(
-  worker: Worker,
-  onBroken: (reason: Error) => void,
-): WorkerHandle<Api> {
+export function wrapWasmWorker<
+  Api extends WatchedApi & { startWasm(module: WebAssembly.Module): void },
+>(worker: Worker, onBroken: (reason: Error) => void): WorkerHandle<Api> {
   const handle = wrapWorker<Api>(worker, onBroken);
   wasmModule().then((module) => handle.calls.startWasm(module), onBroken);
   return handle;
-}
-
-/** True if the wasm module trapped. Errors lose their class, but not their name, in transit. */
-export function isTrap(error: unknown): boolean {
-  return error instanceof Error && error.name === "RuntimeError";
 }

@@ -68,15 +68,24 @@ test("stops the worker of an aborted job, or does not start the job", async () =
   expect(log).toEqual(["start a", "stop a", "start b"]);
 });
 
-test("replaces a worker after a trap, but not after other errors", async () => {
+test("replaces a worker whose job fails", async () => {
   const { log, pool, breakLast } = fakePool(1);
   await expect(pool.run(() => Promise.reject(new Error("refused")))).rejects.toThrow("refused");
-  expect(await pool.run(async ({ name }) => name)).toBe("a");
-  const trap = Object.assign(new Error("unreachable"), { name: "RuntimeError" });
-  await expect(pool.run(() => Promise.reject(trap))).rejects.toThrow("unreachable");
   const broken = pool.run(() => new Promise(() => {}));
   breakLast();
   await expect(broken).rejects.toThrow("broken");
+  expect(await pool.run(async ({ name }) => name)).toBe("c");
+  expect(log).toEqual(["start a", "stop a", "start b", "stop b", "start c"]);
+});
+
+test("ends the job of a reused worker that breaks, and drops an idle one", async () => {
+  const { log, pool, breakLast } = fakePool(1);
+  await pool.run(async () => "");
+  const broken = pool.run(() => new Promise(() => {}));
+  breakLast();
+  await expect(broken).rejects.toThrow("broken");
+  expect(await pool.run(async ({ name }) => name)).toBe("b");
+  breakLast();
   expect(await pool.run(async ({ name }) => name)).toBe("c");
   expect(log).toEqual(["start a", "stop a", "start b", "stop b", "start c"]);
 });

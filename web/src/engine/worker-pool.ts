@@ -1,7 +1,5 @@
 /** A pool of workers that take jobs from one queue. */
 
-import { isTrap } from "./worker-handle";
-
 interface PoolWorker<Calls> {
   calls: Calls;
   stop: () => void;
@@ -17,6 +15,15 @@ interface QueuedJob<Calls> {
   resolve: (value: unknown) => void;
   reject: (reason: unknown) => void;
   signal: AbortSignal | undefined;
+}
+
+/** A worker that is busy or idle. */
+interface Slot<Calls> {
+  worker: PoolWorker<Calls>;
+  /** Called when the worker breaks. */
+  onBroken: (reason: Error) => void;
+  /** Stops the worker when it has been idle for long. */
+  timeout?: ReturnType<typeof setTimeout>;
 }
 
 /** Time after which an idle worker is stopped to free its memory. */
@@ -35,7 +42,7 @@ export function createPool<Calls>(
   size = poolSize(),
 ): Pool<Calls> {
   const queue: QueuedJob<Calls>[] = [];
-  const idle: { worker: PoolWorker<Calls>; timeout: ReturnType<typeof setTimeout> }[] = [];
+  const idle: Slot<Calls>[] = [];
   let busy = 0;
 
   function next() {
@@ -47,43 +54,44 @@ export function createPool<Calls>(
     }
   }
 
+  function startSlot(): Slot<Calls> {
+    const slot: Omit<Slot<Calls>, "worker"> = { onBroken: () => {} };
+    return Object.assign(slot, { worker: start((reason) => slot.onBroken(reason)) });
+  }
+
   async function runJob({ job, resolve, reject, signal }: QueuedJob<Calls>) {
     busy++;
-    let isReusable = true;
     let stop: (reason: unknown) => void = () => {};
     const stopped = new Promise<never>((_, rejectStopped) => {
-      stop = (reason) => {
-        isReusable = false;
-        rejectStopped(reason);
-      };
+      stop = rejectStopped;
     });
     const abort = () => stop(signal?.reason);
     signal?.addEventListener("abort", abort, { once: true });
-    const reused = idle.pop();
-    clearTimeout(reused?.timeout);
-    const worker = reused?.worker ?? start((reason) => stop(reason));
+    const slot = idle.pop() ?? startSlot();
+    clearTimeout(slot.timeout);
+    slot.onBroken = stop;
     try {
-      resolve(await Promise.race([job(worker.calls), stopped]));
+      resolve(await Promise.race([job(slot.worker.calls), stopped]));
+      retain(slot);
     } catch (error) {
-      if (isTrap(error)) isReusable = false;
+      // The worker may be in any state, such as in the middle of an archive.
+      slot.worker.stop();
       reject(error);
     }
     signal?.removeEventListener("abort", abort);
-    if (isReusable) retain(worker);
-    else worker.stop();
     busy--;
     next();
   }
 
-  function retain(worker: PoolWorker<Calls>) {
-    const timeout = setTimeout(() => {
-      idle.splice(
-        idle.findIndex((other) => other.worker === worker),
-        1,
-      );
-      worker.stop();
-    }, idleTimeoutMs);
-    idle.push({ worker, timeout });
+  function retain(slot: Slot<Calls>) {
+    const remove = () => {
+      clearTimeout(slot.timeout);
+      idle.splice(idle.indexOf(slot), 1);
+      slot.worker.stop();
+    };
+    slot.onBroken = remove;
+    slot.timeout = setTimeout(remove, idleTimeoutMs);
+    idle.push(slot);
   }
 
   return {

@@ -32,6 +32,8 @@ export interface ClipSummary {
   missing: string[];
   /** True if the user has edited the labels. */
   edited: boolean;
+  /** True if the browser has edits of the clip that cannot be read. */
+  hasUnreadableEdits?: boolean;
   /** Processing time, in milliseconds. */
   elapsedMs: number;
 }
@@ -40,6 +42,8 @@ export interface ClipSummary {
 export interface StoredChanges {
   edits: readonly Edit[];
   names: readonly SegmentName[];
+  /** True if there are others that cannot be read. */
+  isUnreadable?: boolean;
 }
 
 /** A file to be saved. */

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { fileNameOfUrl, formatHash, parseHash } from "./link";
+import { downloadUrl, fileNameOfUrl, formatHash, parseHash } from "./link";
 
 const sample = (name: string, view = "") => ({ origin: { kind: "sample", name }, view });
 const url = (url: string, view = "") => ({ origin: { kind: "url", url }, view });
@@ -25,7 +25,7 @@ it("separates the view state", () => {
 });
 
 it("returns undefined for other hashes", () => {
-  for (const hash of ["", "#url=", "#elsewhere", "#t=2", "#sample=", "#curl=https://a.b"]) {
+  for (const hash of ["", "#elsewhere", "#t=2", "#sample=", "#curl=https://a.b"]) {
     expect(parseHash(hash)).toBeUndefined();
   }
 });
@@ -55,4 +55,28 @@ it("parses what it formats", () => {
 it("returns the file name of a URL", () => {
   expect(fileNameOfUrl("https://example.org/clips/walk%201.bvh?raw=1")).toBe("walk 1.bvh");
   expect(fileNameOfUrl("https://example.org/")).toBe("example.org");
+});
+
+it("accepts https and relative addresses of clips only", () => {
+  const page = "https://example.com/app/";
+  expect(downloadUrl("https://example.org/a.bvh", page).href).toBe("https://example.org/a.bvh");
+  expect(downloadUrl("clips/a.bvh", page).href).toBe("https://example.com/app/clips/a.bvh");
+  const rejected: readonly (readonly [string, RegExp])[] = [
+    ["javascript:alert(1)", /javascript:/],
+    ["java\tscript:alert(1)", /javascript:/],
+    ["data:text/plain,HIERARCHY", /data:/],
+    ["blob:https://example.com/1", /blob:/],
+    ["file:///etc/passwd", /file:/],
+    ["about:blank", /about:/],
+    ["https://", /not valid/],
+    ["https:", /not valid/],
+    ["http://[", /not valid/],
+    ["https://user:secret@example.org/a.bvh", /user name/],
+    ["", /no address/],
+  ];
+  for (const [address, message] of rejected) {
+    expect(() => downloadUrl(address, page), address).toThrow(
+      expect.objectContaining({ message: expect.stringMatching(message) }),
+    );
+  }
 });

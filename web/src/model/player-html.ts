@@ -7,6 +7,9 @@ import type { OnProgress } from "./types";
 
 /** Ids of the blocks, in the order of the page; the script of the player follows them. */
 export const blockIds = ["title", "enclosed", "clip", "core"] as const;
+/** Id of the block with the notices of third-party software, which every page contains. */
+export const noticesId = "notices";
+
 export type BlockId = (typeof blockIds)[number];
 
 /**
@@ -40,7 +43,8 @@ export const titleText = (text: string) =>
   text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 
 /** Returns the text of a block of this page; empty if there is no such block. */
-export const blockText = (block: BlockId) => document.getElementById(block)?.textContent ?? "";
+export const blockText = (block: BlockId | typeof noticesId) =>
+  document.getElementById(block)?.textContent ?? "";
 
 /** Bytes that are encoded at a time: a multiple of three, small enough not to block the page. */
 const chunkBytes = 3 * 2 ** 17;

@@ -1,4 +1,5 @@
 import { firstIndexWhere } from "../util/binary-search";
+import { safeFileName } from "../util/file-names";
 import type { FrameRange } from "./edits";
 import type { Segment } from "./types";
 
@@ -95,7 +96,7 @@ export function segmentFileNames(segments: readonly NamedSegment[], clip: string
       .trim()
       .replace(/[^\p{L}\p{N}]+/gu, "-")
       .replace(/^-|-$/g, "");
-    const parts = [clip, String(segment.number).padStart(digits, "0"), suffix];
+    const parts = [safeFileName(clip), String(segment.number).padStart(digits, "0"), suffix];
     return `${parts.filter(Boolean).join("-")}.bvh`;
   });
 }

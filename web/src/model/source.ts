@@ -1,12 +1,14 @@
 import type { Origin } from "./link";
 import type { SegmentName } from "./segments";
-import type { Clip, Detection, Edit } from "./types";
+import type { Clip, Detection, Edit, Notice } from "./types";
 import type { ViewState } from "./view-state";
 
 /** A clip that can be opened: a dropped file, a sample or a download. */
 export interface Source {
   name: string;
   data: Blob;
+  /** Notices on how the file was obtained. */
+  notices?: readonly Notice[];
   /** URL of reference labels, if any. */
   truthUrl?: string;
   /** Public address of the clip; absent for a local file. */

@@ -8,9 +8,9 @@ import type {
   CleanedPlantInfo,
   ClipInfo,
   DetectOptions as CoreDetectOptions,
+  Failure as CoreFailure,
   SegmentOptions as CoreSegmentOptions,
   EvidenceInfo,
-  Failure,
   GroundInfo,
   NoiseInfo,
   NoticeInfo,
@@ -23,7 +23,6 @@ export type {
   CutScore,
   DisagreementInfo as Disagreement,
   EditInfo as Edit,
-  Failure,
   FormatInfo as FileFormat,
   GaitInfo as Gait,
   GroundInfo as Ground,
@@ -36,6 +35,12 @@ export type {
   SegmentMethodInfo as SegmentationMethod,
   SlideInfo as Slide,
 } from "../wasm/plantigrade";
+
+/** The reason why something failed, for display. */
+export interface Failure extends CoreFailure {
+  /** True if the program failed, so that it may succeed when it is tried again. */
+  canRetry?: boolean;
+}
 
 /** A signed axis of the file that points up. */
 export type Up = ClipInfo["up"];

@@ -10,8 +10,9 @@ import {
 import type { FrameRange } from "../model/edits";
 import type { Instant } from "../model/plants";
 import type { Part, Side } from "../model/types";
-import { detection, edits, persistError } from "../store/session";
+import { detection, edits } from "../store/session";
 import { Icon } from "../ui/icons";
+import { StorageNotices } from "./StorageNotices";
 
 /** Buttons and fields for all edits, as an alternative to dragging. */
 export function PlantEditor() {
@@ -22,17 +23,13 @@ export function PlantEditor() {
         <HistoryButton id="undo" />
         <HistoryButton id="redo" />
       </div>
+      <StorageNotices />
       {selection.value ? (
         <SelectedPlant />
       ) : (
         <p class="note">Select a bar on the timeline or a plant in the list to edit it.</p>
       )}
       <AddPlant />
-      {persistError.value && (
-        <p class="note" role="status">
-          {persistError.value}
-        </p>
-      )}
     </div>
   );
 }

@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { removeReferenceSegments } from "../actions/compare";
 import { exportClips, exportSegments } from "../actions/export";
 import { loopSegment } from "../actions/playback";
-import { setSegmentName, setSegmentOptions } from "../actions/segment";
+import { runSegmentation, setSegmentName, setSegmentOptions } from "../actions/segment";
 import { toSentence } from "../model/report";
 import { type NamedSegment, segmentKind } from "../model/segments";
 import type { SegmentOptions } from "../model/types";
@@ -163,6 +163,11 @@ function Notices() {
         <h2>No segments</h2>
         <p>{toSentence(failure.message)}</p>
         {failure.hint && <p class="note">{failure.hint}</p>}
+        {failure.canRetry && (
+          <button type="button" class="button" onClick={() => void runSegmentation()}>
+            Try again
+          </button>
+        )}
       </div>
     );
   }

@@ -1,9 +1,11 @@
 /** The open clip and all state that belongs to it. */
 
 import { batch, type Signal, signal } from "@preact/signals";
+import type { StoredChanges } from "../model/batch";
 import type { FrameRange, PlantRef } from "../model/edits";
 import type { NamedSegment, SegmentName } from "../model/segments";
 import type { Source } from "../model/source";
+import type { UnreadableRecord } from "../model/stored-changes";
 import { clampView, type TimeView } from "../model/time-view";
 import type {
   Annotation,
@@ -90,6 +92,10 @@ export class ClipSession {
   readonly storageKey = signal<string | undefined>(undefined);
   /** Reason why edits cannot be stored; empty if they can. */
   readonly persistError = signal("");
+  /** Stored records of this clip that cannot be read. */
+  readonly unreadable = signal<readonly UnreadableRecord[]>([]);
+  /** Set when another page has changed the edits; `theirs` if both changed the same plants. */
+  readonly changedElsewhere = signal<{ theirs?: StoredChanges } | null>(null);
 
   /** Labels that the detection is compared with. */
   readonly reference = signal<Annotation | null>(null);

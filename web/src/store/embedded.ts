@@ -3,6 +3,7 @@
 import { blockText, decodeBlock } from "../model/player-html";
 import type { SegmentName } from "../model/segments";
 import type { Source } from "../model/source";
+import { parseChanges } from "../model/stored-changes";
 import type { Edit } from "../model/types";
 
 export interface EmbeddedClip {
@@ -22,7 +23,9 @@ export interface EmbeddedClip {
 export const embedded: EmbeddedClip | undefined =
   JSON.parse(blockText("enclosed") || "null") ?? undefined;
 
-/** Decodes the embedded clip, with its edits and names. */
-export async function embeddedSource({ id, name, edits, names }: EmbeddedClip): Promise<Source> {
-  return { name, data: await decodeBlock("clip"), shared: { id, edits, names } };
+/** Decodes the embedded clip, with its edits and names. Throws if the page is damaged. */
+export async function embeddedSource({ id, name, ...page }: EmbeddedClip): Promise<Source> {
+  const changes = parseChanges(page);
+  if (!changes) throw new Error("The edits in this page are damaged.");
+  return { name, data: await decodeBlock("clip"), shared: { id, ...changes } };
 }

@@ -1,6 +1,7 @@
 /** The last failure, shown until it is dismissed or another clip is opened. */
 
 import { batch, signal } from "@preact/signals";
+import { failureOf } from "../model/failure";
 import type { Source } from "../model/source";
 import type { Failure } from "../model/types";
 import { opening } from "./jobs";
@@ -13,34 +14,36 @@ export interface ErrorReport {
   failure: Failure;
   /** The file, if it can be opened again in another way. */
   source?: Source;
+  /** Repeats what failed, if that may help. */
+  retry?: () => void;
 }
 
 export const errorReport = signal<ErrorReport | null>(null);
 
-/** Returns the message of an error or of any other thrown value. */
-export const messageOf = (error: unknown) =>
-  error instanceof Error ? error.message : String(error);
-
 /** Reports that something could not be done with the open clip or one of its files. */
-export function reportFailure(action: string, name: string, error: unknown) {
+export function reportFailure(action: string, name: string, error: unknown, retry?: () => void) {
+  const failure = failureOf(error);
   errorReport.value = {
     name,
     action,
-    failure: { message: messageOf(error), ...(isTrap(error) && trapHint) },
+    failure,
+    ...(failure.canRetry && retry && { retry }),
   };
 }
 
-/** True if the wasm module trapped, in which case its worker is replaced. */
-const isTrap = (error: unknown) => error instanceof Error && error.name === "RuntimeError";
-
-const trapHint = {
-  hint: "The worker was restarted; your edits were not lost. Please report the problem, with the file if possible.",
-};
-
 /** Reports that a file could not be opened, and ends the opening. */
-export function reportOpenFailure(name: string, failure: Failure, source?: Source) {
+export function reportOpenFailure(
+  name: string,
+  failure: Failure,
+  { source, retry }: Pick<ErrorReport, "source" | "retry"> = {},
+) {
   batch(() => {
     opening.value = null;
-    errorReport.value = source ? { name, failure, source } : { name, failure };
+    errorReport.value = {
+      name,
+      failure,
+      ...(source && { source }),
+      ...(failure.canRetry && retry && { retry }),
+    };
   });
 }

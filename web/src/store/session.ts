@@ -22,6 +22,8 @@ export const edits = sessionField((clipSession) => clipSession.edits);
 export const selected = sessionField((clipSession) => clipSession.selected);
 export const dragPreview = sessionField((clipSession) => clipSession.dragPreview);
 export const persistError = sessionField((clipSession) => clipSession.persistError);
+export const unreadable = sessionField((clipSession) => clipSession.unreadable);
+export const changedElsewhere = sessionField((clipSession) => clipSession.changedElsewhere);
 export const reference = sessionField((clipSession) => clipSession.reference);
 export const scores = sessionField((clipSession) => clipSession.scores);
 export const scorePart = sessionField((clipSession) => clipSession.scorePart);
@@ -52,8 +54,9 @@ export const namedSegments = computed(() =>
 /** The first frame of each segment except the first. */
 export const cuts = computed(() => cutsOf(namedSegments.value));
 
-/** Notices of the reader and of the detector. */
+/** Notices of the archive, of the reader and of the detector. */
 export const notices = computed(() => [
+  ...((openClip.value && source.value?.notices) ?? []),
   ...(openClip.value?.notices ?? []),
   ...(openClip.value && detection.value ? detection.value.notices : []),
 ]);

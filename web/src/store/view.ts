@@ -45,7 +45,7 @@ export const activeTab = signal<Tab>("detect");
 /** True if the panel, a bottom sheet on phones, is raised. */
 export const sheetOpen = signal(false);
 
-export const dialog = signal<"keys" | "notices" | "share" | null>(null);
+export const dialog = signal<"keys" | "notices" | "share" | "third-party" | null>(null);
 
 /** True while files are dragged over the page. */
 export const filesDragged = signal(false);

@@ -7,12 +7,14 @@ interface Props {
   hint?: string | undefined;
   /** Adds a button that opens the joint assignment. */
   offersJoints?: boolean;
+  /** Repeats what failed, if that may help. */
+  retry?: (() => void) | undefined;
   /** Height of the lanes below the message, in pixels. */
   bottom?: number;
 }
 
 /** A message instead of the lanes of the feet, if there are none. */
-export function LanesMessage({ message, hint, offersJoints, bottom = 0 }: Props) {
+export function LanesMessage({ message, hint, offersJoints, retry, bottom = 0 }: Props) {
   const openClipPanel = () => {
     activeTab.value = "clip";
     sheetOpen.value = true;
@@ -24,6 +26,11 @@ export function LanesMessage({ message, hint, offersJoints, bottom = 0 }: Props)
     >
       <p>{toSentence(message)}</p>
       {hint && <p class="muted">{hint}</p>}
+      {retry && (
+        <button type="button" class="button" onClick={retry}>
+          Try again
+        </button>
+      )}
       {offersJoints && (
         <button type="button" class="button" onClick={openClipPanel}>
           Assign joints

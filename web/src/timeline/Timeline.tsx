@@ -1,5 +1,6 @@
 import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { runDetection } from "../actions/detect";
 import { principalTracks } from "../model/plants";
 import { companions } from "../store/companions";
 import { opening } from "../store/jobs";
@@ -27,6 +28,7 @@ import { Playhead } from "./Playhead";
 import { PointedFrameLine } from "./PointedFrameLine";
 import { paintTimeline } from "./paint";
 import { SegmentTable } from "./SegmentTable";
+import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 
 export function Timeline() {
@@ -136,6 +138,7 @@ export function Timeline() {
   const hasFrames = (openClip.value?.frames ?? 0) > 0;
   return (
     <section class="timeline" aria-label="Timeline" data-compared={reference.value !== null}>
+      <StorageStatus />
       <Transport />
       <div class="tracks" ref={container}>
         <canvas ref={canvas} class={hasFrames ? undefined : "no-frames"} />
@@ -149,8 +152,10 @@ export function Timeline() {
         )}
         {hasFrames && detectFailure.value && !opening.value && (
           <LanesMessage
-            {...detectFailure.value}
-            offersJoints
+            message={detectFailure.value.message}
+            hint={detectFailure.value.hint}
+            offersJoints={!detectFailure.value.canRetry}
+            retry={detectFailure.value.canRetry ? () => void runDetection() : undefined}
             bottom={size.value.height - (layout.value.lanes[0]?.y ?? layout.value.minimap.y)}
           />
         )}

@@ -25,7 +25,8 @@ export function Dialog({ title, children }: { title: string; children: Component
       aria-labelledby="dialog-title"
       // Escape fires cancel before close: shortcuts of the page must work again immediately.
       onCancel={close}
-      onClose={close}
+      // Another dialog may have replaced this one by then.
+      onClose={(event) => event.currentTarget.isConnected && close()}
       // A press on the backdrop targets the dialog element itself.
       onPointerDown={(event) => event.target === event.currentTarget && close()}
     >

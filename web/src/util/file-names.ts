@@ -1,15 +1,48 @@
 /** Returns a file name without the extension `.bvh`. */
 export const stemOf = (name: string) => name.replace(/\.bvh$/i, "");
 
-/** Makes names unique by appending numbers, ignoring case. */
+/** Makes names unique by appending numbers, ignoring case and the encoding of accents. */
 export function uniqueNames(names: readonly string[]): string[] {
   const used = new Set<string>();
+  const keyOf = (name: string) => name.normalize("NFC").toLowerCase();
   return names.map((name) => {
     let unique = name;
-    for (let n = 2; used.has(unique.toLowerCase()); n++) unique = `${name}-${n}`;
-    used.add(unique.toLowerCase());
+    for (let n = 2; used.has(keyOf(unique)); n++) unique = `${name}-${n}`;
+    used.add(keyOf(unique));
     return unique;
   });
+}
+
+/** Returns the last part of a path of any system. */
+export const baseNameOf = (path: string) => path.slice(path.search(/[^/\\]*$/));
+
+/** Names of devices on Windows, with any extension. */
+const reservedName = /^(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³])(?=\s*(\.|$))/i;
+
+/** Characters that a file system does not allow, and those that hide how a name reads. */
+const unsafeCharacters = /[\p{Cc}\p{Cf}\p{Zl}\p{Zp}<>:"/\\|?*]/gu;
+
+/** File systems allow 255 bytes; a number and an extension may follow. */
+const maxNameBytes = 200;
+
+/** Returns a name that every file system allows, for a file or for the start of its name. */
+export function safeFileName(name: string): string {
+  const clean = baseNameOf(name.replace(/^\s*[a-z]:/i, ""))
+    .toWellFormed()
+    .replace(unsafeCharacters, "_")
+    .replace(/^\s+|[\s.]+$/g, "")
+    // Commands take such a name for an option.
+    .replace(/^-/, "_")
+    .replace(reservedName, "_$1");
+  return shorten(clean) || "clip";
+}
+
+/** Shortens a name in its middle, so that its extension remains. */
+function shorten(name: string): string {
+  const start = new Uint8Array(maxNameBytes - 100);
+  if (new TextEncoder().encode(name).length <= maxNameBytes) return name;
+  const { read } = new TextEncoder().encodeInto(name, start);
+  return `${name.slice(0, read)}…${name.slice(-24)}`.toWellFormed();
 }
 
 /** True for the companion files and folders that macOS adds to archives. */

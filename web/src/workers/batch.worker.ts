@@ -11,6 +11,7 @@ import {
   type WasmClip,
   type WasmDetection,
 } from "../wasm/plantigrade";
+import { holdLock } from "./hold-lock";
 import { clipToPlain, detectionToPlain, transferables } from "./to-plain";
 import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
 
@@ -21,6 +22,7 @@ export type CompanionResult = Result<{ clip: Clip; detection: Detection | null }
 type ChangesOf = (hash: string) => Promise<StoredChanges>;
 
 const api = {
+  holdLock,
   startWasm,
 
   /** Detects and segments one file, and returns its summary and the requested files. */
@@ -96,6 +98,7 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
     notices: notices.length,
     missing: [],
     edited: changes.edits.length > 0,
+    ...(changes.isUnreadable && { hasUnreadableEdits: true }),
   };
   const files: SavedFile[] = [];
   const detected = await toResult(() => clip.detect(request.detect));

@@ -41,6 +41,7 @@ import {
   type WasmSegmentation,
 } from "../wasm/plantigrade";
 import { evidenceToPlain } from "./evidence-to-plain";
+import { holdLock } from "./hold-lock";
 import { rewriteFile } from "./rewrite-file";
 import {
   annotationToPlain,
@@ -77,6 +78,7 @@ interface OpenClip {
 let openClip: OpenClip | undefined;
 
 const api = {
+  holdLock,
   startWasm,
 
   /** Reads a clip and replaces the open one if it succeeds. */

@@ -8,6 +8,20 @@ const CHUNK_BYTES = 1 << 20;
  */
 const activeReaders = new Set<object>();
 
+/** Yields the chunks of a stream in order; ends the stream when the caller no longer reads. */
+export async function* readStream(
+  stream: ReadableStream<Uint8Array<ArrayBuffer>>,
+): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  const reader = stream.getReader();
+  activeReaders.add(reader);
+  try {
+    for (let next = await reader.read(); !next.done; next = await reader.read()) yield next.value;
+  } finally {
+    activeReaders.delete(reader);
+    await reader.cancel().catch(() => {});
+  }
+}
+
 /** Yields the bytes of a file in order; each chunk may overwrite the previous one. */
 export async function* readChunks(file: Blob): AsyncGenerator<Uint8Array> {
   const stream = file.stream();
@@ -15,7 +29,8 @@ export async function* readChunks(file: Blob): AsyncGenerator<Uint8Array> {
   try {
     reader = stream.getReader({ mode: "byob" });
   } catch {
-    yield* readDefault(stream.getReader());
+    // Not all browsers can read into a given buffer.
+    yield* readStream(stream);
     return;
   }
   activeReaders.add(reader);
@@ -30,9 +45,4 @@ export async function* readChunks(file: Blob): AsyncGenerator<Uint8Array> {
   } finally {
     activeReaders.delete(reader);
   }
-}
-
-/** For browsers that cannot read into a given buffer. */
-async function* readDefault(reader: ReadableStreamDefaultReader<Uint8Array>) {
-  for (let next = await reader.read(); !next.done; next = await reader.read()) yield next.value;
 }

@@ -1,5 +1,6 @@
 /** Functions shared by the workers: starting the wasm module, reading a clip, reporting failures. */
 
+import { failureOf, WorkerError } from "../model/failure";
 import type { Failure, OnProgress } from "../model/types";
 import init, { type WasmClip, WasmReader } from "../wasm/plantigrade";
 import { readChunks } from "./read-blob";
@@ -11,7 +12,14 @@ let resolveModule: (module: WebAssembly.Module) => void;
 /** Resolves when the module, which the page compiles once for all workers, runs in this one. */
 export const wasmReady = new Promise<WebAssembly.Module>((resolve) => {
   resolveModule = resolve;
-}).then((module) => init({ module_or_path: module }));
+})
+  .then((module) => init({ module_or_path: module }))
+  .catch((error: Error) => {
+    throw new WorkerError(`its module could not be started: ${error.message}`);
+  });
+
+// Each call reports the failure; a worker without a call does not.
+wasmReady.catch(() => {});
 
 export function startWasm(module: WebAssembly.Module) {
   resolveModule(module);
@@ -25,7 +33,7 @@ export async function toResult<T>(
     return { ok: true, value: await call() };
   } catch (error) {
     if (error instanceof Error) throw error;
-    return { ok: false, failure: error as Failure };
+    return { ok: false, failure: failureOf(error) };
   }
 }
 

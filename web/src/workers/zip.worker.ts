@@ -1,9 +1,13 @@
 /** Reads and writes zip archives. */
 
 import * as Comlink from "comlink";
-import { Unzip, UnzipInflate } from "fflate";
-import type { Failure, Result } from "../model/types";
+import { messageOf } from "../model/failure";
+import type { Failure, Notice, Result } from "../model/types";
+import { crc32 } from "../util/crc32";
 import { isMacCompanion } from "../util/file-names";
+import { holdLock } from "./hold-lock";
+import { readStream } from "./read-blob";
+import { listEntries, openEntry, type ZipEntry } from "./zip-reader";
 import { ZipWriter } from "./zip-writer";
 
 /** Limits on the content of an archive; they apply to what is unpacked, not to declared sizes. */
@@ -16,9 +20,23 @@ export interface UnzipLimits {
   files: number;
 }
 
-export type Unpacked = Result<{ files: File[] }>;
+export interface UnpackedFile {
+  file: File;
+  /** Set if the file does not agree with its checksum. */
+  notice?: Notice;
+}
+
+export interface UnpackedFiles {
+  files: UnpackedFile[];
+  /** Files that could not be unpacked. */
+  errors: { name: string; failure: Failure }[];
+}
+
+export type Unpacked = Result<UnpackedFiles>;
 
 const api = {
+  holdLock,
+
   /** Returns the files of an archive whose names have one of the `extensions`. */
   async unpack(
     archive: Blob,
@@ -26,14 +44,13 @@ const api = {
     limits: UnzipLimits,
   ): Promise<Unpacked> {
     try {
-      return { ok: true, files: await unpack(archive, extensions, limits) };
+      return { ok: true, ...(await unpack(archive, extensions, limits)) };
     } catch (error) {
       if (error instanceof LimitExceeded) return { ok: false, failure: error.failure };
-      const reason = error instanceof Error ? error.message : String(error);
       return {
         ok: false,
         failure: {
-          message: `the archive cannot be read (${reason})`,
+          message: `the archive cannot be read (${messageOf(error)})`,
           hint: "Unpack it with another program, and drop its files here.",
         },
       };
@@ -58,9 +75,6 @@ export type ZipApi = typeof api;
 
 Comlink.expose(api);
 
-/** Bytes that are unpacked at a time; they may expand a thousandfold. */
-const chunkBytes = 2 ** 16;
-
 let writer: ZipWriter | undefined;
 
 class LimitExceeded extends Error {
@@ -73,40 +87,63 @@ async function unpack(
   archive: Blob,
   extensions: readonly string[],
   limits: UnzipLimits,
-): Promise<File[]> {
-  const files: File[] = [];
-  let entries = 0;
-  let total = 0;
-  const unzip = new Unzip((entry) => {
-    if (!extensions.some((extension) => entry.name.toLowerCase().endsWith(extension))) return;
-    if (isMacCompanion(entry.name)) return;
-    if (++entries > limits.files) throw tooManyFiles(limits.files);
-    const parts: Uint8Array<ArrayBuffer>[] = [];
-    let size = 0;
-    entry.ondata = (error, chunk, isLast) => {
-      if (error) throw error;
-      size += chunk.length;
-      total += chunk.length;
-      if (size > limits.file || total > limits.total) {
-        entry.terminate();
-        throw tooManyBytes(entry.name, size > limits.file ? limits.file : limits.total);
-      }
-      parts.push(chunk as Uint8Array<ArrayBuffer>);
-      if (isLast) files.push(new File(parts, entry.name));
-    };
-    entry.start();
-  });
-  unzip.register(UnzipInflate);
-  const reader = archive.stream().getReader();
-  for (;;) {
-    const { done, value = new Uint8Array(0) } = await reader.read();
-    for (let at = 0; at < value.length; at += chunkBytes) {
-      unzip.push(value.subarray(at, at + chunkBytes));
+): Promise<UnpackedFiles> {
+  const entries = (await listEntries(archive)).filter(
+    ({ name }) =>
+      extensions.some((extension) => name.toLowerCase().endsWith(extension)) &&
+      !isMacCompanion(name),
+  );
+  if (entries.length > limits.files) throw tooManyFiles(limits.files);
+  const unpacked: UnpackedFiles = { files: [], errors: [] };
+  let remaining = limits.total;
+  for (const entry of entries) {
+    try {
+      const read = await readEntry(archive, entry, (size) => {
+        if (size > limits.file) throw tooManyBytes(entry.name, limits.file);
+        if (size > remaining) throw tooManyBytes(entry.name, limits.total);
+      });
+      remaining -= read.file.size;
+      unpacked.files.push(read);
+    } catch (error) {
+      if (error instanceof LimitExceeded) throw error;
+      const failure = {
+        message: `the file cannot be unpacked from the archive (${messageOf(error)})`,
+        hint: "Unpack the archive with another program, and drop the file here.",
+      };
+      unpacked.errors.push({ name: entry.name, failure });
     }
-    if (done) break;
   }
-  unzip.push(new Uint8Array(0), true);
-  return files;
+  return unpacked;
+}
+
+/**
+ * Unpacks a file and compares it with the checksum in the archive. `checkSize` throws for sizes above
+ * the limits.
+ */
+async function readEntry(
+  archive: Blob,
+  entry: ZipEntry,
+  checkSize: (size: number) => void,
+): Promise<UnpackedFile> {
+  const { name } = entry;
+  // Declared sizes may be too small, but no file is unpacked whose declared size is too large.
+  checkSize(entry.size);
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let size = 0;
+  let crc = 0;
+  for await (const chunk of readStream(await openEntry(archive, entry))) {
+    size += chunk.length;
+    checkSize(size);
+    crc = crc32(chunk, crc);
+    parts.push(chunk);
+  }
+  const file = new File(parts, name);
+  if (crc === entry.crc && size === entry.size) return { file };
+  const notice = {
+    code: "archive-checksum",
+    text: `The archive states another ${crc === entry.crc ? "size" : "checksum"} for ${name}: the file may be damaged. Pack it again from the original.`,
+  };
+  return { file, notice };
 }
 
 const tooManyFiles = (max: number) =>

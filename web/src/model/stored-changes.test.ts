@@ -1,0 +1,89 @@
+import { expect, test } from "vitest";
+import type { StoredChanges } from "./batch";
+import {
+  isConflict,
+  mergeChanges,
+  mergeLists,
+  nextRecord,
+  noChanges,
+  parseRecord,
+  sameChanges,
+} from "./stored-changes";
+import type { Edit } from "./types";
+
+const edit = (start: number, planted = true, side: "left" | "right" = "left"): Edit => ({
+  side,
+  part: "contact",
+  start,
+  end: start + 10,
+  planted,
+});
+const changes = (...edits: Edit[]): StoredChanges => ({ edits, names: [] });
+
+test("merges lists that were changed independently", () => {
+  const [a, b, c, d] = [edit(0), edit(20), edit(40), edit(60)];
+  expect(mergeLists([a], [a], [a, b])).toEqual([a, b]);
+  expect(mergeLists([a], [a, c], [a])).toEqual([a, c]);
+  expect(mergeLists([a], [a, c], [a, b])).toEqual([a, b, c]);
+  expect(mergeLists([a, b, c], [a, c], [a, b, c, d])).toEqual([a, c, d]);
+  expect(mergeLists([a], [], [a, b])).toEqual([b]);
+  expect(mergeLists([a], [a, b], [])).toEqual([b]);
+  expect(mergeLists([], [a, b], [a])).toEqual([a, b]);
+});
+
+test("preserves an edit that repeats an earlier one", () => {
+  const [on, off] = [edit(0), edit(0, false)];
+  expect(mergeLists([on, off], [on, off, on], [on, off])).toEqual([on, off, on]);
+  expect(mergeLists([on, off], [on, off, on], [on, off, edit(20)])).toEqual([
+    on,
+    off,
+    edit(20),
+    on,
+  ]);
+});
+
+test("merging is complete in either direction and repeatable", () => {
+  const base = changes(edit(0), edit(20));
+  const mine = changes(edit(0), edit(40));
+  const theirs = changes(edit(0), edit(20), edit(60));
+  const merged = mergeChanges(base, mine, theirs);
+  expect(sameChanges(merged, mergeChanges(base, theirs, mine))).toBe(true);
+  expect(sameChanges(merged, changes(edit(0), edit(40), edit(60)))).toBe(true);
+  expect(mergeChanges(theirs, merged, theirs)).toEqual(merged);
+});
+
+test("a name of this page replaces one of the same segment", () => {
+  const named = (name: string, start = 0) => ({ start, end: start + 9, name });
+  const merged = mergeChanges(
+    noChanges,
+    { edits: [], names: [named("walk")] },
+    { edits: [], names: [named("run"), named("turn", 20)] },
+  );
+  expect(merged.names).toEqual([named("walk"), named("turn", 20)]);
+});
+
+test("edits conflict if they overlap on the same foot", () => {
+  const base = changes(edit(0));
+  const mine = changes(edit(0), edit(20));
+  expect(isConflict(base, mine, changes(edit(0), edit(25, false)))).toBe(true);
+  expect(isConflict(base, mine, changes(edit(0), edit(30)))).toBe(false);
+  expect(isConflict(base, mine, changes(edit(0), edit(25, false, "right")))).toBe(false);
+  expect(isConflict(base, base, changes(edit(0, false)))).toBe(false);
+  expect(isConflict(base, mine, mine)).toBe(false);
+});
+
+test("records of the first version are read and get a revision", () => {
+  const text = JSON.stringify({ version: 1, name: "walk.bvh", edits: [edit(0)], names: [] });
+  const read = parseRecord(text);
+  expect(read).toEqual(parseRecord(text));
+  if (read.kind !== "valid") throw new Error("The record is valid.");
+  expect(read.record.edits).toEqual([edit(0)]);
+  const next = nextRecord(read.record, "walk.bvh", changes(edit(20)));
+  expect(next.ancestors).toEqual([read.record.revision]);
+  expect(parseRecord(JSON.stringify(next))).toEqual({ kind: "valid", record: next });
+});
+
+test("fields that the schema does not have are dropped", () => {
+  const record = { version: 1, name: "", edits: [{ ...edit(0), extra: {} }], names: [], more: 1 };
+  expect(parseRecord(JSON.stringify(record))).toMatchObject({ record: { edits: [edit(0)] } });
+});

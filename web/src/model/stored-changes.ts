@@ -1,0 +1,216 @@
+/** Records of edits and names in the storage of the browser: schema, validation, merging. */
+
+import { randomId } from "../util/random-id";
+import type { StoredChanges } from "./batch";
+import type { SegmentName } from "./segments";
+import type { Edit } from "./types";
+
+/** Version of the records that this app writes. */
+const currentVersion = 2;
+
+/** The edits and names of one clip as stored. Version 1 had no revisions. */
+export interface StoredClip extends StoredChanges {
+  version: typeof currentVersion;
+  /** Identifies this state of the record. */
+  revision: string;
+  /** The revisions from which this one was made, the newest first. */
+  ancestors: readonly string[];
+  /** Name of the file, for people who inspect the storage. */
+  name: string;
+}
+
+/** A record that a newer version of the app has written, or that is damaged. */
+export interface UnreadableRecord {
+  kind: "newer" | "malformed";
+  text: string;
+}
+
+/** The content of a storage key. */
+export type StoredRecord =
+  | { kind: "none" }
+  | { kind: "valid"; record: StoredClip }
+  | UnreadableRecord;
+
+export const noChanges: StoredChanges = { edits: [], names: [] };
+
+/** Parses a record; `text` is null if there is none. */
+export function parseRecord(text: string | null): StoredRecord {
+  if (text === null) return { kind: "none" };
+  const value = parseJson(text);
+  if (!isObject(value)) return { kind: "malformed", text };
+  const { version } = value;
+  if (Number.isInteger(version) && Number(version) > currentVersion) return { kind: "newer", text };
+  const { name, revision, ancestors } =
+    version === 1 ? { ...value, ...firstRevision(text) } : value;
+  const changes = parseChanges(value);
+  const isValid =
+    (version === 1 || version === currentVersion) &&
+    changes &&
+    typeof name === "string" &&
+    typeof revision === "string" &&
+    Array.isArray(ancestors) &&
+    ancestors.every((ancestor) => typeof ancestor === "string");
+  if (!isValid) return { kind: "malformed", text };
+  return {
+    kind: "valid",
+    record: { version: currentVersion, revision, ancestors, name, ...changes },
+  };
+}
+
+/** Returns the revision of a record of version 1: a hash (FNV-1a), so that all pages agree on it. */
+function firstRevision(text: string) {
+  let hash = 0x811c9dc5;
+  for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  return { revision: `1-${hash >>> 0}`, ancestors: [] };
+}
+
+/** Number of ancestors that a record lists. */
+const maxAncestors = 50;
+
+/** Returns the record that follows a revision. */
+export const nextRecord = (
+  { revision, ancestors }: Pick<StoredClip, "revision" | "ancestors">,
+  name: string,
+  { edits, names }: StoredChanges,
+): StoredClip => ({
+  version: currentVersion,
+  revision: randomId(),
+  ancestors: [revision, ...ancestors].filter(Boolean).slice(0, maxAncestors),
+  name,
+  edits,
+  names,
+});
+
+/** Returns the edits and names of an object from outside, or undefined if any is invalid. */
+export function parseChanges(value: unknown): StoredChanges | undefined {
+  if (!isObject(value)) return undefined;
+  const { edits, names } = value;
+  if (!Array.isArray(edits) || !edits.every(isEdit)) return undefined;
+  if (!Array.isArray(names) || !names.every(isSegmentName)) return undefined;
+  return {
+    edits: edits.map(({ side, part, start, end, planted }) => ({
+      side,
+      part,
+      start,
+      end,
+      planted,
+    })),
+    names: names.map(({ start, end, name }) => ({ start, end, name })),
+  };
+}
+
+function parseJson(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** Frame numbers are 32 bits wide in the core. */
+const maxFrame = 2 ** 32 - 1;
+
+function isRange({ start, end }: Record<string, unknown>): boolean {
+  const isFrame = (value: unknown) =>
+    Number.isInteger(value) && Number(value) >= 0 && Number(value) <= maxFrame;
+  return isFrame(start) && isFrame(end) && Number(start) < Number(end);
+}
+
+function isEdit(value: unknown): value is Edit {
+  return (
+    isObject(value) &&
+    isRange(value) &&
+    ["left", "right"].includes(value.side as string) &&
+    ["contact", "heel", "toe"].includes(value.part as string) &&
+    typeof value.planted === "boolean"
+  );
+}
+
+function isSegmentName(value: unknown): value is SegmentName {
+  return isObject(value) && isRange(value) && typeof value.name === "string";
+}
+
+/**
+ * Merges two lists that were changed independently: `theirs`, without the items of `base` that
+ * `mine` lacks, and then the items that `mine` adds.
+ */
+export function mergeLists<T extends object>(
+  base: readonly T[],
+  mine: readonly T[],
+  theirs: readonly T[],
+): readonly T[] {
+  const prefix = commonPrefix(base, mine);
+  const [before, after] = [base.slice(prefix), mine.slice(prefix)];
+  const removed = without(before, after);
+  // An item that both sides added is not repeated.
+  const added = without(without(after, before), without(theirs, base));
+  return removed.length || added.length ? [...without(theirs, removed), ...added] : theirs;
+}
+
+const keyOf = (item: object) => JSON.stringify(item);
+
+function commonPrefix(a: readonly object[], b: readonly object[]): number {
+  const isSame = (x: object | undefined, y: object | undefined) =>
+    x === y || (x && y && keyOf(x) === keyOf(y));
+  const length = Math.min(a.length, b.length);
+  for (let i = 0; i < length; i++) if (!isSame(a[i], b[i])) return i;
+  return length;
+}
+
+/** Returns a list without one occurrence of each item of another list. */
+function without<T extends object>(list: readonly T[], others: readonly T[]): readonly T[] {
+  if (!list.length || !others.length) return list;
+  const counts = new Map<string, number>();
+  for (const other of others) counts.set(keyOf(other), (counts.get(keyOf(other)) ?? 0) + 1);
+  return list.filter((item) => {
+    const count = counts.get(keyOf(item)) ?? 0;
+    if (count) counts.set(keyOf(item), count - 1);
+    return !count;
+  });
+}
+
+/** Merges edits and names that were changed independently. */
+export const mergeChanges = (
+  base: StoredChanges,
+  mine: StoredChanges,
+  theirs: StoredChanges,
+): StoredChanges => ({
+  edits: mergeLists(base.edits, mine.edits, theirs.edits),
+  names: mergeNames(base.names, mine.names, theirs.names),
+});
+
+/** Merges names; of two names of the same range, that of `mine` remains. */
+function mergeNames(
+  base: readonly SegmentName[],
+  mine: readonly SegmentName[],
+  theirs: readonly SegmentName[],
+): readonly SegmentName[] {
+  const merged = mergeLists(base, mine, theirs);
+  const lastOf = new Map(merged.map((name) => [`${name.start}-${name.end}`, name]));
+  return lastOf.size === merged.length ? merged : [...lastOf.values()];
+}
+
+/** True if two sets of changes have the same content, in any order. */
+export function sameChanges(a: StoredChanges, b: StoredChanges): boolean {
+  const isSame = (x: readonly object[], y: readonly object[]) =>
+    x === y || (x.length === y.length && without<object>(x, y).length === 0);
+  return isSame(a.edits, b.edits) && isSame(a.names, b.names);
+}
+
+/** True if both sides added edits that overlap: of the same foot and frames. */
+export function isConflict(
+  base: StoredChanges,
+  mine: StoredChanges,
+  theirs: StoredChanges,
+): boolean {
+  const theirEdits = without(without(theirs.edits, base.edits), mine.edits);
+  const myEdits = without(without(mine.edits, base.edits), theirs.edits);
+  return myEdits.some((mine) =>
+    theirEdits.some(
+      (other) => other.side === mine.side && other.start < mine.end && mine.start < other.end,
+    ),
+  );
+}
