@@ -13,8 +13,8 @@ export default defineConfig({
   retries: process.env.CI ? 1 : 0,
   forbidOnly: Boolean(process.env.CI),
   workers: 2,
-  // Without a graphics card, WebGL is rendered in software.
-  timeout: 60_000,
+  // Without a graphics card, WebGL is rendered in software; a busy machine is several times slower.
+  timeout: 180_000,
   expect: { timeout: 15_000 },
   use: {
     browserName: "chromium",

@@ -1,7 +1,7 @@
 /** Measuring and removing foot skate. */
 
 import { expect, test } from "./app";
-import { file } from "./clips";
+import { file, sample } from "./clips";
 
 test("measures and removes foot skate and saves the cleaned clip", async ({ app }) => {
   await app.openSample("limp-to-run");
@@ -49,4 +49,24 @@ test("goes to the largest slide and discards the result after edits", async ({ a
   await page.keyboard.press("e");
   await page.keyboard.press("Delete");
   await expect(app.panel.getByRole("button", { name: "Remove foot skate" })).toBeVisible();
+});
+
+test("repairs spikes of the hips and can leave them", async ({ app }) => {
+  const lines = sample("curved-walk").buffer.toString().split("\n");
+  const row = lines.findIndex((line) => line.startsWith("Frame Time")) + 1 + 81;
+  const [x, y, ...others] = (lines[row] ?? "").split(" ");
+  lines[row] = [x, Number(y) + 12, ...others].join(" ");
+  await app.drop(file("spike.bvh", lines.join("\n")));
+  await app.waitForClip("spike.bvh");
+  await app.tab("Clip");
+  await app.panel.getByRole("button", { name: "Remove foot skate" }).click();
+  const notice = app.panel.getByText(/^The hips have a spike, from frame 81 on/);
+  await expect(notice).toBeVisible();
+  const repair = app.panel.getByRole("checkbox", { name: "Repair spikes of the hips" });
+  await repair.uncheck();
+  await expect(notice).toBeHidden();
+  await expect(repair).not.toBeChecked();
+  await expect(app.panel.getByRole("button", { name: "After" })).toBeVisible();
+  await repair.check();
+  await expect(notice).toBeVisible();
 });

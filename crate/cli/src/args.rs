@@ -288,6 +288,9 @@ pub struct CleanArgs {
     /// Labels to use: a document or table of detect, or a truth file [default: detected]
     #[arg(long, value_name = "LABELS", conflicts_with_all = ["plants", "method"])]
     pub labels: Option<PathBuf>,
+    /// Leave spikes of the hips, short jumps away and back, which are otherwise interpolated
+    #[arg(long)]
+    pub keep_spikes: bool,
     /// Detection method and parameters.
     #[command(flatten)]
     pub detection: DetectionArgs,

@@ -157,3 +157,31 @@ fn clean_writes_the_given_rate() {
     let line = b" Frame  Time:  0.01\t\r\n";
     assert!(after.windows(line.len()).any(|window| window == line));
 }
+
+#[test]
+fn spikes_are_repaired_or_left_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut lines: Vec<String> = fs::read_to_string(project("samples/curved-walk.bvh"))
+        .expect("a sample")
+        .lines()
+        .map(String::from)
+        .collect();
+    let first = 1 + lines.iter().position(|line| line.starts_with("Frame Time")).expect("a motion section");
+    let mut row: Vec<String> = lines[first + 81].split(' ').map(String::from).collect();
+    row[1] = (row[1].parse::<f64>().expect("a height") + 12.0).to_string();
+    lines[first + 81] = row.join(" ");
+    fs::write(folder.path().join("spike.bvh"), lines.join("\n")).expect("a file");
+    let height = |name: &str, frame: usize| clip(&folder.path().join(name)).row(frame)[1];
+    for (option, is_repaired) in [(None, true), (Some("--keep-spikes"), false)] {
+        let args: Vec<&str> = ["clean", "spike.bvh", "-o", "out.bvh"].into_iter().chain(option).collect();
+        let (code, _, stderr) = run(folder.path(), &args, b"");
+        assert_eq!(code, 0, "{stderr}");
+        assert_eq!(stderr.contains("The hips have a spike, from frame 81 on"), is_repaired, "{stderr}");
+        let jump = height("out.bvh", 81) - height("out.bvh", 80);
+        assert_eq!(jump.abs() < 1.0, is_repaired, "{jump}");
+        // Other frames are not harmed: 4 units are a tenth of a leg.
+        let frames = (0..245).filter(|&frame| frame != 81);
+        let moved = frames.map(|frame| (height("out.bvh", frame) - height("spike.bvh", frame)).abs());
+        assert!(moved.fold(0.0, f64::max) < 4.0);
+    }
+}

@@ -242,11 +242,13 @@ export class Plants {
    * except for the numbers that differ.
    *
    * @param file The bytes that `Clip.read` was given, or chunks of them.
+   * @param keepSpikes If true, spikes of the hips, short jumps away and back, are not interpolated;
+   *   default false.
    * @throws PlantigradeError If the file is shorter than the one that was read.
    */
-  clean(file: Uint8Array | Iterable<Uint8Array>): Uint8Array {
+  clean(file: Uint8Array | Iterable<Uint8Array>, keepSpikes = false): Uint8Array {
     return rethrow(() => {
-      const cleaned = this.clip.clean(this.inner);
+      const cleaned = this.clip.clean(this.inner, keepSpikes);
       const rewriter = cleaned.rewriter();
       cleaned.free();
       const written: Uint8Array[] = [];

@@ -72,13 +72,15 @@ impl WasmClip {
         skate.plants.iter().map(|slide| to_js(&SlideInfo::from(slide))).collect()
     }
 
-    /// Removes foot skate: constrains every planted foot to one position.
+    /// Removes foot skate: constrains every planted foot to one position. Spikes of the hips, short jumps
+    /// away and back, are interpolated unless `keep_spikes`.
     ///
     /// # Errors
     /// If the clip has no motion or no feet.
-    pub fn clean(&self, detection: &WasmDetection) -> Result<WasmCleanedClip, Failure> {
+    pub fn clean(&self, detection: &WasmDetection, keep_spikes: bool) -> Result<WasmCleanedClip, Failure> {
         let contacts = Contacts::from(detection.core());
-        let cleaned = skate::clean(self.core(), self.skeleton(), &contacts, &Options::default())?;
+        let options = Options { repair_spikes: !keep_spikes, ..Options::default() };
+        let cleaned = skate::clean(self.core(), self.skeleton(), &contacts, &options)?;
         let Cleaned { clip, plants, notices } = cleaned;
         let (layout, skeleton) = (self.layout().clone(), self.skeleton().clone());
         Ok(WasmCleanedClip { clip: Arc::new(clip), plants, notices, layout, skeleton })

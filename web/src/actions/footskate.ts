@@ -11,7 +11,7 @@ import { stemOf } from "../util/file-names";
 import { download } from "./download";
 
 /** Removes the foot skate of the open clip and shows the result. */
-export async function cleanClip(): Promise<void> {
+export async function cleanClip(keepSpikes = false): Promise<void> {
   const clipSession = session.value;
   const [before, detection, overrides] = [
     clipSession.clip.value,
@@ -23,18 +23,25 @@ export async function cleanClip(): Promise<void> {
   try {
     const cleaned = await clipSession.run("clean", () =>
       runJob({ title: "Removing foot skate from" }, new AbortController(), (options) =>
-        engine.clean(options),
+        engine.clean(options, keepSpikes),
       ),
     );
     // Labels that have changed since the start need another clean-up.
     if (!cleaned || clipSession.detection.value !== detection) return;
     batch(() => {
-      clipSession.cleanUp.value = { clip: before, detection, overrides, cleaned, view: "both" };
+      clipSession.cleanUp.value = {
+        clip: before,
+        detection,
+        overrides,
+        keepSpikes,
+        cleaned,
+        view: "both",
+      };
       announcement.value = "Foot skate removed; the original is shown as a ghost";
     });
   } catch (error) {
     if (!(error instanceof Cancelled))
-      reportFailure("cleaned", before.name, error, () => void cleanClip());
+      reportFailure("cleaned", before.name, error, () => void cleanClip(keepSpikes));
   } finally {
     clipSession.cleaning.value = false;
   }
@@ -49,7 +56,10 @@ export function setCleanedView(view: CleanedView) {
 /** Downloads the cleaned clip. */
 export async function saveCleaned(): Promise<void> {
   const name = `${stemOf(clip.value?.name ?? "clip")}.clean.bvh`;
+  const keepSpikes = session.value.cleanUp.value?.keepSpikes ?? false;
   await download(name, () =>
-    runJob({ title: "Writing" }, new AbortController(), (options) => engine.saveCleaned(options)),
+    runJob({ title: "Writing" }, new AbortController(), (options) =>
+      engine.saveCleaned(options, keepSpikes),
+    ),
   );
 }

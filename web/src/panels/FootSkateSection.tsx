@@ -3,7 +3,7 @@ import { jumpTo } from "../actions/playback";
 import { formatCentimetres, summarizeSlides } from "../model/slides";
 import type { CleanedClip } from "../model/types";
 import type { CleanedView } from "../store/clip-session";
-import { cleaned, cleanedView, cleaning, clip, slides } from "../store/session";
+import { cleaned, cleanedView, cleaning, clip, slides, spikesKept } from "../store/session";
 
 const views: readonly (readonly [CleanedView, string])[] = [
   ["before", "Before"],
@@ -61,7 +61,12 @@ export function FootSkateSection() {
       {result ? (
         <CleanResult cleaned={result} />
       ) : (
-        <button type="button" class="button" disabled={cleaning.value} onClick={cleanClip}>
+        <button
+          type="button"
+          class="button"
+          disabled={cleaning.value}
+          onClick={() => void cleanClip()}
+        >
           Remove foot skate
         </button>
       )}
@@ -91,6 +96,7 @@ function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip })
       <button type="button" class="button" onClick={saveCleaned}>
         Save cleaned clip <span class="muted">BVH</span>
       </button>
+      <SpikeChoice hasSpikes={notices.some(({ code }) => code === "spike")} />
       {(skipped.length > 0 || notices.length > 0) && (
         <ul class="note-list">
           {skipped.slice(0, 5).map(({ side, start, skipReason }) => (
@@ -111,5 +117,22 @@ function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip })
         </ul>
       )}
     </>
+  );
+}
+
+/** Choice whether spikes of the hips are repaired, if the clip has any. */
+function SpikeChoice({ hasSpikes }: { hasSpikes: boolean }) {
+  const keeps = spikesKept.value;
+  if (!hasSpikes && !keeps) return null;
+  return (
+    <label class="checkbox-row">
+      <input
+        type="checkbox"
+        checked={!keeps}
+        disabled={cleaning.value}
+        onChange={() => void cleanClip(!keeps)}
+      />
+      Repair spikes of the hips
+    </label>
   );
 }

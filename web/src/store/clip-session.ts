@@ -36,6 +36,8 @@ export interface CleanUp {
   clip: Clip;
   detection: Detection;
   overrides: Overrides;
+  /** True if spikes of the hips were not repaired. */
+  keepSpikes: boolean;
   cleaned: CleanedClip;
   view: CleanedView;
 }

@@ -216,11 +216,11 @@ const api = {
   },
 
   /** Removes foot skate; the result can be saved until the labels change. */
-  async clean(): Promise<CleanedClip> {
+  async clean(keepSpikes: boolean): Promise<CleanedClip> {
     const open = current();
     if (!open.detection) throw new Error("The clean-up requires labels.");
     discardCleaned(open);
-    const cleaned = open.clip.clean(open.detection);
+    const cleaned = open.clip.clean(open.detection, keepSpikes);
     open.cleaned = cleaned;
     const positions = cleaned.positions() as Float32Array<ArrayBuffer>;
     const plain = { positions, plants: cleaned.plants(), notices: cleaned.notices() };
@@ -228,10 +228,10 @@ const api = {
   },
 
   /** Returns the cleaned clip as a BVH file. */
-  async saveCleaned(): Promise<Blob> {
+  async saveCleaned(keepSpikes: boolean): Promise<Blob> {
     const open = current();
     if (!open.detection) throw new Error("The clean-up requires labels.");
-    open.cleaned ??= open.clip.clean(open.detection);
+    open.cleaned ??= open.clip.clean(open.detection, keepSpikes);
     return rewriteFile(open.file, open.cleaned.rewriter());
   },
 

@@ -55,7 +55,8 @@ fn clean(
             Contacts::from(&plants::detect(&Feet::new(clip, &skeleton).map_err(detect_error)?, params))
         }
     };
-    let cleaned = skate::clean(clip, &skeleton, &contacts, &Options::default());
+    let options = Options { repair_spikes: !args.keep_spikes, ..Options::default() };
+    let cleaned = skate::clean(clip, &skeleton, &contacts, &options);
     let cleaned = cleaned.map_err(|error| InputError::Clean { path: input.path.clone(), error })?;
     let summary = summary(&cleaned);
     let cleaned_clip = Arc::new(cleaned.clip);
