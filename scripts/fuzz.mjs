@@ -18,7 +18,8 @@ const known = readdirSync(join(folder, "fuzz_targets")).map((file) => file.repla
 
 await main(async () => {
   const [seconds = "60", ...names] = process.argv.slice(2);
-  if (!(Number(seconds) > 0)) throw new Stop(`The time must be a number of seconds, not "${seconds}".`);
+  if (!(Number(seconds) > 0))
+    throw new Stop(`The time must be a number of seconds, not "${seconds}".`);
   const unknown = names.find((name) => !known.includes(name));
   if (unknown) throw new Stop(`Unknown target "${unknown}". The targets are ${known.join(", ")}.`);
   await toolchain();
@@ -30,9 +31,23 @@ await main(async () => {
     await run(
       cargoFuzz,
       // Without a sanitizer, as the core has no unsafe code.
-      ["run", "--fuzz-dir", folder, "--sanitizer", "none", name, ...inputs.filter(existsSync)].concat(
+      [
+        "run",
+        "--fuzz-dir",
+        folder,
+        "--sanitizer",
+        "none",
+        name,
+        ...inputs.filter(existsSync),
+      ].concat(
         // A run may take a second, and inputs have up to 10 kB.
-        ["--", `-max_total_time=${seconds}`, "-timeout=1", "-max_len=10000", "-print_final_stats=1"],
+        [
+          "--",
+          `-max_total_time=${seconds}`,
+          "-timeout=1",
+          "-max_len=10000",
+          "-print_final_stats=1",
+        ],
       ),
       { source: CRATES, env: { RUSTUP_TOOLCHAIN: "nightly" } },
     );
@@ -46,12 +61,20 @@ async function install() {
     await run("rustup", ["toolchain", "install", "nightly", "--profile", "minimal"]);
   }
   const tools = join(targetFolder(), "fuzz-tools");
-  const program = join(tools, "bin", process.platform === "win32" ? "cargo-fuzz.exe" : "cargo-fuzz");
+  const program = join(
+    tools,
+    "bin",
+    process.platform === "win32" ? "cargo-fuzz.exe" : "cargo-fuzz",
+  );
   if (ask(program, ["--version"]) !== `cargo-fuzz ${CARGO_FUZZ}`) {
     step("Installing cargo-fuzz");
-    await run("cargo", ["install", "cargo-fuzz", "--locked", "--version", CARGO_FUZZ, "--root", tools], {
-      source: CRATES,
-    });
+    await run(
+      "cargo",
+      ["install", "cargo-fuzz", "--locked", "--version", CARGO_FUZZ, "--root", tools],
+      {
+        source: CRATES,
+      },
+    );
   }
   return program;
 }

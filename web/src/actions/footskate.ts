@@ -23,7 +23,7 @@ export async function cleanClip(keepSpikes = false): Promise<void> {
   try {
     const cleaned = await clipSession.run("clean", () =>
       runJob({ title: "Removing foot skate from" }, new AbortController(), (options) =>
-        engine.clean(options, keepSpikes),
+        engine.clean(keepSpikes, options),
       ),
     );
     // Labels that have changed since the start need another clean-up.
@@ -59,7 +59,7 @@ export async function saveCleaned(): Promise<void> {
   const keepSpikes = session.value.cleanUp.value?.keepSpikes ?? false;
   await download(name, () =>
     runJob({ title: "Writing" }, new AbortController(), (options) =>
-      engine.saveCleaned(options, keepSpikes),
+      engine.saveCleaned(keepSpikes, options),
     ),
   );
 }
