@@ -203,7 +203,7 @@ fn clips() -> &'static [Clip] {
         let clip = |generated: plantigrade_synth::Generated| {
             let clip = generated.clip;
             let step = (clip.rate() / 30.0).round().max(1.0) as usize;
-            let frames = (10..clip.frame_count()).step_by(step).take(50);
+            let frames = (10..clip.frame_count()).step_by(step).take(24);
             let values = frames.flat_map(|frame| clip.row(frame).to_vec()).collect();
             Clip::new(clip.joints().to_vec(), 1.0 / 30.0, values)
         };

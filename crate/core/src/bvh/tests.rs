@@ -384,6 +384,15 @@ fn an_extra_column_of_frame_numbers_or_times_is_rejected() {
 }
 
 #[test]
+fn written_names_are_read_back() {
+    let text = b"HIERARCHY\nROOT \x85{a\x85\n{\nOFFSET 0 0 0\nCHANNELS 0\n}\n";
+    let options = Options { decode_names: decode_windows_1252, ..Options::default() };
+    let parsed = parse(text, options).unwrap();
+    assert_eq!(parsed.clip.joints()[0].name, "\u{2026}{a\u{2026}");
+    assert_eq!(read(&write(&parsed.clip)).clip.joints()[0].name, "\u{2026}(a\u{2026}");
+}
+
+#[test]
 fn names_in_other_encodings_are_decoded() {
     let file = |names: [&[u8]; 3]| {
         let mut bytes = b"HIERARCHY\nROOT ".to_vec();

@@ -8,7 +8,8 @@ use crate::bvh::{Channel, Clip, JointKind, PositionRule};
 ///
 /// Numbers have the fewest digits that read back to the same value and no exponents, so
 /// `parse(write(clip))` returns the same clip. BVH cannot express [`PositionRule::Add`]: such a clip
-/// is written with the offsets added to its position channels, which results in the same motion.
+/// is written with the offsets added to its position channels, which results in the same motion. An
+/// opening brace in a name, as a file in another encoding than UTF-8 may have it, is written as `(`.
 pub fn write(clip: &Clip) -> String {
     let mut text = String::from("HIERARCHY\n");
     write_hierarchy(clip, &mut text);
@@ -70,7 +71,11 @@ fn write_hierarchy(clip: &Clip, text: &mut String) {
         };
         let [x, y, z] = joint.offset.into();
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{indent}{keyword}{}\n{indent}{{\n{indent}\tOFFSET {x} {y} {z}", joint.name);
+        let _ = writeln!(
+            text,
+            "{indent}{keyword}{}\n{indent}{{\n{indent}\tOFFSET {x} {y} {z}",
+            written_name(&joint.name)
+        );
         if joint.kind != JointKind::EndSite {
             let _ = write!(text, "{indent}\tCHANNELS {}", joint.channels.len());
             for channel in &joint.channels {
@@ -83,6 +88,11 @@ fn write_hierarchy(clip: &Clip, text: &mut String) {
     while !open.is_empty() {
         close_brace(&mut open, text);
     }
+}
+
+/// Returns the name without characters that would end it.
+fn written_name(name: &str) -> String {
+    name.replace('{', "(").replace(char::is_control, " ")
 }
 
 fn close_brace(open: &mut Vec<usize>, text: &mut String) {

@@ -5,8 +5,9 @@ use std::ops::Range;
 use crate::bvh::Clip;
 use crate::numeric::interpolate;
 
-/// Maximum number of samples per frame, reached by clips with a few frames per second.
-const MAX_SAMPLES_PER_FRAME: f64 = 12.0;
+/// Maximum number of samples per frame, reached at 24 Hz. Poses between frames are on curves, of which more
+/// samples would tell nothing.
+const MAX_SAMPLES_PER_FRAME: f64 = 5.0;
 
 /// Maximum number of frames per sample. No clip has as many, but frame times may be 0.
 const MAX_FRAMES_PER_SAMPLE: f64 = 1e9;
@@ -85,8 +86,8 @@ mod tests {
     }
 
     #[test]
-    fn any_rate_gives_the_same_samples() {
-        for rate in [10.0, 24.0, 30.0, 59.94, 60.0, 120.0, 1.0 / 0.0083333, 240.0] {
+    fn common_rates_give_the_same_samples() {
+        for rate in [24.0, 30.0, 59.94, 60.0, 120.0, 1.0 / 0.0083333, 240.0] {
             let (grid, values) = sampled(rate, 4.0);
             assert!(values.len().abs_diff(481) <= 3, "{rate} Hz: {}", values.len());
             for (sample, value) in values.iter().enumerate().take(470).skip(10) {
@@ -99,7 +100,7 @@ mod tests {
 
     #[test]
     fn implausible_rates_have_samples() {
-        for (frame_time, count) in [(0.0, 1), (1e-300, 1), (f64::NAN, 10), (-1.0, 109), (1e9, 109)] {
+        for (frame_time, count) in [(0.0, 1), (1e-300, 1), (f64::NAN, 10), (-1.0, 46), (1e9, 46)] {
             let clip = Clip::new(Vec::new(), frame_time, Vec::new());
             let grid = SampleGrid::new(&clip, &(0..10), 120.0);
             assert_eq!(grid.sample_curve(&[1.0; 10]), vec![1.0; count], "{frame_time}");
