@@ -61,16 +61,17 @@ export interface InvalidFile {
 
 const rows = readFileSync(join(root, "tests/files/expected.txt"), "utf8").split("\n");
 
-/** Valid files with their expected properties. */
+/** Complete valid files with their expected properties. */
 export const validFiles: readonly ValidFile[] = rows.flatMap((row) => {
-  const match = /^good\/(.+)\.bvh: (\d+) frames(?:, (.+))?$/.exec(row);
+  const match = /^good\/([^/]+)\.bvh: (\d+) frames(?:, (.+))?$/.exec(row);
   if (!match?.[1]) return [];
-  return [{ name: match[1], frames: Number(match[2]), notices: match[3]?.split(", ") ?? [] }];
+  const notices = match[3]?.split(", ").map((notice) => notice.replace(/ .*/, "")) ?? [];
+  return [{ name: match[1], frames: Number(match[2]), notices }];
 });
 
-/** Invalid files with their expected errors. */
+/** Complete invalid files with their expected errors. */
 export const invalidFiles: readonly InvalidFile[] = rows.flatMap((row) => {
-  const match = /^bad\/(.+)\.bvh:(?:(\d+):(\d+):)? error: (.+)$/.exec(row);
+  const match = /^bad\/([^/]+)\.bvh:(?:(\d+):(\d+):)? \w+: (.+)$/.exec(row);
   if (!match?.[1] || !match[4]) return [];
   const invalid: InvalidFile = { name: match[1], message: match[4] };
   if (match[2]) invalid.location = `line ${match[2]}, column ${match[3]}`;

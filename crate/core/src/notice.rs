@@ -6,7 +6,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 /// Location in a file; lines and columns count from 1, columns in characters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Location {
     /// Line number.
     pub line: usize,
@@ -30,6 +30,8 @@ pub enum Code {
     MissingName,
     /// A joint has no `OFFSET`, or more than one.
     Offset,
+    /// An end site has channels or joints; it was read as a joint.
+    EndSite,
     /// Joint names are neither UTF-8 nor UTF-16; their encoding was guessed.
     NameEncoding,
     /// Scale channels were read and are not used.

@@ -24,7 +24,7 @@ pub enum ErrorKind {
     #[error("unknown channel {0:?}")]
     UnknownChannel(String),
     /// The file ends within the hierarchy.
-    #[error("the hierarchy is incomplete: {open} braces are not closed")]
+    #[error("the hierarchy is incomplete: {}", open_braces(*.open))]
     UnclosedBraces {
         /// Number of braces that were not closed.
         open: usize,
@@ -140,6 +140,14 @@ impl ErrorKind {
                 | ErrorKind::TooManyJoints(_)
                 | ErrorKind::TooDeep(_)
         )
+    }
+}
+
+fn open_braces(count: usize) -> String {
+    match count {
+        0 => "the file ends before a brace".into(),
+        1 => "1 brace is not closed".into(),
+        _ => format!("{count} braces are not closed"),
     }
 }
 

@@ -1,5 +1,7 @@
 //! The `HIERARCHY` section.
 
+use std::collections::HashSet;
+
 use nalgebra::Vector3;
 
 use crate::bvh::error::location;
@@ -7,7 +9,7 @@ use crate::bvh::names::{self, NameDecoder};
 use crate::bvh::number::Decimals;
 use crate::bvh::repairs::{Repair, Repairs};
 use crate::bvh::{Axis, Channel, END_SITE, Error, ErrorKind, Joint, JointKind, Limits, Options, number};
-use crate::notice::{Code, Notice};
+use crate::notice::{Code, Location, Notice};
 
 /// Builds the joints from lines of text.
 #[derive(Debug)]
@@ -25,6 +27,22 @@ pub(crate) struct Hierarchy {
     offset_seen: Vec<bool>,
     decimals: Decimals,
     repairs: Repairs,
+    locations: JointLocations,
+    /// Names of roots and joints so far.
+    seen: HashSet<Vec<u8>>,
+    /// Number and text of the last line that is not blank.
+    last: (usize, Vec<u8>),
+}
+
+/// Locations of joints that notices are about.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct JointLocations {
+    /// Name of the second root.
+    pub second_root: Option<Location>,
+    /// First name that another joint has, too.
+    pub duplicate: Option<Location>,
+    /// First name that is not UTF-8.
+    pub encoding: Option<Location>,
 }
 
 /// A complete hierarchy.
@@ -34,6 +52,7 @@ pub(crate) struct HierarchySection {
     /// Name of the encoding of the joint names, if they are not Unicode.
     pub name_encoding: Option<&'static str>,
     pub decimals: Decimals,
+    pub locations: JointLocations,
     pub notices: Vec<Notice>,
 }
 
@@ -69,6 +88,9 @@ impl Hierarchy {
             offset_seen: Vec::new(),
             decimals: Decimals::default(),
             repairs: Repairs::default(),
+            locations: JointLocations::default(),
+            seen: HashSet::new(),
+            last: Default::default(),
         }
     }
 
@@ -85,14 +107,20 @@ impl Hierarchy {
                 "The joint names are not UTF-8. They are shown as {encoding}, which is a guess; saved files keep \
                  their bytes."
             );
-            notices.push(Notice::new(Code::NameEncoding, text));
+            notices.push(Notice { code: Code::NameEncoding, location: self.locations.encoding, text });
         }
-        HierarchySection { joints, name_encoding, decimals: self.decimals, notices }
+        let (decimals, locations) = (self.decimals, self.locations);
+        HierarchySection { joints, name_encoding, decimals, locations, notices }
     }
 
     /// Reads one line.
     pub fn line(&mut self, line: usize, text: &[u8]) -> Result<Progress, Error> {
         let mut at = number::skip_blanks(text, 0);
+        if at < text.len() {
+            self.last.0 = line;
+            self.last.1.clear();
+            self.last.1.extend_from_slice(text.trim_ascii_end());
+        }
         while at < text.len() && !number::is_comment(&text[at..]) {
             if self.expect == Expect::Start {
                 at = self.start(line, text, at)?;
@@ -127,7 +155,9 @@ impl Hierarchy {
         let kind = match self.expect {
             Expect::Start => ErrorKind::Empty,
             _ if !self.open.is_empty() || self.expect != Expect::RootOrMotion => {
-                ErrorKind::UnclosedBraces { open: self.open.len() }
+                let (line, text) = &self.last;
+                let kind = ErrorKind::UnclosedBraces { open: self.open.len() };
+                return Err(Error::at(kind, *line, text, text.len()));
             }
             _ if self.joints.is_empty() => ErrorKind::NoJoints,
             _ => return Ok(()),
@@ -177,6 +207,19 @@ impl Hierarchy {
             return Err(Error::at(ErrorKind::TooDeep(self.limits.depth), line, text, at));
         }
         let parent = self.open.last().copied();
+        if let Some(parent) = parent {
+            self.make_joint(parent, line, text, at);
+        }
+        let locations = &mut self.locations;
+        if parent.is_none() && !self.joints.is_empty() {
+            locations.second_root.get_or_insert_with(|| location(line, text, at));
+        }
+        if locations.encoding.is_none() && std::str::from_utf8(name).is_err() {
+            locations.encoding = Some(location(line, text, at));
+        }
+        if kind != JointKind::EndSite && !self.seen.insert(name.to_vec()) {
+            locations.duplicate.get_or_insert_with(|| location(line, text, at));
+        }
         let (name, bytes) = (String::new(), name.to_vec());
         self.joints.push(Joint { name, kind, parent, offset: Vector3::zeros(), channels: Vec::new() });
         self.names.push(bytes);
@@ -208,19 +251,30 @@ impl Hierarchy {
             Expect::Body if is("MOTION") => {
                 return Err(Error::at(ErrorKind::UnclosedBraces { open: self.open.len() }, line, text, at));
             }
-            Expect::Body => return Err(unexpected("OFFSET, CHANNELS, JOINT, End Site or }", line, text, at)),
+            Expect::Body => return Err(unexpected(BODY, line, text, at)),
             Expect::Offset(axis) => return self.offset(axis, line, text, at),
             Expect::ChannelCount => {
-                let declared = std::str::from_utf8(word).ok().and_then(|word| word.parse().ok());
+                let declared: Option<usize> =
+                    std::str::from_utf8(word).ok().and_then(|word| word.parse().ok());
                 let Some(declared) = declared else {
                     return Err(unexpected("the number of channels", line, text, at));
                 };
-                self.expect = Expect::ChannelNames { declared };
+                // A second list continues the first.
+                let listed = self.open.last().map_or(0, |&joint| self.joints[joint].channels.len());
+                self.expect = Expect::ChannelNames { declared: listed.saturating_add(declared) };
             }
             Expect::ChannelNames { declared } => return self.channel(declared, word, line, text, at),
             Expect::Start | Expect::Name(_) => unreachable!("taken by line()"),
         }
         Ok(word.len())
+    }
+
+    /// Makes an end site with channels or joints a joint.
+    fn make_joint(&mut self, joint: usize, line: usize, text: &[u8], at: usize) {
+        if self.joints[joint].kind == JointKind::EndSite {
+            self.joints[joint].kind = JointKind::Joint;
+            self.repairs.add(Repair::EndSite, || location(line, text, at));
+        }
     }
 
     fn close(&mut self, line: usize, text: &[u8], at: usize) {
@@ -242,7 +296,7 @@ impl Hierarchy {
             let kind = ErrorKind::LargeValue { found, limit, place: "OFFSET".into() };
             return Err(Error::at(kind, line, text, at));
         }
-        self.decimals.record(number.mark, line, text, at);
+        self.decimals.record(number.mark, line, text, at)?;
         let joint = *self.open.last().expect("OFFSET is read within a joint");
         if axis == 0 && std::mem::replace(&mut self.offset_seen[joint], true) {
             self.repairs.add(Repair::SecondOffset { joint }, || location(line, text, at));
@@ -271,13 +325,14 @@ impl Hierarchy {
             return Ok(0);
         }
         let Some(channel) = parse_channel(word) else {
+            // After all declared channels, the word is a misspelled keyword.
+            if self.joints[joint].channels.len() == declared {
+                return Err(unexpected(BODY, line, text, at));
+            }
             let name = String::from_utf8_lossy(word).into_owned();
             return Err(Error::at(ErrorKind::UnknownChannel(name), line, text, at));
         };
-        // A joint with channels is not an end site, even if its keyword is `End Site`.
-        if self.joints[joint].kind == JointKind::EndSite {
-            self.joints[joint].kind = JointKind::Joint;
-        }
+        self.make_joint(joint, line, text, at);
         if matches!(channel, Channel::Scale(_)) {
             self.repairs.add(Repair::ScaleChannel, || location(line, text, at));
         }
@@ -286,8 +341,11 @@ impl Hierarchy {
     }
 }
 
+/// Keywords between the braces of a joint.
+const BODY: &str = "OFFSET, CHANNELS, JOINT, End Site or }";
+
 fn unexpected(expected: &'static str, line: usize, text: &[u8], at: usize) -> Error {
-    let found: String = String::from_utf8_lossy(number::word(&text[at..])).chars().take(40).collect();
+    let found: String = String::from_utf8_lossy(word_or_brace(&text[at..])).chars().take(40).collect();
     Error::at(ErrorKind::Unexpected { expected, found }, line, text, at)
 }
 
@@ -333,13 +391,23 @@ fn guess_format(text: &[u8]) -> Option<&'static str> {
         Some("a zip archive")
     } else if begins(b"Kaydara FBX") || begins(b"; FBX") {
         Some("FBX")
-    } else if begins(b"<!doctype") || begins(b"<html") {
+    } else if begins(b"<!doctype") || begins(b"<html") || begins(b"<!--") {
         Some("a web page")
     } else if begins(b"glTF") {
         Some("glTF")
-    } else if begins(b":ASF") || begins(b"#!OML:ASF") || begins(b":FULLY-SPECIFIED") {
+    } else if begins(b"<?xml") {
+        Some("an XML document")
+    } else if begins(b"{\\rtf") {
+        Some("a rich text document")
+    } else if begins(b"{") {
+        Some("JSON")
+    } else if begins(b"%PDF") {
+        Some("a PDF document")
+    } else if begins(b":ASF") || begins(b":version") || begins(b":FULLY-SPECIFIED") {
         Some("an ASF or AMC file")
-    } else if text.iter().any(|&byte| byte < b' ' && byte != b'\t') {
+    } else if text.iter().any(|&byte| byte < b' ' && byte != b'\t')
+        || !text[0].is_ascii() && std::str::from_utf8(text).is_err()
+    {
         Some("binary data")
     } else {
         None

@@ -2,10 +2,10 @@
 
 use crate::bvh::error::location;
 use crate::bvh::frame_time::StatedFrameTime;
-use crate::bvh::hierarchy::HierarchySection;
+use crate::bvh::hierarchy::{HierarchySection, JointLocations};
 use crate::bvh::layout::Layout;
 use crate::bvh::lines::Line;
-use crate::bvh::number::Decimals;
+use crate::bvh::number::{DecimalMark, Decimals};
 use crate::bvh::repairs::{Repair, Repairs};
 use crate::bvh::{Error, ErrorKind, Joint, Options, fast_row, number};
 use crate::notice::{Code, Location, Notice, shortened};
@@ -31,8 +31,11 @@ pub(crate) struct MotionSection {
     decimals: Decimals,
     /// First number of the previous row if the row has one or two numbers more than there are channels.
     extra_number: Option<ExtraNumber>,
+    /// Error of the first line after all declared frames that is not a row.
+    trailing: Option<Error>,
     /// What follows the motion.
     followers: Option<Followers>,
+    pub locations: JointLocations,
     pub layout: Layout,
     repairs: Repairs,
     /// Notices of the hierarchy and, after [`finish`](MotionSection::finish), of the motion.
@@ -42,9 +45,47 @@ pub(crate) struct MotionSection {
 #[derive(Debug, Default)]
 struct Header {
     declared: Option<usize>,
+    /// Text from which `declared` was read.
+    frames: Option<Statement>,
     frame_time: Option<f64>,
+    /// Text from which `frame_time` was read.
+    time: Option<Statement>,
     /// True after the first row.
     done: bool,
+}
+
+/// Text after `Frames:` or `Frame Time:`, which may be empty.
+#[derive(Debug)]
+struct Statement {
+    text: String,
+    /// Location of the first such statement on the line.
+    location: Location,
+}
+
+impl Statement {
+    /// Replaces the statement `old` by the `len` bytes at `at`.
+    fn replace(old: &mut Option<Statement>, line: usize, text: &[u8], at: usize, len: usize) {
+        // Locating each of many statements on one line would take quadratic time.
+        let location = match old {
+            Some(old) if old.location.line == line => old.location,
+            _ => location(line, text, at),
+        };
+        let stated = String::from_utf8_lossy(&text[at..at + len]);
+        *old = Some(Statement { text: shortened(&stated).into_owned(), location });
+    }
+}
+
+/// Number or word that cannot be a value.
+struct BadValue {
+    /// Byte index in the line.
+    at: usize,
+    reason: BadReason,
+}
+
+enum BadReason {
+    NotNumber,
+    Large,
+    MixedDecimals,
 }
 
 /// First number of a row that has more numbers than there are channels.
@@ -78,17 +119,9 @@ struct Partial {
     at: usize,
 }
 
-/// Value that cannot be read.
-struct BadValue {
-    /// Byte index in the line.
-    at: usize,
-    /// True if it is a number beyond the limit.
-    is_large: bool,
-}
-
 impl MotionSection {
     pub fn new(options: Options, hierarchy: HierarchySection) -> MotionSection {
-        let HierarchySection { joints, name_encoding, decimals, notices } = hierarchy;
+        let HierarchySection { joints, name_encoding, decimals, locations, notices } = hierarchy;
         let width = joints.iter().map(|joint| joint.channels.len()).sum();
         MotionSection {
             options,
@@ -100,7 +133,9 @@ impl MotionSection {
             partial: None,
             decimals,
             extra_number: None,
+            trailing: None,
             followers: None,
+            locations,
             layout: Layout { decimals: vec![0; width], name_encoding, ..Layout::default() },
             repairs: Repairs::default(),
             notices,
@@ -114,9 +149,9 @@ impl MotionSection {
 
     /// Reads the ordinary rows at the beginning of `text`, which begins at byte `start` of the whole
     /// text, advances it past them, and returns their count.
-    pub fn read_fast_rows(&mut self, text: &mut &[u8], mut start: u64) -> usize {
+    pub fn read_fast_rows(&mut self, text: &mut &[u8], mut start: u64, line_bytes: usize) -> usize {
         let has_commas = self.decimals.commas.is_some();
-        let reads_rows = self.header.done && self.followers.is_none();
+        let reads_rows = self.header.done && self.followers.is_none() && self.trailing.is_none();
         if !reads_rows || self.row.is_empty() || self.partial.is_some() || has_commas {
             return 0;
         }
@@ -124,7 +159,9 @@ impl MotionSection {
         let mut points = self.decimals.points;
         let decimals = &mut self.layout.decimals;
         let limit = self.options.limits.value;
-        while let Some(len) = fast_row::read_row(text, &mut self.row, decimals, &mut points, limit) {
+        while let Some(len) = fast_row::read_row(text, &mut self.row, decimals, &mut points, limit)
+            .filter(|&len| len <= line_bytes)
+        {
             *text = &text[len..];
             self.decimals.points = points;
             self.values.extend_from_slice(&self.row);
@@ -132,6 +169,9 @@ impl MotionSection {
             start += len as u64;
             self.layout.frames_end = Some(start);
             self.frames += 1;
+        }
+        if self.frames > before {
+            self.extra_number = None;
         }
         self.frames - before
     }
@@ -146,10 +186,15 @@ impl MotionSection {
             return Ok(());
         }
         if !self.header.done {
-            at = self.header(line, at);
+            at = self.header(line, at)?;
         }
         if at == line.text.len() || number::is_comment(&line.text[at..]) {
             return Ok(());
+        }
+        if self.frames == 0 && self.width() > 0 && !self.is_complete() && is_statement(&line.text[at..]) {
+            let found = String::from_utf8_lossy(number::word(&line.text[at..])).chars().take(40).collect();
+            let expected = "Frames:, Frame Time: or the numbers of a frame";
+            return Err(Error::at(ErrorKind::Unexpected { expected, found }, line.number, line.text, at));
         }
         if !self.header.done {
             self.header.done = true;
@@ -197,8 +242,8 @@ impl MotionSection {
         let text = line.text;
         let last = text.len() - text.iter().rev().take_while(|&&byte| !number::is_blank(byte)).count();
         let word = &text[last..];
-        let is_incomplete_number = number::parse_leading(word).is_none()
-            && word.iter().all(|byte| b"+-.,eE0123456789".contains(byte));
+        let is_incomplete_number =
+            number::parse_leading(word).is_none() && number::parse_leading(&[word, b"0"].concat()).is_some();
         self.line(Line { text: if is_incomplete_number { &text[..last] } else { text }, ..line })
     }
 
@@ -227,22 +272,27 @@ impl MotionSection {
                 text: "Decimal commas were read as decimal points.".into(),
             });
         }
-        match self.header.declared {
-            Some(declared) if declared != self.frames => self.notices.push(Notice::new(
-                Code::FrameCount,
-                format!(
-                    "The file states {declared} frames and has {}; the frames present are used.",
-                    self.frames
-                ),
-            )),
-            None if self.frames > 0 => self.notices.push(Notice::new(
-                Code::FrameCount,
-                format!("The file does not state the number of frames; it has {}.", self.frames),
-            )),
-            _ => {}
-        }
+        self.report_frame_count();
         self.layout.frame_time = self.frame_time();
         self.layout.frame_time
+    }
+
+    fn report_frame_count(&mut self) {
+        let frames = self.frames;
+        let stated = self.header.frames.as_ref();
+        let text = match (self.header.declared, stated.map(|stated| stated.text.as_str())) {
+            (Some(declared), _) if declared == frames => return,
+            (None, _) if frames == 0 => return,
+            (Some(_), Some(text)) => {
+                format!("The file states {text} frames and has {frames}; the frames present are used.")
+            }
+            (_, None | Some("")) => format!("The file does not state the number of frames; it has {frames}."),
+            (None, Some(text)) => {
+                format!("The number of frames is stated as {text:?}; the file has {frames}.")
+            }
+        };
+        let location = stated.map(|stated| stated.location);
+        self.notices.push(Notice { code: Code::FrameCount, location, text });
     }
 
     fn report_followers(&mut self) {
@@ -269,24 +319,27 @@ impl MotionSection {
     }
 
     fn frame_time(&mut self) -> f64 {
-        let statement = match self.header.frame_time {
-            Some(time) if PLAUSIBLE_FRAME_TIME.contains(&time) => return time,
-            Some(time) => format!("states a frame time of {time} s"),
-            None => "does not state a frame time".into(),
+        if let Some(time) = self.header.frame_time
+            && PLAUSIBLE_FRAME_TIME.contains(&time)
+        {
+            return time;
+        }
+        let stated = self.header.time.as_ref();
+        let finding = match stated.map(|stated| stated.text.as_str()) {
+            None | Some("") => "The file does not state a frame time".into(),
+            Some(text) => format!("The stated frame time {text:?} is not plausible"),
         };
         if self.frames > 0 {
-            self.notices.push(Notice::new(
-                Code::FrameTime,
-                format!(
-                    "The file {statement}; 30 frames per second are used. Set the frame rate if you know it."
-                ),
-            ));
+            let text =
+                format!("{finding}; 30 frames per second are used. Set the frame rate if you know it.");
+            let location = stated.map(|stated| stated.location);
+            self.notices.push(Notice { code: Code::FrameTime, location, text });
         }
         DEFAULT_FRAME_TIME
     }
 
     /// Reads `Frames:` and `Frame Time:` and returns the byte index after them.
-    fn header(&mut self, line: Line<'_>, mut at: usize) -> usize {
+    fn header(&mut self, line: Line<'_>, mut at: usize) -> Result<usize, Error> {
         let Line { number, text, .. } = line;
         while at < text.len() {
             let rest = &text[at..];
@@ -297,43 +350,57 @@ impl MotionSection {
                 (None, None) => break,
             };
             at = number::skip_blanks(text, at + len);
-            let len = if is_time { self.stated_frame_time(line, at) } else { self.stated_frames(line, at) };
+            let len = if is_time { self.stated_frame_time(line, at)? } else { self.stated_frames(line, at) };
             at = number::skip_blanks(text, at + len);
             at +=
                 self.unused_text(number, text, at, if is_time { Code::FrameTime } else { Code::FrameCount });
         }
-        at
+        Ok(at)
     }
 
     /// Reads the number after `Frames:` and returns its length.
     fn stated_frames(&mut self, Line { number: line, start, text }: Line<'_>, at: usize) -> usize {
-        let Some(number) = number::parse_leading(&text[at..]) else {
-            self.header.declared = None;
-            return number::word(&text[at..]).len();
+        let number = number::parse_leading(&text[at..]);
+        let len = number.map_or_else(|| number::word(&text[at..]).len(), |number| number.len);
+        // A comma separates thousands.
+        let is_count = |number: &number::Number| {
+            number.value >= 0.0 && number.value.fract() == 0.0 && number.mark != DecimalMark::Comma
         };
-        self.decimals.record(number.mark, line, text, at);
-        self.header.declared = (number.value >= 0.0).then_some(number.value as usize);
+        let count = number.filter(is_count).map(|number| number.value as usize);
+        if self.header.frames.is_some() && count != self.header.declared {
+            self.repairs.add(Repair::SecondStatement { code: Code::FrameCount }, || location(line, text, at));
+        }
+        self.header.declared = count;
+        Statement::replace(&mut self.header.frames, line, text, at, len);
         let start = start + at as u64;
-        self.layout.frame_count = Some(start..start + number.len as u64);
-        number.len
+        self.layout.frame_count = number.map(|_| start..start + len as u64);
+        len
     }
 
     /// Reads the frame time and its unit, and returns their length.
-    fn stated_frame_time(&mut self, Line { number: line, start, text }: Line<'_>, at: usize) -> usize {
-        let Some(stated) = StatedFrameTime::parse(&text[at..]) else {
-            self.header.frame_time = None;
-            return number::word(&text[at..]).len();
-        };
-        self.decimals.record(stated.mark, line, text, at);
-        self.header.frame_time = Some(stated.seconds);
-        if stated.has_unit {
+    fn stated_frame_time(
+        &mut self,
+        Line { number: line, start, text }: Line<'_>,
+        at: usize,
+    ) -> Result<usize, Error> {
+        let stated = StatedFrameTime::parse(&text[at..]);
+        let seconds = stated.map(|stated| stated.seconds);
+        let len = stated.map_or_else(|| number::word(&text[at..]).len(), |stated| stated.len);
+        if self.header.time.is_some() && seconds != self.header.frame_time {
+            self.repairs.add(Repair::SecondStatement { code: Code::FrameTime }, || location(line, text, at));
+        }
+        self.header.frame_time = seconds;
+        Statement::replace(&mut self.header.time, line, text, at, len);
+        let Some(stated) = stated else { return Ok(len) };
+        self.decimals.record(stated.mark, line, text, at)?;
+        if stated.has_unit && PLAUSIBLE_FRAME_TIME.contains(&stated.seconds) {
             let found = String::from_utf8_lossy(&text[at..at + stated.len]).into_owned();
             let repair = Repair::FrameTimeUnit { found, seconds: stated.seconds };
             self.repairs.add(repair, || location(line, text, at));
         }
         let start = start + at as u64;
-        self.layout.frame_time_text = Some(start..start + stated.len as u64);
-        stated.len
+        self.layout.frame_time_text = Some(start..start + len as u64);
+        Ok(len)
     }
 
     /// Returns the length of text in the header that is neither a number nor a statement nor a
@@ -364,11 +431,19 @@ impl MotionSection {
         }
         let start = self.frames * width;
         let before = self.values.len() - start;
-        let complete = self.header.declared.is_some_and(|declared| self.frames >= declared);
-        let found = match self.numbers(line, text, at, width - before) {
+        let complete = self.is_complete();
+        let decimals = self.decimals;
+        // After all declared frames, a line without numbers is not motion.
+        let lenient = self.options.lenient && !(complete && is_text(&text[at..]));
+        let found = match self.numbers(line, text, at, width - before, lenient) {
             Ok(found) => before + found,
-            // After all declared frames, a line that is not a row is not motion.
-            Err(_) if complete => 0,
+            // Likewise, a line that is not a row.
+            Err(bad) if complete => {
+                if self.trailing.is_none() {
+                    self.trailing = Some(self.bad_value(line, text, bad));
+                }
+                0
+            }
             Err(bad) => return Err(self.bad_value(line, text, bad)),
         };
         if before == 0 && found > 0 {
@@ -376,6 +451,10 @@ impl MotionSection {
             self.layout.frames.push(line_start + if is_first { 0 } else { at as u64 });
         }
         if found >= width && (before == 0 || found == width) {
+            // The motion continues, so that the lines left out belong to it.
+            if let Some(error) = self.trailing.take() {
+                return Err(error);
+            }
             self.check_extra_number(found, line, text, at)?;
             if found > width {
                 self.repairs.add(Repair::LongRow { channels: width }, || location(line, text, at));
@@ -387,6 +466,9 @@ impl MotionSection {
             self.frames += 1;
         } else if complete && before == 0 {
             self.values.truncate(start);
+            self.decimals = decimals;
+            let kind = ErrorKind::RaggedRow { expected: width, found, frame: self.frames };
+            self.trailing.get_or_insert_with(|| Error::at(kind, line, text, at));
             if found > 0 {
                 self.layout.frames.pop();
             }
@@ -400,14 +482,23 @@ impl MotionSection {
         } else {
             self.repairs.add(Repair::WrappedRow, || location(line, text, at));
         }
-        if self.decimals.are_mixed() {
-            return Err(Error::at(ErrorKind::MixedDecimals, line, text, at));
-        }
         Ok(())
     }
 
+    /// True if all declared frames have been read.
+    fn is_complete(&self) -> bool {
+        self.header.declared.is_some_and(|declared| self.frames >= declared)
+    }
+
     /// Appends at most `wanted` numbers of the line and returns the count of all numbers.
-    fn numbers(&mut self, line: usize, text: &[u8], mut at: usize, wanted: usize) -> Result<usize, BadValue> {
+    fn numbers(
+        &mut self,
+        line: usize,
+        text: &[u8],
+        mut at: usize,
+        wanted: usize,
+        lenient: bool,
+    ) -> Result<usize, BadValue> {
         let mut found = 0;
         let channel = self.width() - wanted;
         while at < text.len() && !number::is_comment(&text[at..]) {
@@ -416,17 +507,20 @@ impl MotionSection {
             let is_large = number.is_some_and(|number| number.value.abs() > limit);
             let (value, len) = match number.filter(|_| !is_large) {
                 Some(number) => {
-                    self.decimals.record(number.mark, line, text, at);
+                    if self.decimals.record(number.mark, line, text, at).is_err() {
+                        return Err(BadValue { at, reason: BadReason::MixedDecimals });
+                    }
                     if let Some(decimals) = self.layout.decimals.get_mut(channel + found) {
                         *decimals = number.decimals.max(*decimals);
                     }
                     (number.value, number.len)
                 }
-                None if self.options.lenient => {
+                None if lenient => {
                     self.repairs.add(Repair::HeldValue, || location(line, text, at));
                     (self.previous_value(), number::word(&text[at..]).len())
                 }
-                None => return Err(BadValue { at, is_large }),
+                None if is_large => return Err(BadValue { at, reason: BadReason::Large }),
+                None => return Err(BadValue { at, reason: BadReason::NotNumber }),
             };
             if found < wanted {
                 self.values.push(value);
@@ -478,19 +572,39 @@ impl MotionSection {
         Some(format!("{} {}", shortened(&joint.name), channel.name()))
     }
 
-    fn bad_value(&self, line: usize, text: &[u8], BadValue { at, is_large }: BadValue) -> Error {
+    fn bad_value(&self, line: usize, text: &[u8], BadValue { at, reason }: BadValue) -> Error {
         let found = String::from_utf8_lossy(number::word(&text[at..])).chars().take(40).collect();
         let frame = self.frames;
         let next = self.values.len() - self.frames * self.width();
         let channel = self.channel_name(next).unwrap_or_else(|| "beyond the last".into());
-        let kind = if is_large {
-            let place = format!("frame {frame}, channel {channel}");
-            ErrorKind::LargeValue { found, limit: self.options.limits.value, place }
-        } else {
-            ErrorKind::BadValue { found, frame, channel }
+        let kind = match reason {
+            BadReason::NotNumber => ErrorKind::BadValue { found, frame, channel },
+            BadReason::Large => {
+                let place = format!("frame {frame}, channel {channel}");
+                ErrorKind::LargeValue { found, limit: self.options.limits.value, place }
+            }
+            BadReason::MixedDecimals => ErrorKind::MixedDecimals,
         };
         Error::at(kind, line, text, at)
     }
+}
+
+/// True if a line before the first frame is a misspelled or unknown statement, such as `Frame: 2`.
+fn is_statement(text: &[u8]) -> bool {
+    let word = number::word(text).to_ascii_lowercase();
+    let is_keyword = b"frames".starts_with(&word[..]) || word.starts_with(b"frame") || word == b"motion";
+    let is_assignment = text.iter().any(|&byte| byte == b':' || byte == b'=');
+    is_keyword || is_assignment && word[0].is_ascii_alphabetic()
+}
+
+/// True if no word of a line is a number or stands for one, such as `NaN`.
+fn is_text(text: &[u8]) -> bool {
+    let is_special = |word: &[u8]| {
+        let word = word.strip_prefix(b"-").unwrap_or(word).to_ascii_lowercase();
+        matches!(&word[..], b"nan" | b"inf" | b"infinity")
+    };
+    let mut words = text.split(|&byte| number::is_blank(byte));
+    words.all(|word| number::parse_leading(word).is_none() && !is_special(word))
 }
 
 /// Returns the length of `words`, in any case and separated by blanks, and a following colon, if

@@ -1,6 +1,6 @@
 //! Correctly rounded numbers from bytes.
 
-use crate::bvh::error::location;
+use crate::bvh::error::{Error, ErrorKind, location};
 use crate::notice::Location;
 
 /// Number at the beginning of a byte string.
@@ -35,16 +35,19 @@ pub(crate) struct Decimals {
 
 impl Decimals {
     /// Records the mark of the number at byte `at` of line number `line`.
-    pub fn record(&mut self, mark: DecimalMark, line: usize, text: &[u8], at: usize) {
+    ///
+    /// # Errors
+    /// If numbers before it have the other mark.
+    pub fn record(&mut self, mark: DecimalMark, line: usize, text: &[u8], at: usize) -> Result<(), Error> {
         match mark {
             DecimalMark::Point => self.points = true,
             DecimalMark::Comma if self.commas.is_none() => self.commas = Some(location(line, text, at)),
             _ => {}
         }
-    }
-
-    pub fn are_mixed(&self) -> bool {
-        self.points && self.commas.is_some()
+        match self.points && self.commas.is_some() {
+            true => Err(Error::at(ErrorKind::MixedDecimals, line, text, at)),
+            false => Ok(()),
+        }
     }
 }
 

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use crate::bvh::encoding::Decoder;
-use crate::bvh::hierarchy::{Hierarchy, Progress};
+use crate::bvh::hierarchy::{Hierarchy, JointLocations, Progress};
 use crate::bvh::layout::Layout;
 use crate::bvh::lines::{Line, Lines};
 use crate::bvh::motion_section::MotionSection;
-use crate::bvh::{Channel, Clip, Error, ErrorKind, Options, PositionRule};
-use crate::notice::{self, Code, Notice};
+use crate::bvh::{Channel, Clip, Error, ErrorKind, Options, PositionRule, error, number};
+use crate::notice::{self, Code, Location, Notice};
 
 /// Result of reading a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,7 +59,7 @@ pub struct Reader {
 
 #[derive(Debug)]
 enum Section {
-    Hierarchy(Hierarchy),
+    Hierarchy(Box<Hierarchy>),
     Motion(Box<MotionSection>),
 }
 
@@ -71,7 +71,7 @@ impl Reader {
             bytes: 0,
             decoder: Decoder::default(),
             lines: Lines::default(),
-            section: Section::Hierarchy(Hierarchy::new(&options)),
+            section: Section::Hierarchy(Box::new(Hierarchy::new(&options))),
         }
     }
 
@@ -85,8 +85,7 @@ impl Reader {
             return Err(Error::in_file(ErrorKind::TooLarge(self.options.limits.bytes)));
         }
         let text = self.decoder.decode(chunk);
-        let limit = self.options.limits.line_bytes;
-        self.section.text(self.options, &mut self.lines, text, limit)
+        self.section.text(self.options, &mut self.lines, text)
     }
 
     /// Ends the file and returns the clip.
@@ -95,7 +94,7 @@ impl Reader {
     /// If the file as a whole cannot be read.
     pub fn finish(mut self) -> Result<Parsed, Error> {
         let rest = self.decoder.finish().to_vec();
-        self.section.text(self.options, &mut self.lines, &rest, usize::MAX)?;
+        self.section.text(self.options, &mut self.lines, &rest)?;
         if let Some(line) = self.lines.finish() {
             self.section.last_line(self.options, line)?;
         }
@@ -104,26 +103,25 @@ impl Reader {
 }
 
 impl Section {
-    /// Reads a chunk of text. An incomplete line may have up to `limit` bytes.
-    fn text(
-        &mut self,
-        options: Options,
-        lines: &mut Lines,
-        mut text: &[u8],
-        limit: usize,
-    ) -> Result<(), Error> {
+    /// Reads a chunk of text.
+    fn text(&mut self, options: Options, lines: &mut Lines, mut text: &[u8]) -> Result<(), Error> {
+        let limit = options.limits.line_bytes;
+        let line_too_long = |line| Error::at(ErrorKind::LineTooLong(limit), line, b"", 0);
         loop {
             if let Section::Motion(rows) = self
                 && lines.at_start()
             {
                 let before = text.len();
-                let rows = rows.read_fast_rows(&mut text, lines.start());
+                let rows = rows.read_fast_rows(&mut text, lines.start(), limit);
                 lines.skip(rows, before - text.len());
             }
             let Some(line) = lines.next(&mut text) else { break };
+            if line.text.len() > limit {
+                return Err(line_too_long(line.number));
+            }
             self.line(options, line)?;
         }
-        lines.carry(text, limit).map_err(|line| Error::at(ErrorKind::LineTooLong(limit), line, b"", 0))
+        lines.carry(text, limit).map_err(line_too_long)
     }
 
     fn line(&mut self, options: Options, line: Line<'_>) -> Result<(), Error> {
@@ -145,8 +143,10 @@ impl Section {
         match self {
             Section::Motion(rows) => rows.last_line(line),
             Section::Hierarchy(_) => self.line(options, line).map_err(|error| match self {
-                // If braces are open, the error is that the file is incomplete.
-                Section::Hierarchy(hierarchy) if hierarchy.is_open() => {
+                // If braces are open, an error of the last word is that the file is incomplete.
+                Section::Hierarchy(hierarchy)
+                    if hierarchy.is_open() && error.location >= Some(last_word(line)) =>
+                {
                     hierarchy.finish().err().unwrap_or(error)
                 }
                 _ => error,
@@ -169,7 +169,7 @@ impl Section {
         let frame_time = rows.finish(end);
         let mut notices = rows.notices;
         let clip = Clip::new(rows.joints, frame_time, rows.values);
-        notices.extend(clip_notices(&clip));
+        notices.extend(clip_notices(&clip, rows.locations));
         let rule = position_rule(&clip);
         if rule == PositionRule::Add {
             notices.push(Notice::new(
@@ -181,13 +181,20 @@ impl Section {
     }
 }
 
+/// Returns the location of the last word of a line.
+fn last_word(line: Line<'_>) -> Location {
+    let text = line.text.trim_ascii_end();
+    let word = text.iter().rev().take_while(|&&byte| !number::is_blank(byte)).count();
+    error::location(line.number, text, text.len() - word)
+}
+
 /// Returns the notices about the clip as a whole.
-fn clip_notices(clip: &Clip) -> Vec<Notice> {
+fn clip_notices(clip: &Clip, locations: JointLocations) -> Vec<Notice> {
     let mut notices = Vec::new();
     let roots: Vec<&str> = clip.roots().map(|root| clip.joints()[root].name.as_str()).collect();
     if roots.len() > 1 {
         let text = format!("The file contains {} skeletons: {}.", roots.len(), notice::list(&roots));
-        notices.push(Notice::new(Code::SeveralRoots, text));
+        notices.push(Notice { code: Code::SeveralRoots, location: locations.second_root, text });
     }
     let mut names: Vec<&str> = clip
         .joints()
@@ -201,7 +208,7 @@ fn clip_notices(clip: &Clip) -> Vec<Notice> {
     shared.dedup();
     if !shared.is_empty() {
         let text = format!("Several joints share a name: {}.", notice::list(&shared));
-        notices.push(Notice::new(Code::DuplicateName, text));
+        notices.push(Notice { code: Code::DuplicateName, location: locations.duplicate, text });
     }
     if clip.frame_count() == 0 {
         notices.push(Notice::new(Code::NoMotion, "The file has no motion; its rest pose is shown."));

@@ -19,11 +19,16 @@ pub(crate) enum Repair {
         declared: usize,
         listed: usize,
     },
+    EndSite,
     ScaleChannel,
     /// A frame time with a unit or as a fraction.
     FrameTimeUnit {
         found: String,
         seconds: f64,
+    },
+    /// Another number of frames or another frame time than stated before.
+    SecondStatement {
+        code: Code,
     },
     /// Text after a statement of the header.
     UnusedText {
@@ -83,9 +88,10 @@ impl Repair {
             Repair::MissingName => Code::MissingName,
             Repair::MissingOffset { .. } | Repair::SecondOffset { .. } => Code::Offset,
             Repair::ChannelCount { .. } => Code::ChannelCount,
+            Repair::EndSite => Code::EndSite,
             Repair::ScaleChannel => Code::ScaleChannels,
             Repair::FrameTimeUnit { .. } => Code::FrameTime,
-            Repair::UnusedText { code, .. } => *code,
+            Repair::UnusedText { code, .. } | Repair::SecondStatement { code } => *code,
             Repair::LongRow { .. } => Code::LongRow,
             Repair::WrappedRow => Code::WrappedRow,
             Repair::TrailingMatter => Code::TrailingMatter,
@@ -115,11 +121,16 @@ impl Repair {
                 "{} states {declared} channels and lists {listed}; the listed channels are used.",
                 name(joint)
             )),
+            Repair::EndSite => first("An end site has channels or joints; it was read as a joint.".into()),
             Repair::ScaleChannel => {
                 format!("{count} scale channels were read and are not used; joints keep their size.")
             }
             Repair::FrameTimeUnit { found, seconds } => {
                 first(format!("The frame time is stated as {found:?} and was read as {seconds:.6} s."))
+            }
+            Repair::SecondStatement { code } => {
+                let what = if *code == Code::FrameTime { "Frame Time:" } else { "Frames:" };
+                first(format!("The file has a second {what:?}; the last one is used."))
             }
             Repair::UnusedText { found, .. } => first(format!("The text {found:?} was ignored.")),
             Repair::LongRow { channels } => {

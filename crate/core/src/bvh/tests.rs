@@ -141,6 +141,7 @@ fn memory_is_reserved_for_plausible_frame_counts() {
             joints: read(HEAD).clip.joints().to_vec(),
             name_encoding: None,
             decimals: Decimals::default(),
+            locations: Default::default(),
             notices: Vec::new(),
         };
         let mut rows = MotionSection::new(options, hierarchy);
@@ -262,6 +263,59 @@ fn limits_are_enforced() {
     let limits = Limits { joints: 9, ..limits };
     let error = parse(nested.as_bytes(), Options { limits, ..Options::default() }).unwrap_err();
     assert_eq!(error.kind, ErrorKind::TooDeep(2));
+}
+
+#[test]
+fn long_lines_are_rejected_in_chunks_of_any_size() {
+    let options = Options { limits: Limits { line_bytes: 50, ..Limits::default() }, ..Options::default() };
+    for (blanks, is_read) in [(46, true), (47, false)] {
+        let row = format!("4 5{}6", " ".repeat(blanks));
+        let text = motion(&format!("Frames: 3\nFrame Time: 0.01\n1 2 3\n{row}\n7 8 9\n"));
+        for chunk in [1, 7, 999] {
+            let mut reader = Reader::new(options);
+            let read = text.as_bytes().chunks(chunk).try_for_each(|chunk| reader.push(chunk));
+            let expected = if is_read { Ok(()) } else { Err(ErrorKind::LineTooLong(50)) };
+            assert_eq!(read.map_err(|error| error.kind), expected, "chunks of {chunk}");
+        }
+    }
+}
+
+#[test]
+fn text_after_the_stated_frames_is_not_motion_if_lenient() {
+    let text = motion("Frames: 1\nFrame Time: 0.01\n1 2 3\nEnd of file\n");
+    let parsed = parse(text.as_bytes(), Options { lenient: true, ..Options::default() }).unwrap();
+    assert_eq!((parsed.clip.frame_count(), codes(&parsed)), (1, vec![Code::TrailingMatter]));
+    // A frame that could not be measured is motion.
+    let text = text.replace("End of file", "nan -NaN inf");
+    let parsed = parse(text.as_bytes(), Options { lenient: true, ..Options::default() }).unwrap();
+    assert_eq!(
+        (parsed.clip.row(1), codes(&parsed)),
+        (&[1.0, 2.0, 3.0][..], vec![Code::HeldValue, Code::FrameCount])
+    );
+}
+
+#[test]
+fn notices_quote_what_the_header_states() {
+    for (header, text) in [
+        (
+            "Frames: 1e300\nFrame Time: 0.01",
+            "The file states 1e300 frames and has 1; the frames present are used.",
+        ),
+        ("Frames: -5\nFrame Time: 0.01", "The number of frames is stated as \"-5\"; the file has 1."),
+        ("Frames: 1,000\nFrame Time: 0.01", "The number of frames is stated as \"1,000\"; the file has 1."),
+        ("Frame Time: 0.01", "The file does not state the number of frames; it has 1."),
+        (
+            "Frames: 1\nFrame Time: 0.02\nFrame Time: 0.01",
+            "The file has a second \"Frame Time:\"; the last one is used.",
+        ),
+        (
+            "Frames: 1\nFrame Time: NaN",
+            "The stated frame time \"NaN\" is not plausible; 30 frames per second are used. Set the frame rate if \
+             you know it.",
+        ),
+    ] {
+        assert_eq!(read(&motion(&format!("{header}\n1.5 2 3\n"))).notices[0].text, text);
+    }
 }
 
 #[test]
