@@ -1,4 +1,4 @@
-/** Workers that end, trap or do not start: the page says so, goes on, and preserves edits. */
+/** Workers that end, trap or do not start: the page reports it, goes on, and preserves edits. */
 
 import type { Page } from "@playwright/test";
 import { unzipSync, zipSync } from "fflate";

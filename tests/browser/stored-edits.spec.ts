@@ -44,7 +44,7 @@ const storedTexts = (app: App) => app.page.evaluate(() => Object.values({ ...loc
 const edit = { side: "left", part: "contact", start: 0, end: 60, planted: false };
 const record = { version: 1, name: "curved-walk.bvh", edits: [edit], names: [] };
 
-/** Keeps storage events from the page, and lets it read what the storage contained before. */
+/** Withholds storage events from the page, and lets it read what the storage contained before. */
 async function isolateStorage(app: App) {
   await app.page.addInitScript(() => {
     const state = { isIsolated: false };

@@ -19,7 +19,7 @@ const RECORD_FILE: &str = ".plantigrade.jsonl";
 /// record itself cannot be locked because it is replaced when it is sorted.
 const LOCK_FILE: &str = ".plantigrade.lock";
 
-/// Name of the record of earlier versions, which would take results of this one for theirs.
+/// Name of the record of earlier versions, which would take results of this one for its own.
 const EARLIER_RECORD_FILE: &str = ".plantigrade.json";
 
 /// Names in an output folder that results cannot have.

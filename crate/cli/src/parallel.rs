@@ -18,7 +18,7 @@ thread_local! {
     static PANIC: Cell<Option<String>> = const { Cell::new(None) };
 }
 
-/// Keeps the messages of panics for [`catch_panic`]; otherwise they are printed in several lines.
+/// Stores the messages of panics for [`catch_panic`]; otherwise they are printed in several lines.
 pub fn keep_panic_messages() {
     panic::set_hook(Box::new(|panic| PANIC.set(Some(panic.to_string().replacen(":\n", ": ", 1)))));
 }

@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn escape_keeps_text_and_replaces_control_characters() {
+    fn escape_replaces_control_characters_only() {
         for text in ["", "walk.bvh", "左ひざ é ± → “x”", r"C:\clips\a.bvh", "👩‍🚀"] {
             assert_eq!(escape(text), text);
         }

@@ -25,7 +25,7 @@ export function writeText(key: string, text: string) {
   dropUnsaved(key);
 }
 
-/** Keeps a record that could not be stored. */
+/** Stores a record in memory that the browser did not store. */
 export function keepUnsaved(key: string, text: string) {
   unsaved.set(key, text);
 }

@@ -82,7 +82,7 @@ const changesOf = (clipSession: ClipSession): StoredChanges => ({
 
 type Revision = StoredChanges & Pick<StoredClip, "revision" | "ancestors">;
 
-/** Keeps the changes of a clip and their record equal as long as the clip is open. */
+/** Synchronizes the changes of a clip and their record as long as the clip is open. */
 class StoredSession {
   /** The content of the storage when it was last read or written, if it was valid. */
   private lastText: string | null = null;
@@ -128,10 +128,10 @@ class StoredSession {
   }
 
   /** Merges changes into those of the session. */
-  private take(theirs: StoredChanges, base: StoredChanges): Promise<void> {
+  private take(remote: StoredChanges, base: StoredChanges): Promise<void> {
     const { clipSession } = this;
     const { names } = changesOf(clipSession);
-    const merge = (edits: StoredChanges["edits"]) => mergeChanges(base, { edits, names }, theirs);
+    const merge = (edits: StoredChanges["edits"]) => mergeChanges(base, { edits, names }, remote);
     clipSession.segmentNames.value = merge([]).names;
     return replaceEdits(clipSession, (edits) => merge(edits).edits);
   }
@@ -147,12 +147,12 @@ class StoredSession {
     }
     const { record } = stored;
     const base = this.baseOf(record);
-    const mine = changesOf(clipSession);
+    const local = changesOf(clipSession);
     await batch(() => {
       this.remember(text, record);
-      if (notify && !sameChanges(mine, record)) {
-        clipSession.changedElsewhere.value = isConflict(base, mine, record)
-          ? { theirs: record }
+      if (notify && !sameChanges(local, record)) {
+        clipSession.changedElsewhere.value = isConflict(base, local, record)
+          ? { remote: record }
           : {};
         announcement.value = "Edits of this clip were changed in another tab";
       }
@@ -216,11 +216,11 @@ export async function storedChangesOf(hash: string): Promise<StoredChanges> {
 /** Replaces the changes that conflict with those of another page; this can be undone. */
 export function useChangesElsewhere() {
   const clipSession = session.value;
-  const { theirs } = clipSession.changedElsewhere.value ?? {};
-  if (!theirs) return;
+  const { remote } = clipSession.changedElsewhere.value ?? {};
+  if (!remote) return;
   dismissChangesElsewhere();
-  clipSession.segmentNames.value = theirs.names;
-  void commitEdits(theirs.edits, "Edits replaced by those of the other tab");
+  clipSession.segmentNames.value = remote.names;
+  void commitEdits(remote.edits, "Edits replaced by those of the other tab");
 }
 
 export function dismissChangesElsewhere() {

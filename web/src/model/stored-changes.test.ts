@@ -44,12 +44,12 @@ test("preserves an edit that repeats an earlier one", () => {
 
 test("merging is complete in either direction and repeatable", () => {
   const base = changes(edit(0), edit(20));
-  const mine = changes(edit(0), edit(40));
-  const theirs = changes(edit(0), edit(20), edit(60));
-  const merged = mergeChanges(base, mine, theirs);
-  expect(sameChanges(merged, mergeChanges(base, theirs, mine))).toBe(true);
+  const local = changes(edit(0), edit(40));
+  const remote = changes(edit(0), edit(20), edit(60));
+  const merged = mergeChanges(base, local, remote);
+  expect(sameChanges(merged, mergeChanges(base, remote, local))).toBe(true);
   expect(sameChanges(merged, changes(edit(0), edit(40), edit(60)))).toBe(true);
-  expect(mergeChanges(theirs, merged, theirs)).toEqual(merged);
+  expect(mergeChanges(remote, merged, remote)).toEqual(merged);
 });
 
 test("a name of this page replaces one of the same segment", () => {
@@ -64,12 +64,12 @@ test("a name of this page replaces one of the same segment", () => {
 
 test("edits conflict if they overlap on the same foot", () => {
   const base = changes(edit(0));
-  const mine = changes(edit(0), edit(20));
-  expect(isConflict(base, mine, changes(edit(0), edit(25, false)))).toBe(true);
-  expect(isConflict(base, mine, changes(edit(0), edit(30)))).toBe(false);
-  expect(isConflict(base, mine, changes(edit(0), edit(25, false, "right")))).toBe(false);
+  const local = changes(edit(0), edit(20));
+  expect(isConflict(base, local, changes(edit(0), edit(25, false)))).toBe(true);
+  expect(isConflict(base, local, changes(edit(0), edit(30)))).toBe(false);
+  expect(isConflict(base, local, changes(edit(0), edit(25, false, "right")))).toBe(false);
   expect(isConflict(base, base, changes(edit(0, false)))).toBe(false);
-  expect(isConflict(base, mine, mine)).toBe(false);
+  expect(isConflict(base, local, local)).toBe(false);
 });
 
 test("records of the first version are read and get a revision", () => {

@@ -134,20 +134,20 @@ function isSegmentName(value: unknown): value is SegmentName {
 }
 
 /**
- * Merges two lists that were changed independently: `theirs`, without the items of `base` that
- * `mine` lacks, and then the items that `mine` adds.
+ * Merges two lists that were changed independently: `remote`, without the items of `base` that
+ * `local` lacks, and then the items that `local` adds.
  */
 export function mergeLists<T extends object>(
   base: readonly T[],
-  mine: readonly T[],
-  theirs: readonly T[],
+  local: readonly T[],
+  remote: readonly T[],
 ): readonly T[] {
-  const prefix = commonPrefix(base, mine);
-  const [before, after] = [base.slice(prefix), mine.slice(prefix)];
+  const prefix = commonPrefix(base, local);
+  const [before, after] = [base.slice(prefix), local.slice(prefix)];
   const removed = without(before, after);
   // An item that both sides added is not repeated.
-  const added = without(without(after, before), without(theirs, base));
-  return removed.length || added.length ? [...without(theirs, removed), ...added] : theirs;
+  const added = without(without(after, before), without(remote, base));
+  return removed.length || added.length ? [...without(remote, removed), ...added] : remote;
 }
 
 const keyOf = (item: object) => JSON.stringify(item);
@@ -175,20 +175,20 @@ function without<T extends object>(list: readonly T[], others: readonly T[]): re
 /** Merges edits and names that were changed independently. */
 export const mergeChanges = (
   base: StoredChanges,
-  mine: StoredChanges,
-  theirs: StoredChanges,
+  local: StoredChanges,
+  remote: StoredChanges,
 ): StoredChanges => ({
-  edits: mergeLists(base.edits, mine.edits, theirs.edits),
-  names: mergeNames(base.names, mine.names, theirs.names),
+  edits: mergeLists(base.edits, local.edits, remote.edits),
+  names: mergeNames(base.names, local.names, remote.names),
 });
 
-/** Merges names; of two names of the same range, that of `mine` remains. */
+/** Merges names; of two names of the same range, that of `local` remains. */
 function mergeNames(
   base: readonly SegmentName[],
-  mine: readonly SegmentName[],
-  theirs: readonly SegmentName[],
+  local: readonly SegmentName[],
+  remote: readonly SegmentName[],
 ): readonly SegmentName[] {
-  const merged = mergeLists(base, mine, theirs);
+  const merged = mergeLists(base, local, remote);
   const lastOf = new Map(merged.map((name) => [`${name.start}-${name.end}`, name]));
   return lastOf.size === merged.length ? merged : [...lastOf.values()];
 }
@@ -203,14 +203,14 @@ export function sameChanges(a: StoredChanges, b: StoredChanges): boolean {
 /** True if both sides added edits that overlap: of the same foot and frames. */
 export function isConflict(
   base: StoredChanges,
-  mine: StoredChanges,
-  theirs: StoredChanges,
+  local: StoredChanges,
+  remote: StoredChanges,
 ): boolean {
-  const theirEdits = without(without(theirs.edits, base.edits), mine.edits);
-  const myEdits = without(without(mine.edits, base.edits), theirs.edits);
-  return myEdits.some((mine) =>
-    theirEdits.some(
-      (other) => other.side === mine.side && other.start < mine.end && mine.start < other.end,
+  const remoteEdits = without(without(remote.edits, base.edits), local.edits);
+  const localEdits = without(without(local.edits, base.edits), remote.edits);
+  return localEdits.some((local) =>
+    remoteEdits.some(
+      (other) => other.side === local.side && other.start < local.end && local.start < other.end,
     ),
   );
 }

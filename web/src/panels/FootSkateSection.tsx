@@ -3,7 +3,7 @@ import { jumpTo } from "../actions/playback";
 import { formatCentimetres, summarizeSlides } from "../model/slides";
 import type { CleanedClip } from "../model/types";
 import type { CleanedView } from "../store/clip-session";
-import { cleaned, cleanedView, cleaning, clip, slides, spikesKept } from "../store/session";
+import { cleaned, cleanedView, cleaning, clip, repairsSpikes, slides } from "../store/session";
 
 const views: readonly (readonly [CleanedView, string])[] = [
   ["before", "Before"],
@@ -122,15 +122,15 @@ function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip })
 
 /** Choice whether spikes of the hips are repaired, if the clip has any. */
 function SpikeChoice({ hasSpikes }: { hasSpikes: boolean }) {
-  const keeps = spikesKept.value;
-  if (!hasSpikes && !keeps) return null;
+  const repairs = repairsSpikes.value;
+  if (!hasSpikes && repairs) return null;
   return (
     <label class="checkbox-row">
       <input
         type="checkbox"
-        checked={!keeps}
+        checked={repairs}
         disabled={cleaning.value}
-        onChange={() => void cleanClip(!keeps)}
+        onChange={() => void cleanClip(repairs)}
       />
       Repair spikes of the hips
     </label>

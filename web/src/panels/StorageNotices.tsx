@@ -12,7 +12,7 @@ export function StorageNotices() {
     <div class="storage-notices" role="status">
       {persistError.value && <p class="storage-notice">{persistError.value}</p>}
       {unreadable.value.length > 0 && <Unreadable />}
-      {changedElsewhere.value && <ChangedElsewhere isConflict={!!changedElsewhere.value.theirs} />}
+      {changedElsewhere.value && <ChangedElsewhere isConflict={!!changedElsewhere.value.remote} />}
     </div>
   );
 }
@@ -24,7 +24,7 @@ function Unreadable() {
       <p>
         {isNewer
           ? "This browser has edits of this clip from a newer version of the app, which this version cannot read. Reload the page to get the newer version. The edits are kept, also if you edit the clip here."
-          : "This browser has stored edits of this clip that are damaged and cannot be read. They are kept, but not applied."}
+          : "This browser has stored edits of this clip that are damaged and cannot be read. They are preserved, but not applied."}
       </p>
       <p class="storage-actions">
         <button type="button" class="button" onClick={saveUnreadable}>

@@ -96,8 +96,8 @@ export class ClipSession {
   readonly persistError = signal("");
   /** Stored records of this clip that cannot be read. */
   readonly unreadable = signal<readonly UnreadableRecord[]>([]);
-  /** Set when another page has changed the edits; `theirs` if both changed the same plants. */
-  readonly changedElsewhere = signal<{ theirs?: StoredChanges } | null>(null);
+  /** Set when another page has changed the edits; `remote` if both changed the same plants. */
+  readonly changedElsewhere = signal<{ remote?: StoredChanges } | null>(null);
 
   /** Labels that the detection is compared with. */
   readonly reference = signal<Annotation | null>(null);

@@ -75,8 +75,8 @@ const cleanUp = computed(() => {
 /** The clip without foot skate; null until it is computed. */
 export const cleaned = computed(() => cleanUp.value?.cleaned ?? null);
 
-/** True if the clean-up left spikes of the hips. */
-export const spikesKept = computed(() => cleanUp.value?.keepSpikes ?? false);
+/** False if the clean-up left spikes of the hips. */
+export const repairsSpikes = computed(() => !cleanUp.value?.keepSpikes);
 
 /** Version of the clip that the viewer shows. */
 export const cleanedView = computed(() => cleanUp.value?.view ?? "before");

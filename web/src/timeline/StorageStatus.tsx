@@ -5,7 +5,7 @@ import { Icon } from "../ui/icons";
 function statusText(): string {
   if (persistError.value) return "Edits are not stored";
   if (unreadable.value.length) return "Stored edits cannot be read";
-  if (changedElsewhere.value?.theirs) return "Edits conflict with those of another tab";
+  if (changedElsewhere.value?.remote) return "Edits conflict with those of another tab";
   return changedElsewhere.value ? "Edits were changed in another tab" : "";
 }
 

@@ -67,7 +67,7 @@ fn control_characters_in_file_names_are_escaped() {
         assert!(messages.contains(r"\u{1b}[2J"), "{args:?}: {messages:?}");
         assert_is_plain(&messages);
     }
-    // JSON has its own escapes and keeps the names.
+    // JSON has its own escapes and preserves the names.
     let (_, json, _) = run(folder, &["info", "good", "--format", "json"]);
     let info: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(info["path"], format!("good/{HOSTILE}.bvh"));

@@ -41,7 +41,7 @@ pub fn run(allocator: &PeakAlloc, target: fn(&[u8]), data: &[u8]) {
 }
 
 /// The bytes as a BVH file: chunks do not change the result, values are finite, what is written is read back,
-/// and rewriting an unchanged clip keeps its bytes.
+/// and rewriting an unchanged clip preserves its bytes.
 ///
 /// The first byte selects the options and the length of chunks.
 pub fn bvh(data: &[u8]) {

@@ -3,7 +3,7 @@
 //! [`Reader`] accepts every variant of the format that has one sensible reading and reports repairs
 //! as notices. It rejects all other files with an [`Error`] that names line and column.
 //! [`write`](fn@write) is its inverse. [`Rewriter`] writes a clip that was read from a file and
-//! changed: it keeps the bytes of the file apart from the numbers that differ.
+//! changed: it preserves the bytes of the file apart from the numbers that differ.
 
 mod clip;
 mod encoding;

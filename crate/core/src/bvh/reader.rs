@@ -17,7 +17,7 @@ pub struct Parsed {
     pub clip: Clip,
     /// Repairs and assumptions, in file order.
     pub notices: Vec<Notice>,
-    /// Layout of the file, with which [`Rewriter`](crate::bvh::Rewriter) keeps its text.
+    /// Layout of the file, with which [`Rewriter`](crate::bvh::Rewriter) preserves its text.
     pub layout: Arc<Layout>,
 }
 

@@ -1,4 +1,4 @@
-//! Writer of changed clips that keeps the text of the file.
+//! Writer of changed clips that preserves the text of the file.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -207,7 +207,7 @@ impl Rewriter {
                 let len = number.map_or_else(|| number::word(&line[at..]).len(), |number| number.len);
                 if number.is_none_or(|number| number.value != value) {
                     let new = format!("{value:.*}", decimals.into());
-                    // The same number with other digits keeps its text.
+                    // The same number with other digits preserves its text.
                     if number.is_none_or(|number| new.parse() != Ok(number.value)) {
                         written.extend_from_slice(&text[copied..at]);
                         let follows_number = at > line_start && !number::is_blank(line[at - 1]);
