@@ -28,29 +28,22 @@ await main(async () => {
     step(`Fuzzing ${name} for ${seconds} s`);
     const inputs = ["corpus", "seeds", "regressions"].map((kind) => join(folder, kind, name));
     mkdirSync(inputs[0], { recursive: true });
+    // Without a sanitizer, as the core has no unsafe code, and without tracing comparisons, which
+    // takes two thirds of the time.
+    const build = ["--fuzz-dir", folder, "--sanitizer", "none", "--no-trace-compares"];
+    // A run may take a second, and inputs have up to 10 kB.
+    const limits = [`-max_total_time=${seconds}`, "-timeout=1", "-max_len=10000"];
     await run(
       cargoFuzz,
-      // Without a sanitizer, as the core has no unsafe code, and without tracing comparisons, which takes two
-      // thirds of the time.
       [
         "run",
-        "--fuzz-dir",
-        folder,
-        "--sanitizer",
-        "none",
-        "--no-trace-compares",
+        ...build,
         name,
         ...inputs.filter(existsSync),
-      ].concat(
-        // A run may take a second, and inputs have up to 10 kB.
-        [
-          "--",
-          `-max_total_time=${seconds}`,
-          "-timeout=1",
-          "-max_len=10000",
-          "-print_final_stats=1",
-        ],
-      ),
+        "--",
+        ...limits,
+        "-print_final_stats=1",
+      ],
       { source: CRATES, env: { RUSTUP_TOOLCHAIN: "nightly" } },
     );
   }
