@@ -66,7 +66,8 @@ fn clean(
     written.map_err(|error| InputError::Write { path: args.out.clone(), error })?;
     let name = display_name(&input.path);
     output::report(format_args!("{name}: {summary}"));
-    for notice in skeleton.notices.iter().chain(&cleaned.notices) {
+    let notices = loaded.parsed.notices.iter().chain(&skeleton.notices).chain(&cleaned.notices);
+    for notice in notices {
         output::report(format_args!("{name}: {notice}"));
     }
     Ok(())

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::bvh::{Channel, Clip};
+use crate::bvh::{Channel, Clip, Limits};
 use crate::kinematics::Kinematics;
 use crate::skate::constraints::Correction;
 use crate::skate::leg::{Joints, Leg};
@@ -59,6 +59,10 @@ impl ChannelWriter<'_> {
             self.translate_hips(frame, rotations, row);
             for (leg, correction) in self.legs.iter().zip(self.corrections) {
                 self.rotate_leg(leg, correction, frame, rotations, row);
+            }
+            // A file with larger values could not be read.
+            if !row.iter().all(|value| value.abs() <= Limits::default().value) {
+                row.copy_from_slice(clip.row(frame));
             }
         }
         Clip::new(clip.joints().to_vec(), clip.frame_time(), values).with_position_rule(clip.position_rule())

@@ -77,8 +77,8 @@ pub enum SkipReason {
     NoLeg,
     /// The leg is too short to reach the position, or the foot rotates too far about it.
     OutOfReach,
-    /// The correction would make the clip worse: the foot would slide more, the hips would move too far, or
-    /// joints would jerk.
+    /// The correction would make the clip worse: the foot would slide more or get below the ground, the hips
+    /// would move too far, or joints would jerk.
     Harmful,
 }
 
@@ -309,6 +309,7 @@ impl<'a> Cleanup<'a> {
             &self.feet.legs,
             &attempt.legs,
             &attempt.hip_offset,
+            self.settings.up,
             self.feet.length,
             self.clip.frame_time(),
         ) {

@@ -87,11 +87,13 @@ impl Planted<'_> {
         let mut positions = Vec::new();
         let mut fixed = Vec::new();
         for (plant, &is_constrained) in self.plants.iter().zip(self.is_constrained) {
+            fixed.push(plant.clone());
             if !is_constrained {
+                // The foot stays where it is, even if hips or corrections nearby move.
+                foot[plant.clone()].fill(Vector3::zeros());
                 positions.push(None);
                 continue;
             }
-            fixed.push(plant.clone());
             let first = holds.partition_point(|hold| hold.frames.start < plant.start);
             let last = holds.partition_point(|hold| hold.frames.start < plant.end);
             let holds_in_plant = &mut holds[first..last];

@@ -9,7 +9,9 @@ use nalgebra::Vector3;
 
 use crate::intervals::intervals;
 use crate::kinematics::Track;
+use crate::numeric::stats::percentile;
 use crate::skate::leg::Leg;
+use crate::skeleton::Up;
 
 /// Maximum distance by which the hips may move, in leg lengths.
 const MAX_HIP_OFFSET: f64 = 0.15;
@@ -23,20 +25,37 @@ const HARMLESS_ACCELERATION: f64 = 10.0;
 /// Second difference of a position that never counts as harm, in leg lengths.
 const HARMLESS_STEP: f64 = 0.03;
 
+/// Fraction of the accelerations of the original that is ordinary; defects are beyond it.
+const ORDINARY: f64 = 0.9;
+
+/// Maximum depth of a toe below the level of the lowest twentieth of the original, in leg lengths.
+const MAX_DEPTH: f64 = 0.05;
+
 /// Time around a frame in which the original may be as rough, in seconds.
 const WINDOW: f64 = 0.1;
 
-/// Returns the frame ranges in which the hips move too far, or a joint of a leg accelerates much more than in
-/// the original motion. `length` is the leg length.
+/// Returns the frame ranges in which the hips move too far, a toe gets below the ground, or a joint of a leg
+/// accelerates much more than in the original motion. `length` is the leg length.
 pub(super) fn harmful_frames(
     before: &[Leg; 2],
     after: &[Leg; 2],
     hip_offset: &[Vector3<f64>],
+    up: Up,
     length: f64,
     frame_time: f64,
 ) -> Vec<Range<usize>> {
     let mut is_harmful: Vec<bool> =
         hip_offset.iter().map(|offset| offset.norm() > MAX_HIP_OFFSET * length).collect();
+    let heights = |legs: &[Leg; 2]| -> Vec<[f64; 2]> {
+        let [left, right] = legs.each_ref().map(|leg| leg.toe.iter().map(|toe| up.height(toe)));
+        left.zip(right).map(|(left, right)| [left, right]).collect()
+    };
+    let original = heights(before);
+    let lowest = percentile(original.concat(), 0.05) - MAX_DEPTH * length;
+    for ((is_harmful, original), cleaned) in is_harmful.iter_mut().zip(original).zip(heights(after)) {
+        let is_below = |foot: usize| cleaned[foot] < lowest.min(original[foot] - MAX_DEPTH * length);
+        *is_harmful |= is_below(0) || is_below(1);
+    }
     let half = (WINDOW / frame_time).round() as usize;
     let harmless = length * HARMLESS_STEP.max(HARMLESS_ACCELERATION * frame_time * frame_time);
     for (before, after) in before.iter().zip(after) {
@@ -51,13 +70,13 @@ fn tracks(leg: &Leg) -> [&Track; 4] {
     [&leg.hip, &leg.knee, &leg.ankle, &leg.toe]
 }
 
-/// Marks the frames whose acceleration after the clean-up exceeds the largest one of the original nearby, and
-/// the 99th percentile of the whole original, and is not `harmless`.
+/// Marks the frames whose acceleration after the clean-up exceeds the largest one of the original nearby and
+/// what is ordinary in the whole original, and is not `harmless`.
 fn mark_rough(before: &[f64], after: &[f64], half: usize, harmless: f64, is_rough: &mut [bool]) {
-    let mut sorted = before.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let Some(high) = sorted.get(sorted.len() * 99 / 100) else { return };
-    let high = high.max(harmless / MAX_ROUGHNESS);
+    if before.is_empty() {
+        return;
+    }
+    let high = percentile(before.to_vec(), ORDINARY).max(harmless / MAX_ROUGHNESS);
     for (frame, &after) in after.iter().enumerate() {
         if after <= MAX_ROUGHNESS * high {
             continue;
@@ -74,4 +93,20 @@ fn mark_rough(before: &[f64], after: &[f64], half: usize, harmless: f64, is_roug
 /// Returns the norms of the second differences: the accelerations, in file units per squared frame.
 fn accelerations(track: &Track) -> Vec<f64> {
     track.windows(3).map(|window| (window[0] - 2.0 * window[1] + window[2]).norm()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defects_of_the_original_do_not_hide_new_ones() {
+        let mut before = vec![0.01; 200];
+        before[50..58].fill(4.0);
+        let mut after = before.clone();
+        after[120] = 1.0;
+        let mut is_rough = vec![false; 202];
+        mark_rough(&before, &after, 12, 0.03, &mut is_rough);
+        assert_eq!(intervals(&is_rough), [121..122]);
+    }
 }

@@ -4,9 +4,9 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use crate::foot::{Part, Side};
-use crate::formats::document::{ReadError, from_json, to_json};
+use crate::formats::document::{FrameRange, ReadError, from_json, to_json};
 use crate::formats::format_info::{FormatInfo, text_of};
-use crate::formats::plants::document::PlantsDocument;
+use crate::formats::plants::document::{Plant, PlantsDocument};
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
 use crate::plants::Annotation;
 
@@ -42,7 +42,7 @@ fn read(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
         let document: PlantsDocument = from_json(value)?;
         // Checked first, as memory is used for the stated number of frames.
         return match document.header.frames {
-            found if found == frames => Ok(document_annotation(&document)),
+            found if found == frames => document_annotation(&document),
             found => Err(ReadError::Length { found, frames }),
         };
     }
@@ -52,11 +52,23 @@ fn read(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
 }
 
 /// Returns the labels of a document for the parts that both feet have.
-fn document_annotation(document: &PlantsDocument) -> Annotation {
+///
+/// # Errors
+/// If a plant is empty or ends after the clip.
+fn document_annotation(document: &PlantsDocument) -> Result<Annotation, ReadError> {
+    let frames = document.header.frames;
+    let parts = Side::BOTH.into_iter().flat_map(|side| Part::ALL.map(|part| document.foot(side).part(part)));
+    for Plant { frames: range, .. } in parts.flatten().flatten() {
+        if range.start >= range.end || range.end > frames {
+            let FrameRange { start, end, .. } = range;
+            let message = format!("a plant cannot last from frame {start} to {end} of {frames} frames");
+            return Err(ReadError::Invalid(message));
+        }
+    }
     let part = |part: Part| {
         let [left, right] = Side::BOTH.map(|side| document.labels(side, part));
         let known = |labels: Vec<bool>| labels.into_iter().map(Some).collect();
         Some((part, [known(left?), known(right?)]))
     };
-    Annotation { parts: Part::ALL.into_iter().filter_map(part).collect() }
+    Ok(Annotation { parts: Part::ALL.into_iter().filter_map(part).collect() })
 }

@@ -133,6 +133,20 @@ mod tests {
         assert_eq!(read(&text, 3), Err(ReadError::Version(99)));
         let annotation = r#"{"left": [0], "right": [1]}"#;
         assert_eq!(read(annotation, 3), Err(ReadError::Length { found: 1, frames: 3 }));
+        for (start, end) in [(2, 1), (1, 1), (0, 4), (0, usize::MAX)] {
+            let text = format!(
+                r#"{{"format": "{}", "version": 1, "source": {{"name": "a"}}, "frames": 3, "rate": 30,
+                "method": {{"name": "truth"}}, "left": {{}}, "right": {{"heel": [{{"start": {start},
+                "end": {end}, "start_s": 0, "end_s": 0, "source": "truth"}}]}}}}"#,
+                PlantsDocument::FORMAT
+            );
+            assert!(matches!(read(&text, 3), Err(ReadError::Invalid(_))), "{start}..{end}");
+        }
+        for frames in ["1\n0\n", "0\n0\n", "0\n\n"] {
+            let rows: String = frames.lines().map(|frame| format!("{frame},1,0\n")).collect();
+            let table = read(&format!("frame,left_toe,right_toe\n{rows}"), 2);
+            assert!(matches!(table, Err(ReadError::Invalid(_))), "{frames:?}");
+        }
         for found in [1_000_000_000, usize::MAX] {
             let text = format!(
                 r#"{{"format": "{}", "version": 1, "source": {{"name": "a"}}, "frames": {found}, "rate": 30,

@@ -152,8 +152,15 @@ fn read_frames_csv(bytes: &[u8], _frames: usize) -> Result<Annotation, ReadError
         .into_iter()
         .filter_map(|part| Some((part, [column(Side::Left, part)?, column(Side::Right, part)?])))
         .collect();
+    let frame_column = csv::column(&header, "frame");
     let mut parts: Vec<_> = columns.iter().map(|(part, _)| (*part, [Vec::new(), Vec::new()])).collect();
-    for row in rows {
+    for (frame, row) in rows.enumerate() {
+        if let Some(column) = frame_column {
+            let found = row.field(column);
+            if found.and_then(|text| text.parse().ok()) != Some(frame) {
+                return Err(row.unexpected(&format!("frame {frame}"), found));
+            }
+        }
         for ((_, indices), (_, feet)) in columns.iter().zip(&mut parts) {
             for (index, labels) in indices.iter().zip(feet) {
                 labels.push(match row.field(*index) {
