@@ -12,7 +12,7 @@ for (const { name, location, message } of invalidFiles) {
     await app.drop(bad(name));
     await expect(app.alert.getByRole("heading")).toHaveText(`${name}.bvh could not be opened`);
     // The page unpacks archives whatever their names; the reader does not.
-    const expected = name === "archive" ? "The archive contains no BVH file" : message;
+    const expected = name === "archive" ? "it is incomplete: it has no list of files" : message;
     await expect(app.alert).toContainText(expected.replace(/\.$/, ""), { ignoreCase: true });
     if (location) {
       await expect(app.alert).toContainText(`At ${location}`);
