@@ -56,8 +56,7 @@ test("repairs spikes of the hips and can leave them", async ({ app }) => {
   const row = lines.findIndex((line) => line.startsWith("Frame Time")) + 1 + 81;
   const [x, y, ...others] = (lines[row] ?? "").split(" ");
   lines[row] = [x, Number(y) + 12, ...others].join(" ");
-  await app.drop(file("spike.bvh", lines.join("\n")));
-  await app.waitForClip("spike.bvh");
+  await app.openFile(file("spike.bvh", lines.join("\n")));
   await app.tab("Clip");
   await app.panel.getByRole("button", { name: "Remove foot skate" }).click();
   const notice = app.panel.getByText(/^The hips have a spike, from frame 81 on/);
