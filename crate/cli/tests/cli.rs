@@ -301,8 +301,19 @@ fn detect_reads_standard_input() {
 fn detect_processes_folders_despite_failures_and_reuses_results() {
     let out = tempfile::tempdir().expect("a folder");
     let folder = out.path().to_str().expect("a path");
+    // The folders contain further files in folders of their own.
+    let inputs = tempfile::tempdir().expect("a folder");
+    for kind in ["good", "bad"] {
+        for entry in fs::read_dir(project("tests/files").join(kind)).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_file() {
+                fs::copy(&path, inputs.path().join(path.file_name().expect("a name"))).expect("a copy");
+            }
+        }
+    }
+    let inputs = inputs.path().to_str().expect("a path");
     let run = |more: &[&str]| {
-        plantigrade(&[&["detect", "good", "bad", "--format", "csv", "--out", folder], more].concat())
+        plantigrade(&[&["detect", inputs, "--format", "csv", "--out", folder], more].concat())
     };
     let output = run(&[]);
     assert_eq!((code(&output), stdout(&output)), (1, String::new()));
