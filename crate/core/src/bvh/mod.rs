@@ -8,11 +8,13 @@
 mod clip;
 mod encoding;
 mod error;
+mod extra_column;
 mod fast_row;
 mod frame_time;
 mod hierarchy;
 mod layout;
 mod lines;
+mod motion_header;
 mod motion_section;
 mod names;
 mod number;
