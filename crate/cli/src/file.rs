@@ -15,9 +15,9 @@ const TEMPORARY_SUFFIX: &str = ".tmp";
 /// Symbolic links that are followed; more are a loop.
 const MAX_LINKS: usize = 40;
 
-/// Writes a file atomically: to a temporary file in the same folder that then replaces it. An existing file retains its
-/// permissions, and a symbolic link its place: the file that it refers to is replaced. Pipes and devices are
-/// written directly.
+/// Writes a file atomically: to a temporary file in the same folder that then replaces it. An existing file
+/// retains its permissions, and a symbolic link its place: the file that it refers to is replaced. Pipes and
+/// devices are written directly.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let existing = fs::metadata(path).ok();
     if existing.as_ref().is_some_and(|existing| !existing.is_file()) {

@@ -5,9 +5,9 @@ use crate::bvh::number::EXACT_POWERS;
 /// Reads a row from the beginning of `text` and returns its length with the line end, in bytes.
 ///
 /// Accepts a line of numbers without exponents and commas, as many as there are `values`, each with
-/// no more digits than a double represents exactly and no larger than `limit`. Returns `None` for any other line and for a
-/// line whose end has not been read; `values` are then unspecified, and the general reader must be
-/// used. Sets `points` at the first decimal point, and raises `decimals` to the number of decimals
+/// no more digits than a double represents exactly and no larger than `limit`. Returns `None` for any
+/// other line and for a line whose end has not been read; `values` are then unspecified, and the general
+/// reader must be used. Sets `points` at the first decimal point, and raises `decimals` to the number of decimals
 /// of each value.
 pub(crate) fn read_row(
     text: &[u8],

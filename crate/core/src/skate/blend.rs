@@ -9,9 +9,9 @@ const FADE_FRACTION: usize = 3;
 
 /// Fills `values` outside of the `fixed` ranges.
 ///
-/// Between two fixed ranges a quintic continues value and slope with zero acceleration at both
-/// ends; slopes fade within a third of the window; if they are more than two windows apart, it passes through zero. `fixed` must be in order,
-/// without empty or overlapping ranges.
+/// Between two fixed ranges a quintic continues value and slope with zero acceleration at both ends. Slopes
+/// fade within a third of the window. If the ranges are more than two windows apart, the blend passes through
+/// zero. `fixed` must be in order, without empty or overlapping ranges.
 pub(crate) fn fill(values: &mut [Vector3<f64>], fixed: &[Range<usize>], window: usize) {
     let window = window.max(1);
     let fade = window.div_ceil(FADE_FRACTION);

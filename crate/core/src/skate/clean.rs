@@ -118,8 +118,8 @@ const MAX_ROUNDS: usize = 8;
 const CONSTRAINT_TOLERANCE: f64 = 0.001;
 
 /// Constrains every planted foot to one position on the [`Ground`](crate::plants::Ground) that the plants
-/// define; on a treadmill the position moves with the belt. Only the rotations of legs and feet and the position of the hips
-/// change.
+/// define; on a treadmill the position moves with the belt. Only the rotations of legs and feet and the
+/// position of the hips change.
 ///
 /// Heel and toe are constrained as labelled: the foot rolls over its heel, is flat, and rolls over its
 /// toe. If only toes are labelled (the method of the paper), the toe is constrained and the foot rotates

@@ -28,7 +28,10 @@ const HARMLESS_STEP: f64 = 0.03;
 /// Fraction of the accelerations of the original that is ordinary; defects are beyond it.
 const ORDINARY: f64 = 0.9;
 
-/// Maximum depth of a toe below the level of the lowest twentieth of the original, in leg lengths.
+/// Fraction of the heights of the toes in the original that are below the ground, by defects.
+const GROUND: f64 = 0.05;
+
+/// Maximum depth of a toe below the ground, or below its place in the original, in leg lengths.
 const MAX_DEPTH: f64 = 0.05;
 
 /// Time around a frame in which the original may be as rough, in seconds.
@@ -46,19 +49,14 @@ pub(super) fn harmful_frames(
 ) -> Vec<Range<usize>> {
     let mut is_harmful: Vec<bool> =
         hip_offset.iter().map(|offset| offset.norm() > MAX_HIP_OFFSET * length).collect();
-    let heights = |legs: &[Leg; 2]| -> Vec<[f64; 2]> {
-        let [left, right] = legs.each_ref().map(|leg| leg.toe.iter().map(|toe| up.height(toe)));
-        left.zip(right).map(|(left, right)| [left, right]).collect()
-    };
-    let original = heights(before);
-    let lowest = percentile(original.concat(), 0.05) - MAX_DEPTH * length;
-    for ((is_harmful, original), cleaned) in is_harmful.iter_mut().zip(original).zip(heights(after)) {
-        let is_below = |foot: usize| cleaned[foot] < lowest.min(original[foot] - MAX_DEPTH * length);
-        *is_harmful |= is_below(0) || is_below(1);
-    }
+    let heights = before.iter().flat_map(|leg| &leg.toe).map(|toe| up.height(toe));
+    let ground = percentile(heights.collect(), GROUND);
     let half = (WINDOW / frame_time).round() as usize;
     let harmless = length * HARMLESS_STEP.max(HARMLESS_ACCELERATION * frame_time * frame_time);
     for (before, after) in before.iter().zip(after) {
+        for (is_harmful, (before, after)) in is_harmful.iter_mut().zip(before.toe.iter().zip(&after.toe)) {
+            *is_harmful |= up.height(after) < ground.min(up.height(before)) - MAX_DEPTH * length;
+        }
         for (before, after) in tracks(before).into_iter().zip(tracks(after)) {
             mark_rough(&accelerations(before), &accelerations(after), half, harmless, &mut is_harmful);
         }

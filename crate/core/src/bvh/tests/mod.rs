@@ -8,7 +8,6 @@ use crate::bvh::number::Decimals;
 use crate::notice::{Code, Location};
 use nalgebra::Vector3;
 
-
 mod properties;
 
 const HEAD: &str = "HIERARCHY\nROOT Hips\n{\n\tOFFSET 0 0 0\n\tCHANNELS 3 Xposition Yposition Zposition\n\
