@@ -78,7 +78,7 @@ const states: Record<string, (app: App) => Promise<void>> = {
     await app.openSample("curved-walk");
     await app.tab("Labels");
     await app.page.keyboard.press("e");
-    await app.page.keyboard.press("k");
+    await app.page.keyboard.press("b");
   },
   "messages on the storage of edits": async (app) => {
     await app.page.goto(app.site.home);

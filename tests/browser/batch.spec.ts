@@ -12,7 +12,11 @@ const row = (app: App, name: string) =>
   table(app)
     .getByRole("row")
     .filter({ has: app.page.getByRole("button", { name, exact: true }) });
-const names = (app: App) => table(app).getByRole("rowheader").getByRole("button").allInnerTexts();
+const names = (app: App) =>
+  table(app)
+    .getByRole("rowheader")
+    .locator(".clip-name")
+    .evaluateAll((buttons) => buttons.map((button) => button.textContent));
 
 async function waitForBatch(app: App) {
   await expect(app.page.getByText(/^All processed/)).toBeVisible();
@@ -218,4 +222,34 @@ test("applies stored edits and changed options in the table", async ({ app, page
   await page.getByRole("button", { name: "2 clips" }).click();
   await page.getByRole("button", { name: "Process again" }).click();
   await expect(page.getByText("All processed · Paper")).toBeVisible();
+});
+
+test("reviews the least certain clip first", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("curved-walk"), sample("frog-jumps"), bad("ragged-row"));
+  await waitForBatch(app);
+  await expect(page.getByText("All processed, 1 failed")).toBeVisible();
+  await page.getByRole("columnheader", { name: "Confidence" }).getByRole("button").click();
+  const order = (await names(app)).slice(0, 3);
+  await page.getByRole("button", { name: /^Review 3/ }).click();
+  await app.waitForClip(order[0] ?? "");
+  await page.keyboard.press("c");
+  await expect(app.head.getByRole("checkbox", { name: "Checked" })).toBeChecked();
+  await page.keyboard.press("n");
+  await app.waitForClip(order[1] ?? "");
+  await app.head.getByRole("checkbox", { name: "Checked" }).check();
+  await app.head.getByRole("button", { name: /^Next/ }).click();
+  await app.waitForClip(order[2] ?? "");
+  await page.getByRole("button", { name: "4 clips" }).click();
+  await page.getByRole("searchbox", { name: "Filter by name" }).fill("unchecked");
+  await expect(page.getByRole("heading", { name: "2 of 4 clips" })).toBeVisible();
+});
+
+test("scores clips with the labels that were dropped with them", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("frog-jumps"), clip("samples/frog-jumps.json"));
+  await waitForBatch(app);
+  await expect(row(app, "frog-jumps.bvh")).toContainText(/\d\d\.\d %/);
+  await expect(row(app, "bowling.bvh")).not.toContainText(/\d\d\.\d %/);
+  await expect(page.getByRole("columnheader", { name: "Score" })).toBeVisible();
 });

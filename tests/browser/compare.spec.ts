@@ -35,7 +35,7 @@ test("compares a sample with ground truth and removes the comparison", async ({ 
   await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
   await app.tab("Labels");
   const tracks = await app.tracks.screenshot();
-  await app.panel.getByRole("button", { name: "Compare with ground truth" }).click();
+  await app.panel.getByRole("button", { name: "Compare with reference" }).click();
   await expect(page.getByRole("tabpanel", { name: "Score" })).toContainText("foot-drag-walk truth");
   expect(await app.tracks.screenshot()).not.toEqual(tracks);
   await app.panel.getByRole("button", { name: "Remove" }).click();

@@ -23,7 +23,7 @@ async function toFrame(app: App, frame: number) {
   expect(await app.frame()).toBe(frame);
 }
 
-const field = (app: App, name: "Start" | "End") =>
+const field = (app: App, name: "First" | "Last") =>
   app.panel.getByRole("spinbutton", { name: `${name} frame` });
 
 test("drags an edge, with undo and redo", async ({ app, page }) => {
@@ -40,17 +40,17 @@ test("drags an edge, with undo and redo", async ({ app, page }) => {
   // The view shows the frame of the dragged edge.
   await expect.poll(() => app.frame()).toBeGreaterThan(second.end + 6);
   await page.mouse.up();
-  await expect(field(app, "Start")).toHaveValue(String(second.start));
-  const end = Number(await field(app, "End").inputValue());
+  await expect(field(app, "First")).toHaveValue(String(second.start));
+  const end = Number(await field(app, "Last").inputValue()) + 1;
   expect(Math.abs(end - second.end - 12)).toBeLessThanOrEqual(1);
   const after = await saved(app);
   expect(spans(after)[1]).toEqual([second.start, end]);
   expect(contact(after).map(({ source }) => source)).toEqual(["auto", "edited", "auto"]);
   await page.keyboard.press("Control+z");
-  await expect(field(app, "End")).toHaveValue(String(second.end));
+  await expect(field(app, "Last")).toHaveValue(String(second.end - 1));
   expect(await saved(app)).toEqual(before);
   await page.keyboard.press("Control+Shift+z");
-  await expect(field(app, "End")).toHaveValue(String(end));
+  await expect(field(app, "Last")).toHaveValue(String(end - 1));
   expect(await saved(app)).toEqual(after);
 });
 
@@ -62,9 +62,9 @@ test("edits plants by keyboard", async ({ app, page }) => {
   await toFrame(app, start + 5);
   await page.keyboard.press("e");
   await page.keyboard.press("i");
-  await expect(field(app, "Start")).toHaveValue(String(start + 5));
+  await expect(field(app, "First")).toHaveValue(String(start + 5));
   for (let i = 0; i < 15; i++) await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("k");
+  await page.keyboard.press("b");
   expect(spans(await saved(app))).toEqual([
     first,
     [start + 5, start + 20],
@@ -73,7 +73,7 @@ test("edits plants by keyboard", async ({ app, page }) => {
   ]);
   // The longer half is selected; its end cannot be moved before its start.
   await page.keyboard.press("o");
-  await expect(field(app, "End")).toHaveValue(String(end));
+  await expect(field(app, "Last")).toHaveValue(String(end - 1));
   await page.keyboard.press("Delete");
   expect(spans(await saved(app))).toEqual([first, [start + 5, start + 20], third]);
   await toFrame(app, start + 10);
@@ -81,7 +81,7 @@ test("edits plants by keyboard", async ({ app, page }) => {
   await page.keyboard.press("m");
   expect(spans(await saved(app))).toEqual([first, [start + 5, third[1]]]);
   await page.keyboard.press("Escape");
-  await expect(field(app, "Start")).toBeHidden();
+  await expect(field(app, "First")).toBeHidden();
   await page.keyboard.press("Home");
   for (let i = 0; i < 5; i++) await page.keyboard.press("Control+z");
   expect(spans(await saved(app))).toEqual([first, second, third]);
@@ -94,11 +94,11 @@ test("edits plants by buttons and fields", async ({ app, page }) => {
   if (!first || !second) throw new Error("There are two plants.");
   await app.panel.getByRole("button", { name: /^3 ?Left/ }).click();
   await expect(app.panel.getByText("Left contact, plant 3")).toBeVisible();
-  await field(app, "End").fill(String((second[1] ?? 0) - 10));
-  await field(app, "End").press("Tab");
+  await field(app, "Last").fill(String((second[1] ?? 0) - 11));
+  await field(app, "Last").press("Tab");
   await expect(app.panel.getByText("edited").first()).toBeVisible();
   await app.panel.getByRole("button", { name: "Revert", exact: true }).click();
-  await expect(field(app, "End")).toHaveValue(String(second[1]));
+  await expect(field(app, "Last")).toHaveValue(String((second[1] ?? 0) - 1));
   expect(await saved(app)).toEqual(before);
   // Another plant fits between the first and the second one.
   await toFrame(app, (first[1] ?? 0) + 10);
@@ -152,7 +152,7 @@ test("adopts reference labels as edits", async ({ app }) => {
     mimeType: "application/json",
     buffer: Buffer.from(JSON.stringify({ left, right: none })),
   });
-  await app.panel.getByRole("button", { name: "Adopt reference labels" }).click();
+  await app.panel.getByRole("button", { name: "Use these labels" }).click();
   const edited = await saved(app);
   expect(spans(edited)).toEqual(reference);
   expect(contact(edited, "right")).toEqual([]);

@@ -14,7 +14,7 @@ test("measures and removes foot skate and saves the cleaned clip", async ({ app 
   const [mean = 0, worst = 0] = await slide("Original");
   expect(mean).toBeGreaterThan(0.2);
   expect(worst).toBeGreaterThan(mean);
-  await app.panel.getByRole("button", { name: "Remove foot skate" }).click();
+  await app.panel.getByRole("button", { name: "Fix foot skate" }).click();
   await expect(table.getByRole("row", { name: "Cleaned" })).toHaveText(/0\.0 cm\s*0\.0 cm/);
   await expect(app.panel.getByRole("button", { name: "Both" })).toHaveAttribute(
     "aria-pressed",
@@ -32,7 +32,7 @@ test("measures and removes foot skate and saves the cleaned clip", async ({ app 
   await app.drop(file(saved.name, saved.text));
   await app.waitForClip("limp-to-run.clean.bvh");
   await app.drop(file(labels.name, labels.text));
-  await app.panel.getByRole("button", { name: "Adopt reference labels" }).click();
+  await app.panel.getByRole("button", { name: "Use these labels" }).click();
   await app.tab("Clip");
   // The heel position is estimated again from the saved clip, which changes slides by a millimetre.
   await expect.poll(async () => (await slide("Original"))[0]).toBeLessThan(mean / 8);
@@ -41,14 +41,14 @@ test("measures and removes foot skate and saves the cleaned clip", async ({ app 
 test("goes to the largest slide and discards the result after edits", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await app.tab("Clip");
-  await app.panel.getByRole("button", { name: "Remove foot skate" }).click();
+  await app.panel.getByRole("button", { name: "Fix foot skate" }).click();
   await expect(app.panel.getByRole("button", { name: "After" })).toBeVisible();
   await page.keyboard.press("End");
   await app.panel.getByRole("button", { name: /^\d.* cm$/ }).click();
   expect(await app.frame()).toBeLessThan(244);
   await page.keyboard.press("e");
   await page.keyboard.press("Delete");
-  await expect(app.panel.getByRole("button", { name: "Remove foot skate" })).toBeVisible();
+  await expect(app.panel.getByRole("button", { name: "Fix foot skate" })).toBeVisible();
 });
 
 test("repairs spikes of the hips and can leave them", async ({ app }) => {
@@ -58,7 +58,7 @@ test("repairs spikes of the hips and can leave them", async ({ app }) => {
   lines[row] = [x, Number(y) + 12, ...others].join(" ");
   await app.openFile(file("spike.bvh", lines.join("\n")));
   await app.tab("Clip");
-  await app.panel.getByRole("button", { name: "Remove foot skate" }).click();
+  await app.panel.getByRole("button", { name: "Fix foot skate" }).click();
   const notice = app.panel.getByText(/^The hips have a spike, from frame 81 on/);
   await expect(notice).toBeVisible();
   const repair = app.panel.getByRole("checkbox", { name: "Repair spikes of the hips" });

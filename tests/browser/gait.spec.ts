@@ -18,7 +18,7 @@ test("measures cadence, times and lengths of a walk", async ({ app }) => {
 test("measures asymmetry of a limp and flight of a run", async ({ app }) => {
   await app.openSample("limp-to-run");
   await app.tab("Clip");
-  await expect(app.fact("Stance, right vs. left")).toHaveText(/^\d+ % longer$/);
+  await expect(app.fact("Symmetry index, stance")).toHaveText(/^right \+\d+ %$/);
   await expect(app.fact("Flight")).toContainText("% of a stride");
 });
 

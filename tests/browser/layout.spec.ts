@@ -153,6 +153,7 @@ async function expectColours(app: App, theme: "light" | "dark") {
         ratio("--left", "--lane"),
         ratio("--right", "--lane"),
         ratio("--accent", "--lane"),
+        ratio("--difference", "--lane"),
         ratio("--border-strong", "--panel"),
         ratio("--view-bone", "--view-background"),
       ],
@@ -170,8 +171,8 @@ async function expectPills(app: App, { rows }: Table) {
     ["left", "Left"],
     ["right", "Right"],
   ] as const) {
-    const words = row?.[`${side}_contact`] === "1" ? "planted" : "in the air";
-    await expect(app.view.getByText(new RegExp(`^${name} (planted|in the air)`))).toContainText(
+    const words = row?.[`${side}_contact`] === "1" ? "in contact" : "in the air";
+    await expect(app.view.getByText(new RegExp(`^${name} (in contact|in the air)`))).toContainText(
       words,
     );
   }

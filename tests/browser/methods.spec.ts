@@ -81,7 +81,7 @@ test("shows a method that labels contact only", async ({ app, page }) => {
   expect(header).toBe("frame,time,left_contact,right_contact");
   const planted = rows.findIndex((row) => row.left_contact === "1");
   for (let i = 0; i < planted; i++) await page.keyboard.press("ArrowRight");
-  await expect(app.view.getByText(/^Left planted/)).toBeVisible();
+  await expect(app.view.getByText(/^Left in contact/)).toBeVisible();
   expect(await app.panel.getByRole("listitem").count()).toBeGreaterThan(3);
 });
 

@@ -57,13 +57,13 @@ test("changes the speed by comma and full stop", async ({ app, page }) => {
   await app.openSample("bowling");
   const speed = app.timeline.getByRole("combobox", { name: "Speed" });
   await expect(speed).toHaveValue("1");
-  await page.keyboard.press(".");
+  await page.keyboard.press(">");
   await expect(speed).toHaveValue("1.5");
-  await page.keyboard.press(",");
-  await page.keyboard.press(",");
+  await page.keyboard.press("<");
+  await page.keyboard.press("<");
   await expect(speed).toHaveValue("0.75");
   await speed.selectOption("4");
-  await page.keyboard.press(".");
+  await page.keyboard.press(">");
   await expect(speed).toHaveValue("4");
 });
 
@@ -71,20 +71,20 @@ test("cycles loop modes by L", async ({ app, page }) => {
   await app.openSample("bowling");
   const loop = app.timeline.getByRole("button", { name: /^Loop/ });
   await expect(loop).toHaveText("Loop clip");
-  await page.keyboard.press("l");
+  await page.keyboard.press("Shift+l");
   await expect(loop).toHaveText(/^Loop plant \d+$/);
-  await page.keyboard.press("l");
+  await page.keyboard.press("Shift+l");
   await expect(loop).toHaveText("Loop segment 1");
-  await page.keyboard.press("l");
+  await page.keyboard.press("Shift+l");
   await expect(loop).toHaveText("Loop off");
   await expect(loop).toHaveAttribute("aria-pressed", "false");
-  await page.keyboard.press("l");
+  await page.keyboard.press("Shift+l");
   await expect(loop).toHaveText("Loop clip");
 });
 
 test("stops at the last frame without a loop", async ({ app, page }) => {
   await app.openSample("bowling");
-  for (let i = 0; i < 3; i++) await page.keyboard.press("l");
+  for (let i = 0; i < 3; i++) await page.keyboard.press("Shift+l");
   await page.keyboard.press("End");
   for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("Space");

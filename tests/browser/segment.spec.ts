@@ -164,7 +164,7 @@ test("shows a segment name on the bar, in files and with other methods", async (
   await app.tab("Segment");
   const before = await app.tracks.screenshot();
   const { x, y } = await findSegmentBar(app, 0.3);
-  await page.keyboard.press("l");
+  await page.keyboard.press("Shift+l");
   // A click on the ruler separates the clicks on the bar.
   await app.pressRuler(0.3);
   await page.mouse.dblclick(x, y);

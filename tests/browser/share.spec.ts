@@ -96,7 +96,7 @@ test("offers no link for a local file", async ({ app, page }) => {
   await app.openFile(good("plain"));
   await app.head.getByRole("button", { name: "Share" }).focus();
   await page.keyboard.press("Enter");
-  await expect(app.dialog).toContainText("There is no link to a local file");
+  await expect(app.dialog).toContainText("Links work for samples and URLs only");
   await expect(app.dialog.getByRole("textbox")).toHaveCount(0);
   await page.keyboard.press("Escape");
   await expect(app.dialog).toHaveCount(0);
@@ -160,7 +160,7 @@ test("a single-file page contains clip, labels, edits and names", async ({
   await app.panel.getByRole("button", { name: /^3\s*(Left|Right)/ }).click();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("k");
+  await page.keyboard.press("b");
   await app.tab("Segment");
   await app.panel
     .getByRole("textbox", { name: "Name of segment 2" })

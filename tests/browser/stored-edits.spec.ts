@@ -137,8 +137,8 @@ test("lets the user choose where both tabs have edited the same plant", async ({
       .getByRole("button", { name: /^\d+ ?Left/ })
       .first()
       .click();
-    const field = tab.panel.getByRole("spinbutton", { name: "End frame" });
-    await field.fill(String(frame));
+    const field = tab.panel.getByRole("spinbutton", { name: "Last frame" });
+    await field.fill(String(frame - 1));
     await field.press("Tab");
   };
   await setEnd(other, end - 5);

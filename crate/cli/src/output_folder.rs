@@ -79,15 +79,25 @@ impl OutputFolder {
 
     /// True if a result has the given origin and was not changed since.
     pub fn is_up_to_date(&self, name: &Path, origin: &Origin) -> bool {
+        // Reading a pipe would wait for its writer.
+        let path = self.path(name);
         self.entries.get(&key(name)).is_some_and(|entry| {
             entry.origin == origin.digest()
-                && fs::read(self.path(name)).is_ok_and(|bytes| entry.sha256 == hex_digest(&bytes))
+                && path.is_file()
+                && fs::read(&path).is_ok_and(|bytes| entry.sha256 == hex_digest(&bytes))
         })
     }
 
     /// Writes a result atomically and records its origin.
+    ///
+    /// # Errors
+    /// Those of writing, and if something other than a file has the name of the result.
     pub fn write(&self, name: &Path, result: &[u8], origin: &Origin) -> io::Result<()> {
-        file::write(&self.path(name), result)?;
+        let path = self.path(name);
+        if fs::metadata(&path).is_ok_and(|existing| !existing.is_file()) {
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, "a folder, pipe or device has this name"));
+        }
+        file::write(&path, result)?;
         let entry = Entry { result: key(name), origin: origin.digest(), sha256: hex_digest(result) };
         // One write, so that lines of several processes do not mix.
         (&self.record).write_all(&line(&entry))

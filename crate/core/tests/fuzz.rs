@@ -6,6 +6,7 @@
 mod targets;
 
 use std::fs;
+use std::panic::{catch_unwind, resume_unwind};
 use std::path::Path;
 use std::sync::Mutex;
 
@@ -30,8 +31,7 @@ fn check(name: &str, target: fn(&[u8]), mutations: usize) {
         paths.sort();
         for path in paths {
             let bytes = fs::read(&path).expect("an input");
-            println!("{}", path.display());
-            targets::run(&ALLOCATOR, target, &bytes);
+            run(target, &bytes, || path.display().to_string());
             inputs.push(bytes);
         }
     }
@@ -39,10 +39,19 @@ fn check(name: &str, target: fn(&[u8]), mutations: usize) {
     let mut rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
     for round in 0..mutations {
         let mutated = mutate(&inputs, &mut rng);
-        println!("mutation {round}: {mutated:02x?}");
-        targets::run(&ALLOCATOR, target, &mutated);
+        run(target, &mutated, || format!("mutation {round}: {mutated:02x?}"));
     }
     drop(running);
+}
+
+/// Runs a target, and prints the input if it fails. Printing every input would allocate memory in the thread
+/// that collects the output, which counts for the next test.
+fn run(target: fn(&[u8]), input: &[u8], description: impl FnOnce() -> String) {
+    let outcome = catch_unwind(|| targets::run(&ALLOCATOR, target, input));
+    if let Err(panic) = outcome {
+        println!("{}", description());
+        resume_unwind(panic);
+    }
 }
 
 /// Returns an input with some bytes changed, inserted, deleted, repeated or taken from another input.

@@ -24,6 +24,7 @@ import load, {
   type SegmentInfo,
   type SegmentMethodInfo,
   type SegmentOptions,
+  type FootFrames,
   type SlideInfo,
   type WasmClip,
   type WasmDetection,
@@ -45,6 +46,7 @@ export type {
   SegmentInfo,
   SegmentMethodInfo,
   SegmentOptions,
+  FootFrames,
   SlideInfo,
 };
 
@@ -244,11 +246,16 @@ export class Plants {
    * @param file The bytes that `Clip.read` was given, or chunks of them.
    * @param keepSpikes If true, spikes of the hips, short jumps away and back, are not interpolated;
    *   default false.
+   * @param only If not empty, only plants that overlap one of these ranges are corrected.
    * @throws PlantigradeError If the file is shorter than the one that was read.
    */
-  clean(file: Uint8Array | Iterable<Uint8Array>, keepSpikes = false): Uint8Array {
+  clean(
+    file: Uint8Array | Iterable<Uint8Array>,
+    keepSpikes = false,
+    only: FootFrames[] = [],
+  ): Uint8Array {
     return rethrow(() => {
-      const cleaned = this.clip.clean(this.inner, keepSpikes);
+      const cleaned = this.clip.clean(this.inner, keepSpikes, only);
       const rewriter = cleaned.rewriter();
       cleaned.free();
       const written: Uint8Array[] = [];

@@ -12,7 +12,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::positions;
-use crate::types::{Failure, NoticeInfo, to_js};
+use crate::types::{Failure, NoticeInfo, from_js, parse_side, to_js};
 use crate::{WasmClip, WasmDetection, WasmRewriter};
 
 /// The slide of one plant, over half-open frames.
@@ -28,6 +28,21 @@ pub struct SlideInfo {
     pub end: usize,
     /// Largest horizontal distance of the contact point from its mean position, in metres.
     pub max_distance: f64,
+    /// Frame of the largest distance.
+    pub frame: usize,
+}
+
+/// Frames of one foot, half-open.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct FootFrames {
+    /// The foot.
+    #[tsify(type = r#""left" | "right""#)]
+    pub side: String,
+    /// First frame.
+    pub start: usize,
+    /// First frame after the range.
+    pub end: usize,
 }
 
 /// Result of the clean-up for one plant, over half-open frames.
@@ -73,13 +88,27 @@ impl WasmClip {
     }
 
     /// Removes foot skate: constrains every planted foot to one position. Spikes of the hips, short jumps
-    /// away and back, are interpolated unless `keep_spikes`.
+    /// away and back, are interpolated unless `keep_spikes`. If `only` is not empty, only plants that overlap
+    /// one of its ranges are corrected.
     ///
     /// # Errors
-    /// If the clip has no motion or no feet.
-    pub fn clean(&self, detection: &WasmDetection, keep_spikes: bool) -> Result<WasmCleanedClip, Failure> {
+    /// If the clip has no motion or no feet, or `only` has an unknown side.
+    pub fn clean(
+        &self,
+        detection: &WasmDetection,
+        keep_spikes: bool,
+        only: Vec<Ts<FootFrames>>,
+    ) -> Result<WasmCleanedClip, Failure> {
         let contacts = Contacts::from(detection.core());
-        let options = Options { repair_spikes: !keep_spikes, ..Options::default() };
+        let selected = only.iter().map(|range| {
+            let FootFrames { side, start, end } = from_js(range)?;
+            Ok((parse_side(&side)?, start..end))
+        });
+        let options = Options {
+            repair_spikes: !keep_spikes,
+            only: selected.collect::<Result<_, Failure>>()?,
+            ..Options::default()
+        };
         let cleaned = skate::clean(self.core(), self.skeleton(), &contacts, &options)?;
         let Cleaned { clip, plants, notices } = cleaned;
         let (layout, skeleton) = (self.layout().clone(), self.skeleton().clone());
@@ -128,6 +157,7 @@ impl From<&Slide> for SlideInfo {
             start: slide.frames.start,
             end: slide.frames.end,
             max_distance: slide.distance,
+            frame: slide.frame,
         }
     }
 }

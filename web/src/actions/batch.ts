@@ -1,6 +1,6 @@
 /** Processing many clips: detection and segmentation in parallel, shown in one table. */
 
-import { batch } from "@preact/signals";
+import { batch, computed } from "@preact/signals";
 import * as Comlink from "comlink";
 import { batchWorkers, type CallOptions, zipWorkers } from "../engine";
 import type { BatchRequest, ClipSummary } from "../model/batch";
@@ -11,11 +11,13 @@ import { tableCsv } from "../model/table";
 import { type BatchRow, batchRequest, batchRows, tableVisible } from "../store/batch";
 import type { ErrorReport } from "../store/errors";
 import { runJob } from "../store/jobs";
+import { source } from "../store/session";
 import { detectOptions, segmentOptions } from "../store/settings";
 import { announcement } from "../store/view";
 import { safeFileName, stemOf, uniqueNames } from "../util/file-names";
 import { compareWithAll } from "./compare";
 import { download } from "./download";
+import { addHistoryEntry } from "./history";
 import { openSource } from "./open";
 import { storedChangesOf } from "./persist";
 import { pause } from "./playback";
@@ -72,7 +74,8 @@ export async function retryFailed() {
 }
 
 async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortSignal) {
-  const { name, data } = row.source;
+  const { name, data, labels = [] } = row.source;
+  const references = labels.map((label) => label.data);
   if (data.size > maxFileBytes) {
     updateRow(row, { status: "failed", failure: fileTooLarge(data.size) });
     return;
@@ -80,7 +83,7 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
   try {
     const result = await batchWorkers.run((calls) => {
       updateRow(row, { status: "running" });
-      return calls.summarize(data, name, request, Comlink.proxy(storedChangesOf));
+      return calls.summarize(data, name, request, references, Comlink.proxy(storedChangesOf));
     }, signal);
     if (signal.aborted) return;
     updateRow(
@@ -130,7 +133,37 @@ export function stopBatch() {
 export async function openRow({ source }: BatchRow): Promise<void> {
   if (!(await openSource(source))) return;
   tableVisible.value = false;
+  addHistoryEntry("");
   await compareWithAll(source.labels ?? []);
+}
+
+/** Returns the clips that wait for a review, the least certain first. */
+const reviewQueue = () =>
+  batchRows.value
+    .filter(({ status, isChecked }) => status === "done" && !isChecked)
+    .toSorted((a, b) => (a.summary?.confidence ?? 0) - (b.summary?.confidence ?? 0));
+
+/** The row of the open clip. */
+export const openBatchRow = computed(() =>
+  batchRows.value.find((row) => row.source === source.value),
+);
+
+/** Number of clips that are not marked as checked. */
+export const uncheckedCount = computed(() => reviewQueue().length);
+
+/** Opens the clip that needs a review most, other than the open one. */
+export async function reviewNext(): Promise<void> {
+  const next = reviewQueue().find((row) => row.source !== source.value);
+  if (next) await openRow(next);
+  else announcement.value = "All clips are checked";
+}
+
+/** Marks a clip as checked, or removes the mark. */
+export function toggleChecked(row: BatchRow | undefined = openBatchRow.value) {
+  if (!row) return;
+  batchRows.value = batchRows.value.map((other) =>
+    other.number === row.number ? { ...other, isChecked: !other.isChecked } : other,
+  );
 }
 
 /** Downloads labels and segments of all clips, and the table, in one archive. */
@@ -146,7 +179,7 @@ export async function exportAll(): Promise<void> {
       let count = 0;
       const addFiles = async ({ source: { name, data } }: BatchRow, i: number) => {
         const result = await batchWorkers.run(
-          (calls) => calls.summarize(data, name, request, Comlink.proxy(storedChangesOf)),
+          (calls) => calls.summarize(data, name, request, [], Comlink.proxy(storedChangesOf)),
           signal,
         );
         if (!result.ok) throw new Error(`${name}: ${result.failure.message}`);

@@ -2,11 +2,15 @@ import { expect, it, vi } from "vitest";
 
 vi.mock("../engine", () => import("../testing/fake-engine"));
 
-const { commandForKey, commands, keyTable, keyText, tooltip } = await import("./commands");
+const { commandForKey, commands, keysOf, keyTable, tooltip } = await import("./commands");
+const { keyText } = await import("./key-bindings");
+const { classicKeys } = await import("../store/preferences");
 
-it("binds each key to one command", () => {
-  const bound = commands.flatMap(({ keys }) => keys.map(keyText));
+it.each([false, true])("binds each key to one command (classic: %s)", (isClassic) => {
+  classicKeys.set(isClassic);
+  const bound = commands.flatMap((command) => keysOf(command).map(keyText));
   expect(new Set(bound).size).toBe(bound.length);
+  classicKeys.set(false);
   const ids = commands.map(({ id }) => id);
   expect(new Set(ids).size).toBe(ids.length);
 });
@@ -17,22 +21,33 @@ it("ignores Shift unless a binding requires it", () => {
   expect(id("ArrowLeft")).toBe("frame-back");
   expect(id("ArrowLeft", true)).toBe("previous-edge");
   expect(id("L", true)).toBe("loop");
+  expect(id("l")).toBe("shuttle-ahead");
+  expect(id(",")).toBe("frame-back");
+  expect(id(">", true)).toBe("faster");
   expect(id("?", true)).toBe("keys");
   expect(id("+", true)).toBe("zoom-in");
   expect(id("z", false, true)).toBe("undo");
   expect(id("Z", true, true)).toBe("redo");
   expect(id("s", true, true)).toBeUndefined();
-  expect(id("q")).toBeUndefined();
+  expect(id("x")).toBeUndefined();
 });
 
 it("lists every command in the key overlay", () => {
-  const shown = keyTable.flatMap(({ rows }) => rows.map(({ help }) => help));
+  const shown = keyTable().flatMap(({ rows }) => rows.map(({ help }) => help));
   for (const { help } of commands) expect(shown).toContain(help);
-  expect(keyTable[0]?.rows[1]).toEqual({ help: "Previous, next frame", keys: ["←", "→"] });
-  expect(keyTable[0]?.rows[2]?.keys).toEqual(["Shift", "←", "→"]);
+  expect(keyTable()[0]?.rows[2]).toEqual({ help: "Previous, next frame", keys: ["←", "→"] });
+  expect(keyTable()[0]?.rows[3]?.keys).toEqual(["Shift", "←", "→"]);
 });
 
 it("makes tooltips of label and key", () => {
   expect(tooltip("redo")).toBe("Redo (Ctrl Shift Z)");
   expect(tooltip("play", "Pause")).toBe("Pause (Space)");
+});
+
+it("has the former keys as a choice", () => {
+  classicKeys.set(true);
+  expect(commandForKey({ key: "l", shiftKey: false }, false)?.id).toBe("loop");
+  expect(commandForKey({ key: "k", shiftKey: false }, false)?.id).toBe("split");
+  expect(commandForKey({ key: ",", shiftKey: false }, false)?.id).toBe("slower");
+  classicKeys.set(false);
 });

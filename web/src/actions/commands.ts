@@ -4,16 +4,20 @@
  */
 
 import type { NamedSegment } from "../model/segments";
+import { batchRows } from "../store/batch";
 import { loopedSegment } from "../store/playback";
+import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected } from "../store/session";
-import { dialog, frameAllRequests, lookFrom, trailsVisible } from "../store/view";
+import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
+import { openBatchRow, reviewNext, toggleChecked } from "./batch";
 import { stepDisagreement } from "./compare";
 import {
-  addForLastSide,
+  addToTarget,
   canRedo,
   canUndo,
   endAtPlayhead,
-  mergeNext,
+  joinNext,
+  nudgeEdge,
   redo,
   removeSelected,
   select,
@@ -23,6 +27,7 @@ import {
   undo,
 } from "./edit";
 import { exportLabels } from "./export";
+import { bindingIndex, type KeyBinding, keyText } from "./key-bindings";
 import { pickFiles } from "./pick-files";
 import {
   changeSpeed,
@@ -31,7 +36,10 @@ import {
   jumpTo,
   jumpToEnd,
   loopSegment,
+  pause,
   segmentAtPlayhead,
+  setLoopEdge,
+  shuttle,
   stepCut,
   stepEdge,
   stepFrame,
@@ -39,14 +47,6 @@ import {
   zoomTimeline,
 } from "./playback";
 import { editSegmentName } from "./segment";
-
-/** A key as in `KeyboardEvent.key`, lower case, with the modifiers that it requires. */
-export interface KeyBinding {
-  key: string;
-  /** True if Ctrl or ⌘ is required. */
-  mod?: boolean;
-  shift?: boolean;
-}
 
 export const groups = ["Play", "Segments", "Edit", "View", "File"] as const;
 
@@ -59,6 +59,8 @@ export interface Command {
   help: string;
   /** Key bindings; the first one is displayed. */
   keys: readonly KeyBinding[];
+  /** Key bindings if the user chose the classic keys; by default, the same. */
+  classic?: readonly KeyBinding[];
   /** True if the command can run. Default: if a clip is open. */
   enabled?: () => boolean;
   /** True if the key also works in dialogs and text fields. */
@@ -83,11 +85,39 @@ const list = [
     run: togglePlay,
   },
   {
+    id: "shuttle-back",
+    group: "Play",
+    label: "Play backwards",
+    help: "Play backwards, pause, forwards; again for faster",
+    keys: [{ key: "j" }],
+    classic: [],
+    run: () => shuttle(-1),
+  },
+  {
+    id: "pause",
+    group: "Play",
+    label: "Pause",
+    help: "Play backwards, pause, forwards; again for faster",
+    keys: [{ key: "k" }],
+    classic: [],
+    run: pause,
+  },
+  {
+    id: "shuttle-ahead",
+    group: "Play",
+    label: "Play forwards",
+    help: "Play backwards, pause, forwards; again for faster",
+    keys: [{ key: "l" }],
+    classic: [],
+    run: () => shuttle(1),
+  },
+  {
     id: "frame-back",
     group: "Play",
     label: "Previous frame",
     help: "Previous, next frame",
-    keys: [{ key: "arrowleft" }],
+    keys: [{ key: "arrowleft" }, { key: "," }],
+    classic: [{ key: "arrowleft" }],
     run: () => stepFrame(-1),
   },
   {
@@ -95,7 +125,8 @@ const list = [
     group: "Play",
     label: "Next frame",
     help: "Previous, next frame",
-    keys: [{ key: "arrowright" }],
+    keys: [{ key: "arrowright" }, { key: "." }],
+    classic: [{ key: "arrowright" }],
     run: () => stepFrame(1),
   },
   {
@@ -119,15 +150,15 @@ const list = [
     group: "Play",
     label: "Next difference",
     help: "Next difference from the reference",
-    keys: [{ key: "n" }],
+    keys: [{ key: "d" }],
     run: () => stepDisagreement(1),
   },
   {
     id: "previous-difference",
     group: "Play",
     label: "Previous difference",
-    help: "Previous difference",
-    keys: [{ key: "n", shift: true }],
+    help: "Previous difference from the reference",
+    keys: [{ key: "d", shift: true }],
     run: () => stepDisagreement(-1),
   },
   {
@@ -151,7 +182,8 @@ const list = [
     group: "Play",
     label: "Slower",
     help: "Slower, faster",
-    keys: [{ key: "," }],
+    keys: [{ key: "<" }],
+    classic: [{ key: "," }],
     run: () => changeSpeed(-1),
   },
   {
@@ -159,7 +191,8 @@ const list = [
     group: "Play",
     label: "Faster",
     help: "Slower, faster",
-    keys: [{ key: "." }],
+    keys: [{ key: ">" }],
+    classic: [{ key: "." }],
     run: () => changeSpeed(1),
   },
   {
@@ -167,8 +200,25 @@ const list = [
     group: "Play",
     label: "Loop: clip, plant, segment, off",
     help: "Loop: clip, plant, segment, off",
-    keys: [{ key: "l" }],
+    keys: [{ key: "l", shift: true }],
+    classic: [{ key: "l" }],
     run: cycleLoop,
+  },
+  {
+    id: "loop-start",
+    group: "Play",
+    label: "Start of the loop",
+    help: "First, last frame of a looped range",
+    keys: [{ key: "i", shift: true }],
+    run: () => setLoopEdge("start"),
+  },
+  {
+    id: "loop-end",
+    group: "Play",
+    label: "End of the loop",
+    help: "First, last frame of a looped range",
+    keys: [{ key: "o", shift: true }],
+    run: () => setLoopEdge("end"),
   },
   {
     id: "previous-cut",
@@ -213,42 +263,75 @@ const list = [
   {
     id: "set-start",
     group: "Edit",
-    label: "Set start to the playhead",
-    help: "Move start, end of the plant to the playhead",
+    label: "Set start",
+    help: "Make the frame the first, last one of the plant",
     keys: [{ key: "i" }],
     run: startAtPlayhead,
   },
   {
     id: "set-end",
     group: "Edit",
-    label: "Set end to the playhead",
-    help: "Move start, end of the plant to the playhead",
+    label: "Set end",
+    help: "Make the frame the first, last one of the plant",
     keys: [{ key: "o" }],
     run: endAtPlayhead,
+  },
+  {
+    id: "nudge-back",
+    group: "Edit",
+    label: "Edge one frame earlier",
+    help: "Move the edge by a frame; with Shift by five",
+    keys: [{ key: "q" }],
+    run: () => nudgeEdge(-1),
+  },
+  {
+    id: "nudge-ahead",
+    group: "Edit",
+    label: "Edge one frame later",
+    help: "Move the edge by a frame; with Shift by five",
+    keys: [{ key: "w" }],
+    run: () => nudgeEdge(1),
+  },
+  {
+    id: "nudge-back-far",
+    group: "Edit",
+    label: "Edge five frames earlier",
+    help: "Move the edge by a frame; with Shift by five",
+    keys: [{ key: "q", shift: true }],
+    run: () => nudgeEdge(-5),
+  },
+  {
+    id: "nudge-ahead-far",
+    group: "Edit",
+    label: "Edge five frames later",
+    help: "Move the edge by a frame; with Shift by five",
+    keys: [{ key: "w", shift: true }],
+    run: () => nudgeEdge(5),
   },
   {
     id: "split",
     group: "Edit",
     label: "Split at playhead",
-    help: "Split the plant at the playhead",
-    keys: [{ key: "k" }],
+    help: "Split the plant by a gap of one frame",
+    keys: [{ key: "b" }],
+    classic: [{ key: "k" }],
     run: splitAtPlayhead,
   },
   {
-    id: "merge",
+    id: "join",
     group: "Edit",
-    label: "Merge with next",
-    help: "Merge the plant with the next one",
+    label: "Join with next",
+    help: "Join the plant with the next one",
     keys: [{ key: "m" }],
-    run: mergeNext,
+    run: joinNext,
   },
   {
     id: "add",
     group: "Edit",
     label: "Add a plant at the playhead",
-    help: "Add a plant at the playhead, for the side selected last",
+    help: "Add a plant at the playhead, on the track used last",
     keys: [{ key: "a" }],
-    run: addForLastSide,
+    run: addToTarget,
   },
   {
     id: "delete",
@@ -321,22 +404,38 @@ const list = [
     run: () => lookFrom("top"),
   },
   {
+    id: "view-feet",
+    group: "View",
+    label: "Feet",
+    help: "Close-up of the feet",
+    keys: [{ key: "5" }],
+    run: lookAtFeet,
+  },
+  {
     id: "frame-all",
     group: "View",
-    label: "Frame everything",
-    help: "Frame everything",
+    label: "Frame all",
+    help: "Frame all",
     keys: [{ key: "f" }],
     run: () => frameAllRequests.value++,
   },
   {
-    id: "paths",
+    id: "trails",
     group: "View",
-    label: "Paths of toes and hips, ± 1 s",
-    help: "Paths of toes and hips",
+    label: "Trails of toes and hips, ± 1 s",
+    help: "Trails of toes and hips",
     keys: [{ key: "t" }],
     run: () => {
       trailsVisible.value = !trailsVisible.value;
     },
+  },
+  {
+    id: "panel",
+    group: "View",
+    label: "Show or hide the panel",
+    help: "Show or hide the panel",
+    keys: [{ key: "p" }],
+    run: () => panelCollapsed.set(!panelCollapsed.peek()),
   },
   {
     id: "zoom-in",
@@ -361,6 +460,24 @@ const list = [
     help: "Fit the timeline",
     keys: [{ key: "0" }],
     run: fitTimeline,
+  },
+  {
+    id: "review-next",
+    group: "File",
+    label: "Next clip to review",
+    help: "Open the least certain clip that is not checked",
+    keys: [{ key: "n" }],
+    enabled: () => batchRows.value.length > 0,
+    run: reviewNext,
+  },
+  {
+    id: "mark-checked",
+    group: "File",
+    label: "Checked",
+    help: "Mark the clip as checked",
+    keys: [{ key: "c" }],
+    enabled: () => openBatchRow.value !== undefined,
+    run: () => toggleChecked(),
   },
   {
     id: "open",
@@ -407,50 +524,36 @@ export function commandOf(id: CommandId): Command {
 
 export const isEnabled = ({ enabled = hasClip }: Command) => enabled();
 
+/** Returns the key bindings of a command in the chosen key map. */
+export const keysOf = ({ keys, classic }: Command) => (classicKeys.value && classic) || keys;
+
 /** Returns the command bound to a key press, whether or not it is enabled. */
 export function commandForKey(event: Pick<KeyboardEvent, "key" | "shiftKey">, mod: boolean) {
-  const key = event.key.toLowerCase();
-  const matches = (shift: boolean) =>
-    commands.find(({ keys }) =>
-      keys.some(
-        (binding) => binding.key === key && !!binding.mod === mod && !!binding.shift === shift,
-      ),
-    );
-  // Some characters are typed with Shift, so Shift is compared only if a binding requires it.
-  return matches(event.shiftKey) ?? (mod ? undefined : matches(false));
+  return commands[bindingIndex(commands.map(keysOf), event, mod)];
 }
 
-const keyNames: Record<string, string> = {
-  " ": "Space",
-  arrowleft: "←",
-  arrowright: "→",
-  escape: "Esc",
-  "-": "−",
-};
-
-/** Returns the display text of a key: `Ctrl Shift Z`. */
-export function keyText({ key, mod, shift }: KeyBinding): string {
-  const name = keyNames[key] ?? key.charAt(0).toUpperCase() + key.slice(1);
-  return [mod && "Ctrl", shift && "Shift", name].filter(Boolean).join(" ");
-}
-
-/** Returns the display text of the first key of a command. */
+/** Returns the display text of the first key of a command; empty if it has none. */
 export function keyOf(id: CommandId): string {
-  const [key] = commandOf(id).keys;
+  const [key] = keysOf(commandOf(id));
   return key ? keyText(key) : "";
 }
 
 /** Returns the tooltip of a button: its label and its key. */
 export function tooltip(id: CommandId, label = commandOf(id).label): string {
-  return `${label} (${keyOf(id)})`;
+  const key = keyOf(id);
+  return key ? `${label} (${key})` : label;
 }
 
-/** Rows of the key overlay by group: keys, and what they do. */
-export const keyTable = groups.map((group) => {
-  const rows = new Map<string, string[]>();
-  for (const { help, keys } of commands.filter((command) => command.group === group)) {
-    const words = keys.slice(0, 1).flatMap((key) => keyText(key).split(" "));
-    rows.set(help, [...new Set([...(rows.get(help) ?? []), ...words])]);
-  }
-  return { group, rows: [...rows].map(([help, keys]) => ({ help, keys })) };
-});
+/** Returns the rows of the key overlay by group: keys, and what they do. */
+export const keyTable = () =>
+  groups.map((group) => {
+    const rows = new Map<string, string[]>();
+    for (const command of commands.filter((other) => other.group === group)) {
+      const words = keysOf(command)
+        .slice(0, 1)
+        .flatMap((key) => keyText(key).split(" "));
+      if (words.length)
+        rows.set(command.help, [...new Set([...(rows.get(command.help) ?? []), ...words])]);
+    }
+    return { group, rows: [...rows].map(([help, keys]) => ({ help, keys })) };
+  });

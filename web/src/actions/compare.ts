@@ -11,7 +11,7 @@ import { frame } from "../store/playback";
 import { openClip, score, source } from "../store/session";
 import { showToast } from "../store/toasts";
 import { activeTab, announcement } from "../store/view";
-import { formatBytes } from "../util/format";
+import { formatBytes, spokenRange } from "../util/format";
 import { fetchBlob } from "./fetch-blob";
 import { pause, seek } from "./playback";
 
@@ -123,5 +123,5 @@ export function stepDisagreement(direction: 1 | -1) {
   if (!next) return;
   pause();
   seek(next.start);
-  announcement.value = `${next.side} ${next.part} ${next.kind}, frames ${next.start} to ${next.end}`;
+  announcement.value = `${next.side} ${next.part} ${next.kind}, ${spokenRange(next)}`;
 }

@@ -5,8 +5,8 @@ import { engine } from "../engine";
 import {
   addPlant,
   type FrameRange,
+  joinWithNext,
   matchingPlantRef,
-  mergeWithNext,
   type PartTrack,
   type PlantRef,
   plantRefAt,
@@ -20,8 +20,17 @@ import type { Detection, Edit, EditedParts, Part, Side, Track } from "../model/t
 import { type ClipSession, session } from "../store/clip-session";
 import { reportFailure } from "../store/errors";
 import { frame } from "../store/playback";
-import { clip, detection, edits, plants, selected } from "../store/session";
+import {
+  addTarget,
+  clip,
+  detection,
+  edits,
+  plants,
+  selected,
+  selectedEdge,
+} from "../store/session";
 import { activeTab, announcement, sheetOpen } from "../store/view";
+import { capitalize, spokenRange } from "../util/format";
 import { updateScores } from "./compare";
 import { pause, seek } from "./playback";
 
@@ -31,15 +40,21 @@ const addedDuration = 0.25;
 export const canUndo = computed(() => session.value.undoStack.value.length > 0);
 export const canRedo = computed(() => session.value.redoStack.value.length > 0);
 
-/** The side that was selected last. */
-let lastSide: Side = "left";
-
 /** Returns the track of a part of a foot, if it is labelled. */
 function partTrackOf({ side, part }: { side: Side; part: Part }): PartTrack | undefined {
   const tracks = detection.value?.parts[part];
   const frames = clip.value?.frames ?? 0;
   return tracks && { side, part, intervals: tracks[side].intervals, frames };
 }
+
+/** The track to which a plant is added, if any is labelled. */
+export const targetTrack = computed(() => {
+  const parts = detection.value?.parts ?? {};
+  const principal = principalPart(parts);
+  const { side = "left", part = principal } = addTarget.value ?? {};
+  const labelled = part && parts[part] ? part : principal;
+  return labelled && { side, part: labelled };
+});
 
 /** The selected plant with its track, and its number if it is of the principal part. */
 export const selection = computed(() => {
@@ -167,9 +182,13 @@ export function followSelection(clipSession: ClipSession) {
   clipSession.selected.value = matchingPlantRef(track, plantRef) ?? null;
 }
 
-export function select(plantRef: PlantRef | undefined) {
-  if (plantRef) lastSide = plantRef.side;
-  selected.value = plantRef ?? null;
+/** Selects a plant, and optionally one of its edges; without a plant, selects nothing. */
+export function select(plantRef: PlantRef | undefined, edge: "start" | "end" | null = null) {
+  batch(() => {
+    if (plantRef) addTarget.value = { side: plantRef.side, part: plantRef.part };
+    selected.value = plantRef ?? null;
+    selectedEdge.value = edge;
+  });
 }
 
 /** Selects the next plant under the playhead: contact before heel and toe, left before right. */
@@ -185,7 +204,7 @@ export function selectAtPlayhead() {
   const next = candidates[(index + 1) % candidates.length];
   select(next);
   announcement.value = next
-    ? `${next.side} ${next.part} selected, frames ${next.start} to ${next.end}`
+    ? `${next.side} ${next.part} selected, ${spokenRange(next)}`
     : "No foot is planted at the playhead";
 }
 
@@ -201,41 +220,92 @@ export function resizeSelected(to: Partial<FrameRange>): Promise<void> | undefin
     return undefined;
   }
   const next = [...edits.value, ...resizePlant(track, plantRef, range)];
-  return commitEdits(next, `Frames ${range.start} to ${range.end}`, range);
+  return commitEdits(next, capitalize(spokenRange(range)), range);
 }
 
 /** Makes the frame under the playhead the first or last one of the selected plant. */
 export const startAtPlayhead = () => resizeSelected({ start: frame.value });
 export const endAtPlayhead = () => resizeSelected({ end: frame.value + 1 });
 
+/**
+ * Moves an edge by a number of frames, and the playhead to it: the selected edge, else the edge of the
+ * selected plant that is nearest to the playhead, else the nearest edge of all plants.
+ */
+export function nudgeEdge(by: number): Promise<void> {
+  // The labels must contain the previous edit.
+  nudging = nudging.then(() => moveEdge(by));
+  return nudging;
+}
+
+let nudging = Promise.resolve();
+
+async function moveEdge(by: number): Promise<void> {
+  const plantRef = selection.value?.plantRef ?? nearestPlant();
+  if (!plantRef) {
+    announcement.value = "There is no plant near the playhead";
+    return;
+  }
+  const edge = selection.value && selectedEdge.value ? selectedEdge.value : nearestEdge(plantRef);
+  select(plantRef, edge);
+  const { frames = 0 } = selection.value?.track ?? {};
+  const to = Math.min(Math.max(plantRef[edge] + by, 0), frames);
+  pause();
+  seek(edge === "start" ? to : to - 1);
+  await resizeSelected({ [edge]: to });
+  selectedEdge.value = edge;
+}
+
+/** Distances of the playhead from the first and the last frame of a plant. */
+const distances = ({ start, end }: FrameRange) =>
+  [Math.abs(frame.value - start), Math.abs(frame.value - (end - 1))] as const;
+
+function nearestEdge(range: FrameRange): "start" | "end" {
+  const [toStart, toEnd] = distances(range);
+  return toStart < toEnd ? "start" : "end";
+}
+
+/** Returns the plant of the principal part with the edge nearest to the playhead. */
+function nearestPlant(): PlantRef | undefined {
+  const part = principalPart(detection.value?.parts ?? {});
+  const distance = (plant: FrameRange) => Math.min(...distances(plant));
+  const [first, ...others] = plants.value;
+  if (!part || !first) return undefined;
+  const { side, start, end } = others.reduce((a, b) => (distance(b) < distance(a) ? b : a), first);
+  return { side, part, start, end };
+}
+
+/** Splits the selected plant by a gap of one frame at the playhead. */
 export function splitAtPlayhead() {
   change(
-    ({ track, plantRef }) => splitPlant(track, plantRef, frame.value),
-    "Split",
+    ({ plantRef }) => append(splitPlant(plantRef, frame.value)),
+    "Split; the frame is not planted",
     "Move the playhead into the plant to split it",
   );
 }
 
-export function mergeNext() {
+export function joinNext() {
   change(
-    ({ track, plantRef }) => mergeWithNext(track, plantRef),
-    "Merged with the next plant",
-    "There is no next plant to merge with",
+    ({ track, plantRef }) => joinWithNext(edits.value, track, plantRef),
+    "Joined with the next plant",
+    "There is no next plant to join with",
   );
 }
 
 export function removeSelected() {
-  change(({ plantRef }) => removePlant(plantRef), "Deleted", "");
+  change(({ plantRef }) => append(removePlant(plantRef)), "Deleted", "");
 }
 
+/** Returns the edits with others at the end; undefined if there are no others. */
+const append = (added: readonly Edit[]) => (added.length ? [...edits.value, ...added] : undefined);
+
 function change(
-  edit: (selected: { track: PartTrack; plantRef: PlantRef }) => Edit[],
+  edit: (selected: { track: PartTrack; plantRef: PlantRef }) => readonly Edit[] | undefined,
   success: string,
   failure: string,
 ) {
   const current = selection.value;
-  const added = current ? edit(current) : [];
-  if (added.length) void commitEdits([...edits.value, ...added], success);
+  const next = current && edit(current);
+  if (next) void commitEdits(next, success);
   else announcement.value = current ? failure : "Select a plant first";
 }
 
@@ -261,16 +331,13 @@ export function addAtPlayhead(side: Side, part: Part) {
     return;
   }
   select({ side, part, start: first.start, end: first.end });
-  void commitEdits(
-    [...edits.value, ...added],
-    `${side} ${part} added, frames ${first.start} to ${first.end}`,
-  );
+  void commitEdits([...edits.value, ...added], `${side} ${part} added, ${spokenRange(first)}`);
 }
 
-/** Adds a plant of the side that was selected last. */
-export function addForLastSide() {
-  const part = principalPart(detection.value?.parts ?? {});
-  if (part) addAtPlayhead(lastSide, selected.value?.part ?? part);
+/** Adds a plant at the playhead on the track that was used last. */
+export function addToTarget() {
+  const target = targetTrack.value;
+  if (target) addAtPlayhead(target.side, target.part);
 }
 
 /** Replaces the edits by those that give the labels of the reference. */

@@ -2,6 +2,7 @@
 
 import { batch } from "@preact/signals";
 import { Cancelled, engine } from "../engine";
+import type { FootFrames } from "../model/types";
 import { type CleanedView, session } from "../store/clip-session";
 import { reportFailure } from "../store/errors";
 import { runJob } from "../store/jobs";
@@ -10,8 +11,14 @@ import { announcement } from "../store/view";
 import { stemOf } from "../util/file-names";
 import { download } from "./download";
 
-/** Removes the foot skate of the open clip and shows the result. */
-export async function cleanClip(keepSpikes = false): Promise<void> {
+/** Removes the foot skate of the open clip, or of some of its plants, and shows the result. */
+export async function cleanClip({
+  keepSpikes = false,
+  only = [],
+}: {
+  keepSpikes?: boolean;
+  only?: FootFrames[];
+} = {}): Promise<void> {
   const clipSession = session.value;
   const [before, detection, overrides] = [
     clipSession.clip.value,
@@ -22,8 +29,8 @@ export async function cleanClip(keepSpikes = false): Promise<void> {
   clipSession.cleaning.value = true;
   try {
     const cleaned = await clipSession.run("clean", () =>
-      runJob({ title: "Removing foot skate from" }, new AbortController(), (options) =>
-        engine.clean(keepSpikes, options),
+      runJob({ title: "Fixing foot skate of" }, new AbortController(), (options) =>
+        engine.clean(keepSpikes, only, options),
       ),
     );
     // Labels that have changed since the start need another clean-up.
@@ -34,14 +41,15 @@ export async function cleanClip(keepSpikes = false): Promise<void> {
         detection,
         overrides,
         keepSpikes,
+        only,
         cleaned,
         view: "both",
       };
-      announcement.value = "Foot skate removed; the original is shown as a ghost";
+      announcement.value = "Foot skate fixed; the original is shown in red";
     });
   } catch (error) {
     if (!(error instanceof Cancelled))
-      reportFailure("cleaned", before.name, error, () => void cleanClip(keepSpikes));
+      reportFailure("cleaned", before.name, error, () => void cleanClip({ keepSpikes, only }));
   } finally {
     clipSession.cleaning.value = false;
   }
@@ -53,13 +61,18 @@ export function setCleanedView(view: CleanedView) {
   if (cleanUp.value) cleanUp.value = { ...cleanUp.value, view };
 }
 
+/** Shows the clip as it was, so that it can be cleaned in another way. */
+export function discardCleaned() {
+  session.value.cleanUp.value = null;
+}
+
 /** Downloads the cleaned clip. */
 export async function saveCleaned(): Promise<void> {
   const name = `${stemOf(clip.value?.name ?? "clip")}.clean.bvh`;
-  const keepSpikes = session.value.cleanUp.value?.keepSpikes ?? false;
+  const { keepSpikes = false, only = [] } = session.value.cleanUp.value ?? {};
   await download(name, () =>
     runJob({ title: "Writing" }, new AbortController(), (options) =>
-      engine.saveCleaned(keepSpikes, options),
+      engine.saveCleaned(keepSpikes, only, options),
     ),
   );
 }

@@ -44,7 +44,7 @@ async function followLink({ origin, view: text }: Link): Promise<boolean> {
 }
 
 /** Plays a sample as the background of the start page. */
-async function startPreview(): Promise<void> {
+export async function startPreview(): Promise<void> {
   if (!previewSample) return;
   const signal = openingSignal();
   // Hidden by the table, it would only take processor time from the batch.

@@ -5,7 +5,8 @@ import { reportOpenFailure } from "../store/errors";
 import { runBatch } from "./batch";
 import { attachLabels, collectFiles, type DroppedFiles } from "./collect-files";
 import { compareWithAll } from "./compare";
-import { openSource, setAddress } from "./open";
+import { addHistoryEntry } from "./history";
+import { openSource } from "./open";
 
 /** Aborted when other files are dropped while these are collected. */
 let controller = new AbortController();
@@ -29,7 +30,7 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
   if (clip) {
     if (!(await openSource(clip))) return;
     tableVisible.value = false;
-    setAddress("");
+    addHistoryEntry("");
   }
   await compareWithAll(labels);
 }

@@ -15,6 +15,7 @@ import { showToast } from "../store/toasts";
 import { dialog } from "../store/view";
 import { runDetection } from "./detect";
 import { fetchBlob } from "./fetch-blob";
+import { addHistoryEntry } from "./history";
 import { restorePersisted } from "./persist";
 import { pause, play, prefersReducedMotion } from "./playback";
 import { samples } from "./samples";
@@ -178,7 +179,7 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
       origin,
     });
     // The address of a followed link does not change.
-    if (opened && !more.view) setAddress(formatHash({ origin, view: "" }));
+    if (opened && !more.view) addHistoryEntry(formatHash({ origin, view: "" }));
     return opened;
   }
   reportOpenFailure(name, {
@@ -186,11 +187,6 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
     hint: "Choose one of the samples on this page.",
   });
   return false;
-}
-
-/** Puts the open clip into the address, so that a reload opens it again. */
-export function setAddress(hash: string) {
-  history.replaceState(null, "", hash || location.pathname + location.search);
 }
 
 function rejectOnAbort(signal: AbortSignal): Promise<never> {

@@ -21,7 +21,8 @@ import {
   sameChanges,
 } from "../model/stored-changes";
 import { type ClipSession, session } from "../store/clip-session";
-import { announcement } from "../store/view";
+import { dismissToast, showToast, type Toast } from "../store/toasts";
+import { activeTab, announcement, sheetOpen } from "../store/view";
 import { stemOf } from "../util/file-names";
 import {
   deleteUnreadable,
@@ -112,6 +113,7 @@ class StoredSession {
     } catch {
       // Storage is denied, which is reported when something has to be stored.
     }
+    this.reportRestored(initial);
     const unsaved = readUnsaved(key);
     if (unsaved.kind === "valid") await this.take(unsaved.record, this.baseOf(unsaved.record));
     if (!signal.aborted)
@@ -119,6 +121,26 @@ class StoredSession {
         "abort",
         effect(() => this.save()),
       );
+  }
+
+  /** Says that edits of an earlier visit were applied. */
+  private reportRestored(initial: StoredChanges) {
+    const { clipSession } = this;
+    const changes = changesOf(clipSession);
+    if (clipSession.signal.aborted || sameChanges(changes, initial)) return;
+    const toast: Toast = {
+      text: "Your stored edits of this clip were applied.",
+      action: {
+        name: "Show",
+        run: () => {
+          dismissToast(toast);
+          activeTab.value = changes.edits.length ? "labels" : "segment";
+          sheetOpen.value = true;
+        },
+      },
+    };
+    showToast(toast);
+    clipSession.signal.addEventListener("abort", () => dismissToast(toast));
   }
 
   /** Returns the newest changes that a record and this page have in common. */

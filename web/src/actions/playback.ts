@@ -1,10 +1,12 @@
 /** Playing, stepping, looping, and zooming the timeline. */
 
 import { batch } from "@preact/signals";
+import type { FrameRange } from "../model/edits";
 import { nextEdge, type Plant, plantAt } from "../model/plants";
 import { type NamedSegment, segmentAt, segmentKind } from "../model/segments";
 import { clampView, scrollToFrame, zoomAt } from "../model/time-view";
 import {
+  direction,
   frame,
   loop,
   loopedRange,
@@ -16,6 +18,7 @@ import {
 } from "../store/playback";
 import { clip, cuts, edges, isPreview, namedSegments, plants } from "../store/session";
 import { announcement } from "../store/view";
+import { spokenRange } from "../util/format";
 
 export const speeds = [0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 4] as const;
 
@@ -40,14 +43,17 @@ function tick(now: number) {
   const region = isPreview.value ? null : loopedRange.value;
   const start = region?.start ?? 0;
   const end = region ? Math.min(region.end, lastFrame()) : lastFrame();
-  let next = playhead.value + elapsed * current.rate * (isPreview.value ? 1 : speed.value);
-  if (next >= end) {
+  const sign = isPreview.value ? 1 : direction.value;
+  const factor = isPreview.value ? 1 : speed.value;
+  let next = playhead.value + sign * elapsed * current.rate * factor;
+  if (sign > 0 ? next >= end : next < start) {
+    const length = end - start;
     if (loop.value === "off" && !isPreview.value) {
       playing.value = false;
-      next = end;
-    } else {
-      next = end > start ? start + ((next - start) % (end - start)) : start;
-    }
+      next = sign > 0 ? end : start;
+    } else if (length > 0) {
+      next = start + ((((next - start) % length) + length) % length);
+    } else next = start;
   }
   showMoment(next);
   requestAnimationFrame(tick);
@@ -61,7 +67,10 @@ function showMoment(next: number) {
 
 export function play() {
   if (playing.value || lastFrame() < 1) return;
-  if (loop.value === "off" && playhead.value >= lastFrame()) playhead.value = 0;
+  if (loop.value === "off") {
+    if (direction.value > 0 && playhead.value >= lastFrame()) playhead.value = 0;
+    if (direction.value < 0 && playhead.value <= 0) playhead.value = lastFrame();
+  }
   playing.value = true;
   previousTime = performance.now();
   requestAnimationFrame(tick);
@@ -71,7 +80,23 @@ export function pause() {
   playing.value = false;
 }
 
-export const togglePlay = () => (playing.value ? pause() : play());
+/** Plays forwards, or pauses. */
+export function togglePlay() {
+  if (playing.value) return pause();
+  direction.value = 1;
+  play();
+}
+
+/** Plays in a direction at normal speed; if it plays in that direction already, faster. */
+export function shuttle(to: 1 | -1) {
+  if (playing.value && direction.value === to) {
+    changeSpeed(1);
+    return;
+  }
+  if (playing.value || direction.value !== to) speed.value = 1;
+  direction.value = to;
+  play();
+}
 
 /** Moves the playhead, and scrolls the timeline to it. */
 export function seek(moment: number) {
@@ -99,7 +124,7 @@ export function seekPlant(plant: Plant) {
   batch(() => {
     seek(plant.start);
     if (loop.value === "plant") loopRegion.value = plant;
-    announcement.value = `Plant ${plant.number}, ${plant.side} foot, frames ${plant.start} to ${plant.end}`;
+    announcement.value = `Plant ${plant.number}, ${plant.side} foot, ${spokenRange(plant)}`;
   });
 }
 
@@ -115,7 +140,7 @@ export function loopSegment(segment: NamedSegment) {
     loop.value = "segment";
     seek(segment.start);
     const details = [segment.name, segmentKind(segment)].filter(Boolean).join(", ");
-    announcement.value = `Segment ${segment.number}${details && `, ${details}`}, frames ${segment.start} to ${segment.end}`;
+    announcement.value = `Segment ${segment.number}${details && `, ${details}`}, ${spokenRange(segment)}`;
   });
 }
 
@@ -128,6 +153,23 @@ export function changeSpeed(direction: 1 | -1) {
   if (next) speed.value = next;
 }
 
+/** Loops a range of frames, half-open. */
+export function loopRange(range: FrameRange) {
+  batch(() => {
+    loopRegion.value = range;
+    loop.value = "range";
+    announcement.value = `Loop ${spokenRange(range)}`;
+  });
+}
+
+/** Makes the frame at the playhead the first or the last one of the looped range. */
+export function setLoopEdge(edge: "start" | "end") {
+  const { start, end } = loopedRange.value ?? { start: 0, end: lastFrame() + 1 };
+  const at = frame.value;
+  if (edge === "start") loopRange({ start: at, end: at < end ? end : lastFrame() + 1 });
+  else loopRange({ start: at >= start ? start : 0, end: at + 1 });
+}
+
 /** Loops nothing, the clip, the plant under the playhead or the next one, or the segment there. */
 export function cycleLoop() {
   const now = playhead.value;
@@ -135,7 +177,7 @@ export function cycleLoop() {
   const regions = { plant, segment: segmentAtPlayhead() };
   const order = ["off", "clip", "plant", "segment"] as const;
   const next = order
-    .slice(order.indexOf(loop.value) + 1)
+    .slice(loop.value === "range" ? order.length : order.indexOf(loop.value) + 1)
     .find((kind) => kind === "clip" || (kind !== "off" && regions[kind]));
   batch(() => {
     loopRegion.value = ((next === "plant" || next === "segment") && regions[next]) || null;

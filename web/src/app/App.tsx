@@ -1,25 +1,32 @@
+import { useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { followHistory } from "../actions/navigation";
 import { openFromAddress } from "../actions/open-address";
 import { openPickedFiles, setFileInput } from "../actions/pick-files";
 import { Batch } from "../batch/Batch";
 import { tableVisible } from "../store/batch";
 import { phase } from "../store/phase";
+import { panelCollapsed, panelWidth } from "../store/preferences";
 import { openClip } from "../store/session";
-import { announcement, dialog, filesDragged } from "../store/view";
+import { announcement, dialog, filesDragged, sheetOpen } from "../store/view";
 import { Timeline } from "../timeline/Timeline";
 import { Progress } from "../ui/Progress";
+import { setSize } from "../ui/Splitter";
 import { Viewer } from "../viewer/Viewer";
 import { Dialogs } from "./Dialogs";
 import { listenForDrops } from "./drop";
 import { ErrorCard } from "./ErrorCard";
+import { returnFocus } from "./focus";
 import { Head } from "./Head";
 import { onKey } from "./key-handler";
 import { registerServiceWorker } from "./offline";
-import { releaseFocus } from "./release-focus";
 import { SidePanel } from "./SidePanel";
 import { StartPage } from "./StartPage";
 import { Toasts } from "./Toasts";
 import { hintTarget, Tour } from "./Tour";
+
+/** Time for which a message stays in the live region, in milliseconds. */
+const announcementTime = 5000;
 
 /** The page. */
 export function App() {
@@ -27,13 +34,21 @@ export function App() {
     const controller = new AbortController();
     const { signal } = controller;
     addEventListener("keydown", onKey, { signal });
-    addEventListener("hashchange", () => void openFromAddress(), { signal });
+    followHistory(signal);
     listenForDrops(signal);
-    releaseFocus(signal);
+    returnFocus(signal);
     void openFromAddress();
     registerServiceWorker();
     return () => controller.abort();
   }, []);
+  // A message that stays would be read again, out of context.
+  useSignalEffect(() => {
+    if (!announcement.value) return;
+    const timer = setTimeout(() => {
+      announcement.value = "";
+    }, announcementTime);
+    return () => clearTimeout(timer);
+  });
   const clip = openClip.value;
   useEffect(() => {
     document.title = clip ? `${clip.name} – Plantigrade` : "Plantigrade";
@@ -44,6 +59,9 @@ export function App() {
       data-state={phase.value}
       data-clip={clip ? "open" : "none"}
       data-hint={hintTarget()}
+      data-panel={panelCollapsed.value ? "collapsed" : "shown"}
+      data-sheet={sheetOpen.value ? "raised" : "lowered"}
+      ref={(element) => setSize(element, "--panel-width", panelWidth.value)}
     >
       <Head />
       <main>

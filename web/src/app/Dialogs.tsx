@@ -1,5 +1,6 @@
 import { keyTable } from "../actions/commands";
 import { locationText } from "../model/report";
+import { classicKeys } from "../store/preferences";
 import { clip, notices } from "../store/session";
 import { dialog } from "../store/view";
 import { Dialog } from "../ui/Dialog";
@@ -20,7 +21,7 @@ function KeysDialog() {
   return (
     <Dialog title="Keyboard shortcuts">
       <div class="key-groups">
-        {keyTable.map(({ group, rows }) => (
+        {keyTable().map(({ group, rows }) => (
           <section key={group}>
             <h3>{group}</h3>
             <dl>
@@ -38,10 +39,19 @@ function KeysDialog() {
           </section>
         ))}
       </div>
+      <label class="checkbox-row">
+        <input
+          type="checkbox"
+          checked={classicKeys.value}
+          onChange={(event) => classicKeys.set(event.currentTarget.checked)}
+        />
+        Former keys: L loops, K splits, comma and full stop change the speed
+      </label>
       <p class="note">
         Timeline: scroll to zoom, Shift and scroll or drag with the middle button to pan, click a
-        bar to go to its start, drag its edge to move it, double-click a segment to rename it.
-        Plots: ← and → step by frames, Enter goes to the frame.
+        bar to go to its start, drag its edge to move it, double-click an empty place of a track to
+        add a plant, double-click a segment to rename it, Shift and drag on the ruler to loop a
+        range. Plots: ← and → step by frames, Enter goes to the frame.
       </p>
       <button
         type="button"

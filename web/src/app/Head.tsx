@@ -1,13 +1,16 @@
+import { openBatchRow, uncheckedCount } from "../actions/batch";
 import { commandOf, tooltip } from "../actions/commands";
+import { goHome } from "../actions/navigation";
 import { pickFiles } from "../actions/pick-files";
 import { openShareDialog } from "../actions/share";
 import { batchRows, tableVisible } from "../store/batch";
 import { embedded } from "../store/embedded";
-import { notices, openClip } from "../store/session";
+import { panelCollapsed } from "../store/preferences";
+import { edits, notices, openClip } from "../store/session";
 import { nextTheme, themeChoice } from "../store/theme";
-import { dialog } from "../store/view";
+import { activeTab, dialog, sheetOpen } from "../store/view";
 import { Icon, Logo } from "../ui/icons";
-import { formatCount, formatDuration, formatRate } from "../util/format";
+import { formatDuration, formatRate, plural } from "../util/format";
 import { MadeWith } from "./MadeWith";
 
 /** The header of the page. */
@@ -15,8 +18,21 @@ export function Head() {
   return (
     <header class="head">
       <h1 class="brand">
-        <Logo />
-        {embedded ? "Shared clip" : "Plantigrade"}
+        {embedded ? (
+          <>
+            <Logo /> Shared clip
+          </>
+        ) : (
+          <button
+            type="button"
+            title="Start page"
+            aria-label="Plantigrade, start page"
+            onClick={goHome}
+          >
+            <Logo />
+            Plantigrade
+          </button>
+        )}
       </h1>
       <ClipSummary />
       <span class="spacer" />
@@ -30,9 +46,10 @@ export function Head() {
             tableVisible.value = !tableVisible.value;
           }}
         >
-          {batchRows.value.length} clips
+          {plural(batchRows.value.length, "clip")}
         </button>
       )}
+      <Review />
       <button
         type="button"
         class="button icon-only"
@@ -52,8 +69,27 @@ export function Head() {
         ?
       </button>
       {(openClip.value || tableVisible.value) && (
-        <button type="button" class="button open-top" title={tooltip("open")} onClick={pickFiles}>
-          Open
+        <button
+          type="button"
+          class="button open-file"
+          aria-label="Open"
+          title={tooltip("open")}
+          onClick={pickFiles}
+        >
+          <Icon name="open" />
+          <span>Open</span>
+        </button>
+      )}
+      {openClip.value && (
+        <button
+          type="button"
+          class="button icon-only toggle-panel"
+          aria-label="Panel"
+          aria-pressed={!panelCollapsed.value}
+          title={tooltip("panel")}
+          onClick={commandOf("panel").run}
+        >
+          <Icon name="panel" />
         </button>
       )}
       {openClip.value && (
@@ -70,16 +106,39 @@ export function Head() {
   );
 }
 
+/** Marks the open clip of a batch as checked, and goes to the next one. */
+function Review() {
+  const row = openBatchRow.value;
+  if (!row || tableVisible.value) return null;
+  const next = commandOf("review-next");
+  return (
+    <span class="review">
+      <label class="checkbox-row" title={tooltip("mark-checked")}>
+        <input
+          type="checkbox"
+          checked={row.isChecked ?? false}
+          onChange={commandOf("mark-checked").run}
+        />
+        Checked
+      </label>
+      <button type="button" class="button" title={tooltip("review-next")} onClick={next.run}>
+        Next <span class="muted">{uncheckedCount.value}</span>
+      </button>
+    </span>
+  );
+}
+
+function showEdits() {
+  activeTab.value = "labels";
+  sheetOpen.value = true;
+}
+
 /** Name, length, rate and units of the open clip, and the number of notices. */
 function ClipSummary() {
   const clip = openClip.value;
   if (!clip) return null;
   const facts = clip.frames
-    ? [
-        `${formatCount(clip.frames)} frames`,
-        formatRate(clip.rate),
-        formatDuration(clip.frames / clip.rate),
-      ]
+    ? [plural(clip.frames, "frame"), formatRate(clip.rate), formatDuration(clip.frames / clip.rate)]
     : ["rest pose only"];
   facts.push(`${clip.unit ? `${clip.unit}, ` : ""}${clip.up.replace("-", "−").toUpperCase()} up`);
   const noticeCount = notices.value.length;
@@ -96,7 +155,12 @@ function ClipSummary() {
             dialog.value = "notices";
           }}
         >
-          {noticeCount} {noticeCount === 1 ? "notice" : "notices"}
+          {plural(noticeCount, "notice")}
+        </button>
+      )}
+      {edits.value.length > 0 && (
+        <button type="button" class="link" title="Show the edited plants" onClick={showEdits}>
+          edited
         </button>
       )}
     </p>

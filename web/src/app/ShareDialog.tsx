@@ -102,7 +102,7 @@ function NoLink() {
       <p>
         {embedded
           ? "This page is a file, so there is no link to it. Send the file, or save a page with your changes."
-          : "There is no link to a local file, because files are not uploaded. Save a page instead; it contains the clip."}
+          : "Links work for samples and URLs only, since files are not uploaded. Save a page to share this clip."}
       </p>
     </section>
   );

@@ -1,13 +1,14 @@
 import { useRef } from "preact/hooks";
-import { pickFiles } from "../actions/pick-files";
 import { EvidencePanel } from "../evidence/EvidencePanel";
 import { ClipPanel } from "../panels/ClipPanel";
 import { DetectPanel } from "../panels/DetectPanel";
 import { LabelsPanel } from "../panels/LabelsPanel";
 import { ScorePanel } from "../panels/ScorePanel";
 import { SegmentPanel } from "../panels/SegmentPanel";
+import { panelWidth } from "../store/preferences";
 import { reference } from "../store/session";
 import { activeTab, sheetOpen, type Tab } from "../store/view";
+import { Splitter } from "../ui/Splitter";
 
 const allTabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
   ["detect", "Detect", DetectPanel],
@@ -18,9 +19,10 @@ const allTabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null]
   ["clip", "Clip", ClipPanel],
 ];
 
-/** The side panel; on phones a bottom sheet with an Open button. */
+/** The side panel; on phones a sheet below the timeline. */
 export function SidePanel() {
   const tabList = useRef<HTMLDivElement>(null);
+  const panel = useRef<HTMLElement | null>(null);
   // The score requires a reference.
   const tabs = allTabs.filter(([id]) => id !== "score" || reference.value);
   const choose = (next: Tab) => {
@@ -42,7 +44,20 @@ export function SidePanel() {
   };
   const Body = tabs.find(([id]) => id === activeTab.value)?.[2] ?? DetectPanel;
   return (
-    <aside class="panel" aria-label="Settings and labels" data-open={sheetOpen.value}>
+    <aside
+      class="panel"
+      aria-label="Settings and labels"
+      data-open={sheetOpen.value}
+      ref={(element) => {
+        panel.current = element;
+      }}
+    >
+      <Splitter
+        label="Width of the panel"
+        orientation="vertical"
+        size={panelWidth}
+        measure={() => panel.current?.clientWidth ?? 0}
+      />
       <button
         type="button"
         class="sheet-handle"
@@ -69,9 +84,6 @@ export function SidePanel() {
             </button>
           ))}
         </div>
-        <button type="button" class="button open-bottom" onClick={pickFiles}>
-          Open
-        </button>
       </div>
       <div
         class="panel-body"

@@ -9,7 +9,10 @@ export function StartPage() {
   return (
     <section class="start-page" aria-label="Open a clip">
       <div class="introduction">
-        <p class="headline">Drop a BVH file to see every foot plant.</p>
+        <p class="headline">
+          <span class="with-pointer">Drop</span>
+          <span class="with-touch">Open</span> a BVH file to see every foot plant.
+        </p>
         <p class="start-actions">
           <button type="button" class="button primary large" onClick={pickFiles}>
             Open a file

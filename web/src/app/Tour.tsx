@@ -10,11 +10,11 @@ const hints = [
   ],
   [
     "timeline",
-    "Each bar is a plant: blue for left, orange for right; toes are solid, heels hatched, uncertain frames dotted. Click a bar to go to it.",
+    "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Click a bar to go to it. Tracks explains the marks.",
   ],
   [
     "timeline",
-    "Drag the edge of a bar to correct it, or press E and then I, O, K, M or Delete. Ctrl Z undoes an edit. Edits are stored in this browser.",
+    "Drag the edge of a bar to correct it, or move the nearest edge by Q and W. A adds a plant, Delete removes one, Ctrl Z undoes. Edits are stored in this browser.",
   ],
   [
     "panel",

@@ -1,11 +1,20 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { exportAll, rerunBatch, resumeBatch, retryFailed, stopBatch } from "../actions/batch";
+import {
+  exportAll,
+  rerunBatch,
+  resumeBatch,
+  retryFailed,
+  stopBatch,
+  uncheckedCount,
+} from "../actions/batch";
+import { commandOf, tooltip } from "../actions/commands";
 import { columns, filterRows, sortRows } from "../model/table";
 import { batchRequest, batchRows, finishedCount, tableVisible } from "../store/batch";
 import { openClip } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
+import { formatCount, plural } from "../util/format";
 import { Rows } from "./Rows";
 
 const query = signal("");
@@ -37,15 +46,20 @@ function Toolbar() {
   const total = batchRows.value.length;
   const done = finishedCount.value;
   const isRunning = batchRows.value.some(({ status }) => status === "running");
+  const failed = batchRows.value.filter(({ status }) => status === "failed").length;
+  const shown = visibleRows.value.length;
   const isStopped = done < total && !isRunning;
   const method = detectMethods.value.find(({ name }) => name === batchRequest.value?.detect.method);
   const closeLabel = `Back to ${openClip.value?.name ?? "the start page"}`;
   const isStale = batchRequest.value?.detect !== detectOptions.value;
   return (
     <div class="batch-head">
-      <h2 id="batch-title">{total} clips</h2>
+      <h2 id="batch-title">
+        {shown < total ? `${shown} of ${plural(total, "clip")}` : plural(total, "clip")}
+      </h2>
       <p class="muted" aria-live="off">
         {done < total ? `${done} processed` : "All processed"}
+        {failed > 0 && `, ${failed} failed`}
         {method && ` · ${method.title}`}
       </p>
       {done < total && <progress aria-label="Processed clips" value={done} max={total} />}
@@ -70,11 +84,22 @@ function Toolbar() {
         </button>
       )}
       <span class="spacer" />
+      {done > 0 && (
+        <button
+          type="button"
+          class="button"
+          disabled={uncheckedCount.value === 0}
+          title={tooltip("review-next", "Open the least certain clip that is not checked")}
+          onClick={commandOf("review-next").run}
+        >
+          Review <span class="muted">{formatCount(uncheckedCount.value)}</span>
+        </button>
+      )}
       <input
         class="input"
         type="search"
         aria-label="Filter by name"
-        placeholder="Filter"
+        placeholder="Filter: name, failed, unchecked"
         value={query.value}
         onInput={(event) => {
           query.value = event.currentTarget.value;
@@ -108,6 +133,7 @@ function ColumnHeaders() {
             key={column.key}
             scope="col"
             data-minor={column.minor}
+            data-key={column.key}
             aria-sort={key !== column.key ? "none" : direction > 0 ? "ascending" : "descending"}
           >
             <button

@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { openRow } from "../actions/batch";
+import { openRow, toggleChecked } from "../actions/batch";
 import { addCompanion, removeCompanion } from "../actions/companions";
 import { toSentence } from "../model/report";
 import { columns } from "../model/table";
@@ -44,10 +44,16 @@ function Cells({ row }: { row: BatchRow }) {
   return (
     <>
       <th scope="row">
-        <button type="button" title={row.source.name} onClick={() => openRow(row)}>
-          {name?.text(row)}
+        <CheckBox row={row} />
+        <button
+          type="button"
+          class="clip-name"
+          aria-label={row.source.name}
+          title={row.source.name}
+          onClick={() => openRow(row)}
+        >
+          <FileName name={name?.text(row) ?? ""} />
         </button>
-        {row.summary?.edited && <span class="muted"> edited</span>}
         {row.summary?.hasUnreadableEdits && <span class="muted"> stored edits cannot be read</span>}
         {row.summary && openClip.value && row.source !== source.value && (
           <SideBySideButton row={row} />
@@ -78,6 +84,34 @@ function Cells({ row }: { row: BatchRow }) {
         </>
       )}
     </>
+  );
+}
+
+/** Characters at the end of a file name that are never cut, since names often differ there. */
+const endLength = 14;
+
+/** A file name whose middle is left out if space is short. */
+function FileName({ name }: { name: string }) {
+  const at = Math.max(0, name.length - endLength);
+  return (
+    <>
+      <span class="name-start">{name.slice(0, at)}</span>
+      <span class="name-end">{name.slice(at)}</span>
+    </>
+  );
+}
+
+/** Marks a clip as checked. */
+function CheckBox({ row }: { row: BatchRow }) {
+  if (!row.summary) return null;
+  return (
+    <input
+      type="checkbox"
+      aria-label={`${row.source.name} is checked`}
+      title="Checked"
+      checked={row.isChecked ?? false}
+      onChange={() => toggleChecked(row)}
+    />
   );
 }
 

@@ -11,6 +11,7 @@ import { frame } from "../store/playback";
 import { detectFailure, detection, edits } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";
 import { SensitivitySlider, WindowSlider } from "../ui/DetectionSliders";
+import { capitalize } from "../util/format";
 import {
   isSigmaAtKnee,
   normsSpec,
@@ -71,7 +72,7 @@ function PartSwitch() {
           aria-pressed={part === evidencePart.value}
           onClick={() => chooseEvidencePart(part)}
         >
-          {part.charAt(0).toUpperCase() + part.slice(1)}
+          {capitalize(part)}
         </button>
       ))}
     </fieldset>
@@ -217,5 +218,5 @@ function NormSections({
 
 function setSensitivity(r: number) {
   const { min, max } = sensitivity;
-  setDetectOptions({ r: Number(Math.min(Math.max(r, min), max).toFixed(4)) });
+  setDetectOptions({ r: Number(Math.min(Math.max(r, min), max).toPrecision(3)) });
 }

@@ -6,7 +6,7 @@ import {
   rankOfNorm,
   valueAtRank,
 } from "../model/evidence";
-import { sensitivity } from "../model/sensitivity";
+import { formatR, sensitivity } from "../model/sensitivity";
 import type { Clustering } from "../model/types";
 import { niceCeiling } from "../util/axis-steps";
 import { type PlotData, type PlotSpec, paintLine, paintText } from "./plot-data";
@@ -69,7 +69,7 @@ export function runningVariancePlot(clustering: Clustering, setR: (r: number) =>
   const scale = tolerance / r;
   const dragLine = {
     value: tolerance,
-    label: `r ${r.toFixed(4)}`,
+    label: `r ${formatR(r)}`,
     onDrag: (value: number) => setR(value / scale),
   };
   return {

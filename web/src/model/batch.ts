@@ -22,6 +22,12 @@ export interface ClipSummary {
   plants?: number;
   /** Fraction of frames in which each foot is planted, 0 to 1; absent without detection. */
   planted?: { left: number; right: number };
+  /** Confidence of the least certain plant, 0.5 to 1; absent without plants. */
+  confidence?: number;
+  /** Number of plants of low confidence that are not edited. */
+  uncertain?: number;
+  /** Fraction of frames that agree with the labels dropped with the clip, within 0.1 s. */
+  agreement?: number;
   /** Number of segments. */
   segments?: number;
   /** Steps per minute; absent without gait. */

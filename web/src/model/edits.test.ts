@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import {
   addPlant,
+  joinWithNext,
   matchingPlantRef,
-  mergeWithNext,
   nextPlantRef,
   type PartTrack,
   type PlantRef,
@@ -75,14 +75,20 @@ test("marks the frames next to an edited plant as not planted", () => {
 
 test("splits a plant at a frame inside it", () => {
   const text = "..#####..";
-  expect(applied(text, splitPlant(track(text), plant(2, 7), 4))).toBe("..##.##..");
-  for (const frame of [1, 2, 6, 7]) expect(splitPlant(track(text), plant(2, 7), frame)).toEqual([]);
+  expect(applied(text, splitPlant(plant(2, 7), 4))).toBe("..##.##..");
+  for (const frame of [1, 2, 6, 7]) expect(splitPlant(plant(2, 7), frame)).toEqual([]);
 });
 
-test("merges a plant with the next one", () => {
+test("joins a plant with the next one", () => {
   const text = ".##..##.#";
-  expect(applied(text, mergeWithNext(track(text), plant(1, 3)))).toBe(".######.#");
-  expect(mergeWithNext(track(text), plant(8, 9))).toEqual([]);
+  expect(applied(text, joinWithNext([], track(text), plant(1, 3)) ?? [])).toBe(".######.#");
+  expect(joinWithNext([], track(text), plant(8, 9))).toBeUndefined();
+});
+
+test("joining undoes a split without a trace", () => {
+  const other: Edit = { side: "right", part: "contact", start: 4, end: 5, planted: false };
+  const edits = [other, ...splitPlant(plant(2, 7), 4)];
+  expect(joinWithNext(edits, track("..##.##.."), plant(2, 4))).toEqual([other]);
 });
 
 test("removes a plant", () => {

@@ -44,16 +44,38 @@ export function resizePlant(track: PartTrack, plant: PlantRef, range: FrameRange
   return [...removed, ...pinEdges(plant, merged, track.frames)];
 }
 
-/** Returns edits that split a plant at a frame, which is no longer planted; none at its edges. */
-export function splitPlant(track: PartTrack, plant: PlantRef, frame: number): Edit[] {
+/**
+ * Returns the edit that splits a plant: a gap of one frame, since labels are per frame; none at its edges.
+ * The outer edges stay as they were detected.
+ */
+export function splitPlant(plant: PlantRef, frame: number): Edit[] {
   if (frame <= plant.start || frame >= plant.end - 1) return [];
-  return [...pinEdges(plant, plant, track.frames), createEdit(plant, frame, frame + 1, false)];
+  return [createEdit(plant, frame, frame + 1, false)];
 }
 
-/** Returns edits that merge a plant with the next one; none if it is the last. */
-export function mergeWithNext(track: PartTrack, plant: PlantRef): Edit[] {
+/**
+ * Returns the edits with a plant joined with the next one; undefined if it is the last. Joining the halves
+ * of a split removes its edit, so that the plant is as before.
+ */
+export function joinWithNext(
+  edits: readonly Edit[],
+  track: PartTrack,
+  plant: PlantRef,
+): readonly Edit[] | undefined {
   const next = nextPlantRef(track, plant);
-  return next ? pinEdges(plant, { start: plant.start, end: next.end }, track.frames) : [];
+  if (!next) return undefined;
+  const { side, part, end } = plant;
+  const split = edits.findLast(
+    (edit) =>
+      edit.side === side &&
+      edit.part === part &&
+      !edit.planted &&
+      edit.start === end &&
+      edit.end === next.start &&
+      edit.end - edit.start === 1,
+  );
+  if (split) return edits.filter((edit) => edit !== split);
+  return [...edits, ...pinEdges(plant, { start: plant.start, end: next.end }, track.frames)];
 }
 
 /** Returns the edit that removes a plant. */

@@ -106,22 +106,15 @@ it("agrees with a linear search", () => {
 });
 
 it("finds the next edge in both directions", () => {
-  const edges = plants.plantEdges(plants.plantsOf(detection), 10);
-  expect(edges).toEqual([0, 2, 4, 7, 9]);
-  expect(plants.nextEdge(edges, 2, 1)).toBe(4);
-  expect(plants.nextEdge(edges, 3.5, -1)).toBe(2);
+  const edges = plants.plantEdges(plants.plantsOf(detection));
+  expect(edges).toEqual([0, 1, 2, 3, 4, 6, 7, 9]);
+  expect(plants.nextEdge(edges, 4, 1)).toBe(6);
+  expect(plants.nextEdge(edges, 3.5, -1)).toBe(3);
   expect(plants.nextEdge(edges, 9, 1)).toBeUndefined();
 });
 
 it("returns the fraction of planted frames", () =>
   expect(plants.plantedFraction(toe.left)).toBe(0.5));
-
-it("blends labels around a change", () => {
-  const { planted } = track("0000011111");
-  expect(plants.contactWeight(planted, 2, 2)).toBe(0);
-  expect(plants.contactWeight(planted, 5, 2)).toBe(0.5);
-  expect(plants.contactWeight(planted, 7, 2)).toBe(1);
-});
 
 it("lists uncertain ranges of planted frames only", () => {
   const uncertain = track("0111100");

@@ -124,12 +124,12 @@ export function plantsWithin(
   return overlapping;
 }
 
-/** Returns the distinct frames at which plants start or end, ascending. */
-export function plantEdges(plants: readonly Plant[], frames: number): number[] {
+/** Returns the distinct first and last frames of plants, ascending. */
+export function plantEdges(plants: readonly Plant[]): number[] {
   const edges = new Set<number>();
   for (const { start, end } of plants) {
     edges.add(start);
-    edges.add(Math.min(end, frames - 1));
+    edges.add(end - 1);
   }
   return [...edges].sort((a, b) => a - b);
 }
@@ -148,22 +148,6 @@ export function plantedFraction(track: Track): number {
     count += (intervals[i + 1] as number) - (intervals[i] as number);
   }
   return planted.length ? count / planted.length : 0;
-}
-
-/**
- * Returns the mean of the labels over ± `radius` frames around a moment, 0 to 1, so that highlights
- * fade in and out.
- */
-export function contactWeight(planted: Uint8Array, frame: number, radius: number): number {
-  const from = Math.max(0, frame - radius);
-  const to = Math.min(planted.length, frame + radius);
-  if (to <= from) return planted[Math.floor(frame)] ?? 0;
-  let sum = 0;
-  for (let i = Math.floor(from); i < to; i++) {
-    const covered = Math.min(i + 1, to) - Math.max(i, from);
-    sum += (planted[i] ?? 0) * covered;
-  }
-  return sum / (to - from);
 }
 
 /** Returns the ranges of planted frames with low confidence: start, end, start, end, …. */

@@ -1,11 +1,17 @@
 /** Range and default of the sensitivity r. */
 export const sensitivity = { min: 0.0002, max: 0.0044, default: 0.001 } as const;
 
-/** Converts a slider position, 0 to 1, to r on a logarithmic scale. */
+/** Formats r with three significant digits. */
+export const formatR = (r: number) => String(Number(r.toPrecision(3)));
+
+/**
+ * Converts a slider position, 0 to 1, to r on a logarithmic scale. The rounding is finer than the steps of
+ * the slider, so that every key press changes r.
+ */
 export function positionToR(position: number): number {
   const { min, max } = sensitivity;
   const r = min * (max / min) ** Math.min(Math.max(position, 0), 1);
-  return Number(r.toFixed(4));
+  return Number(r.toPrecision(3));
 }
 
 /** Converts r to a slider position, 0 to 1. */

@@ -11,6 +11,7 @@ export interface TableRow {
   status: "waiting" | "running" | "done" | "failed";
   summary?: ClipSummary;
   failure?: Failure;
+  isChecked?: boolean;
 }
 
 export interface Column {
@@ -27,6 +28,8 @@ export interface Column {
 }
 
 const percent = (fraction: number) => `${Math.round(100 * fraction)} %`;
+
+const percentTenths = (fraction: number) => `${(100 * fraction).toFixed(1)} %`;
 
 const round = (value: number | undefined, digits = 4) =>
   value === undefined ? undefined : Number(value.toFixed(digits));
@@ -66,10 +69,35 @@ export const columns: readonly Column[] = [
   }),
   summaryColumn("notices", "Notices", ({ notices }) => notices, formatCount, { minor: true }),
   summaryColumn("plants", "Plants", ({ plants }) => plants),
-  summaryColumn("left_planted", "Left", ({ planted }) => planted?.left, percent, {
+  {
+    key: "confidence",
+    title: "Confidence",
+    description: "Confidence of the least certain plant, and the number of plants to review",
+    value: ({ summary }) => round(summary?.confidence),
+    text: ({ summary }) => {
+      if (!summary) return "";
+      const { confidence, uncertain = 0 } = summary;
+      if (confidence === undefined) return "–";
+      const review = uncertain > 0 ? `, ${uncertain} to review` : "";
+      return `${Math.floor(100 * confidence)} %${review}`;
+    },
+  },
+  {
+    key: "edited",
+    title: "Edited",
+    description: "Clips whose plants were edited by hand",
+    value: ({ summary }) => summary && (summary.edited ? "yes" : "no"),
+    text: ({ summary }) => (summary?.edited ? "edited" : ""),
+    minor: true,
+  },
+  summaryColumn("agreement_0_1_s", "Score", ({ agreement }) => agreement, percentTenths, {
+    description: "Frames that agree with the labels dropped with the clip, within 0.1 s",
+    minor: true,
+  }),
+  summaryColumn("left_planted", "L contact", ({ planted }) => planted?.left, percent, {
     description: "Percentage of frames in which the left foot is planted",
   }),
-  summaryColumn("right_planted", "Right", ({ planted }) => planted?.right, percent, {
+  summaryColumn("right_planted", "R contact", ({ planted }) => planted?.right, percent, {
     description: "Percentage of frames in which the right foot is planted",
   }),
   summaryColumn(
@@ -92,11 +120,11 @@ export const columns: readonly Column[] = [
   summaryColumn("segments", "Segments", ({ segments }) => segments, formatCount, { minor: true }),
   summaryColumn(
     "took_ms",
-    "Time",
+    "Processing",
     ({ elapsedMs }) => elapsedMs,
     (ms) => `${(ms / 1000).toFixed(2)} s`,
     {
-      description: "Processing time",
+      description: "Processing time of the clip",
       minor: true,
     },
   ),
@@ -124,11 +152,12 @@ function compare(a: string | number, b: string | number): number {
   return String(a).localeCompare(String(b), "en", { numeric: true });
 }
 
-/** Returns the rows whose name, status or failure contains all words of a query. */
+/** Returns the rows whose name, status, mark or failure contains all words of a query. */
 export function filterRows<Row extends TableRow>(rows: readonly Row[], query: string): Row[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
-  return rows.filter(({ source, failure, status }) => {
-    const text = `${source.name} ${status} ${failure?.message ?? ""}`.toLowerCase();
+  return rows.filter(({ source, failure, status, isChecked, summary }) => {
+    const marks = `${isChecked ? "checked" : "unchecked"} ${summary?.edited ? "edited" : ""}`;
+    const text = `${source.name} ${status} ${marks} ${failure?.message ?? ""}`.toLowerCase();
     return words.every((word) => text.includes(word));
   });
 }

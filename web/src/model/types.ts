@@ -23,6 +23,7 @@ export type {
   CutScore,
   DisagreementInfo as Disagreement,
   EditInfo as Edit,
+  FootFrames,
   FormatInfo as FileFormat,
   GaitInfo as Gait,
   GroundInfo as Ground,

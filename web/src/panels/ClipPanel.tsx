@@ -5,7 +5,7 @@ import type { Clip, Overrides, Up } from "../model/types";
 import { detection, openClip, overrides, source } from "../store/session";
 import { markedJoint } from "../store/view";
 import { PropertyList } from "../ui/PropertyList";
-import { formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
+import { capitalize, formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
 import { FootSkateSection } from "./FootSkateSection";
 import { GaitSection } from "./GaitSection";
 
@@ -202,10 +202,9 @@ function FootJoint({ clip, role }: { clip: Clip; role: string }) {
   );
 }
 
-/** Returns the display text of a role: `Left ankle`. */
+/** Returns the display text of a role: `Left ankle`, `Right toe end`. */
 function roleTitle(role: string) {
-  const text = role.replace("_", " ");
-  return text.charAt(0).toUpperCase() + text.slice(1);
+  return capitalize(role.replace("_", " ").replace("shank", "shin").replace("tip", "toe end"));
 }
 
 /** Returns the name of a joint; end sites, which have none, are named after their parent. */

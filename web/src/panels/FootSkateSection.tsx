@@ -1,13 +1,24 @@
-import { cleanClip, saveCleaned, setCleanedView } from "../actions/footskate";
+import { selection } from "../actions/edit";
+import { cleanClip, discardCleaned, saveCleaned, setCleanedView } from "../actions/footskate";
 import { jumpTo } from "../actions/playback";
 import { formatCentimetres, summarizeSlides } from "../model/slides";
 import type { CleanedClip } from "../model/types";
 import type { CleanedView } from "../store/clip-session";
-import { cleaned, cleanedView, cleaning, clip, repairsSpikes, slides } from "../store/session";
+import {
+  cleaned,
+  cleanedOnly,
+  cleanedView,
+  cleaning,
+  clip,
+  plants,
+  repairsSpikes,
+  slides,
+} from "../store/session";
+import { plural } from "../util/format";
 
 const views: readonly (readonly [CleanedView, string])[] = [
-  ["before", "Before"],
-  ["after", "After"],
+  ["before", "Original"],
+  ["after", "Cleaned"],
   ["both", "Both"],
 ];
 
@@ -28,7 +39,7 @@ export function FootSkateSection() {
               scope="col"
               title="Largest horizontal distance of the planted part from its mean position"
             >
-              Slide of {slides.value.length} plants
+              Foot slide, {plural(plants.value.length, "plant")}
             </th>
             <th scope="col">Mean</th>
             <th scope="col">Max</th>
@@ -42,8 +53,8 @@ export function FootSkateSection() {
               <button
                 type="button"
                 class="link"
-                title={`Go to this plant (${worst.side} foot)`}
-                onClick={() => jumpTo(worst.start)}
+                title={`Go to frame ${worst.frame}, where the ${worst.side} foot slides most`}
+                onClick={() => jumpTo(worst.frame)}
               >
                 {formatCentimetres(before.worst)}
               </button>
@@ -58,25 +69,45 @@ export function FootSkateSection() {
           )}
         </tbody>
       </table>
-      {result ? (
-        <CleanResult cleaned={result} />
-      ) : (
-        <button
-          type="button"
-          class="button"
-          disabled={cleaning.value}
-          onClick={() => void cleanClip()}
-        >
-          Remove foot skate
-        </button>
-      )}
+      {result ? <CleanResult cleaned={result} /> : <CleanButtons />}
     </div>
+  );
+}
+
+/** Starts the clean-up of all plants, or of the selected one. */
+function CleanButtons() {
+  const selected = selection.value?.plantRef;
+  return (
+    <p class="clean-buttons">
+      <button
+        type="button"
+        class="button"
+        disabled={cleaning.value}
+        onClick={() => void cleanClip()}
+      >
+        Fix foot skate
+      </button>
+      <button
+        type="button"
+        class="button"
+        disabled={cleaning.value || !selected}
+        title="Correct only the selected plant"
+        onClick={() => {
+          if (!selected) return;
+          const { side, start, end } = selected;
+          void cleanClip({ only: [{ side, start, end }] });
+        }}
+      >
+        Only selected plant
+      </button>
+    </p>
   );
 }
 
 /** Choice of the displayed version, saving, and plants that could not be constrained. */
 function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip }) {
-  const skipped = plants.filter(({ skipReason }) => skipReason !== undefined);
+  const isLimited = cleanedOnly.value.length > 0;
+  const skipped = isLimited ? [] : plants.filter(({ skipReason }) => skipReason !== undefined);
   const rate = clip.value?.rate ?? 1;
   return (
     <>
@@ -93,8 +124,12 @@ function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip })
           </button>
         ))}
       </fieldset>
+      {isLimited && <p class="note">Only the selected plant is corrected.</p>}
       <button type="button" class="button" onClick={saveCleaned}>
         Save cleaned clip <span class="muted">BVH</span>
+      </button>
+      <button type="button" class="button" onClick={discardCleaned}>
+        Discard
       </button>
       <SpikeChoice hasSpikes={notices.some(({ code }) => code === "spike")} />
       {(skipped.length > 0 || notices.length > 0) && (
@@ -130,7 +165,7 @@ function SpikeChoice({ hasSpikes }: { hasSpikes: boolean }) {
         type="checkbox"
         checked={repairs}
         disabled={cleaning.value}
-        onChange={() => void cleanClip(repairs)}
+        onChange={() => void cleanClip({ keepSpikes: repairs, only: cleanedOnly.value })}
       />
       Repair spikes of the hips
     </label>

@@ -19,8 +19,8 @@ export function GaitSection() {
   const { strides, cadence, speed, sides, symmetry } = measures;
   const { doubleSupportShare: doubleSupport, flightShare: flight } = measures;
   const symmetryIndices = [
-    ["Stance", symmetry.stance],
-    ["Step length", symmetry.stepLength],
+    ["stance", symmetry.stance],
+    ["step length", symmetry.stepLength],
   ] as const;
   const facts = [
     ["Cadence", cadence && `${cadence.toFixed(0)} steps/min`],
@@ -28,7 +28,7 @@ export function GaitSection() {
     ["Double support", strideFraction(doubleSupport)],
     ["Flight", flight && flight.mean > 0.005 && strideFraction(flight)],
     ...symmetryIndices.map(
-      ([name, index]) => [`${name}, right vs. left`, symmetryText(index)] as const,
+      ([name, index]) => [`Symmetry index, ${name}`, symmetryText(index)] as const,
     ),
   ] as const;
   return (
@@ -77,10 +77,10 @@ function deviationText(statistics: Statistics): string | undefined {
 const strideFraction = (statistics: Statistics) =>
   statistics && `${(100 * statistics.mean).toFixed(0)} % of a stride`;
 
-/** Formats a symmetry index: `equal`, or `3 % longer` for a longer right side. */
+/** Formats a symmetry index: `0 %`, or `right +16 %` for a longer right side. */
 function symmetryText(index: number | undefined): string | undefined {
   if (index === undefined) return undefined;
   const percent = Math.round(index);
-  if (percent === 0) return "equal";
-  return `${Math.abs(percent)} % ${percent > 0 ? "longer" : "shorter"}`;
+  if (percent === 0) return "0 %";
+  return `right ${percent > 0 ? "+" : "−"}${Math.abs(percent)} %`;
 }

@@ -23,7 +23,7 @@ export function LabelsPanel() {
         <h2>Compare</h2>
         {source.value?.truthUrl && !reference.value && (
           <button type="button" class="button" onClick={compareWithTruth}>
-            Compare with ground truth
+            Compare with reference
           </button>
         )}
         <p class="note">Drop a label file (JSON, CSV or NPZ) to compare it with these labels.</p>
@@ -45,11 +45,12 @@ function PlantList() {
         <span>Start</span>
         <span>End</span>
         <span>Length</span>
-        <span>Conf.</span>
+        <span>Confid.</span>
       </p>
       {plants.value.length ? (
         <VirtualList
           items={plants.value}
+          visibleIndex={selection.value?.plant && selection.value.plant.number - 1}
           renderRow={(plant) => <Row key={plant.number} plant={plant} rate={rate} />}
         />
       ) : (
@@ -76,7 +77,7 @@ function Row({ plant, rate }: { plant: Plant; rate: number }) {
       class={`plant ${plant.side}`}
       aria-current={isCurrent.value ? "true" : undefined}
       aria-pressed={isSelected}
-      title={isUncertain ? "Low confidence: check this plant" : undefined}
+      title={isUncertain ? "Low confidence: review this plant" : undefined}
       onClick={selectPlant}
     >
       <span class="number">{plant.number}</span>
@@ -89,7 +90,7 @@ function Row({ plant, rate }: { plant: Plant; rate: number }) {
       <span>{seconds(plant.end - plant.start)}</span>
       <span class="confidence" data-uncertain={isUncertain}>
         {plant.edited ? "edited" : `${Math.floor(100 * plant.confidence)} %`}
-        {isUncertain && <span class="visually-hidden">, uncertain</span>}
+        {isUncertain && <span class="visually-hidden">, review</span>}
       </span>
     </button>
   );

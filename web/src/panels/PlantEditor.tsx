@@ -1,17 +1,18 @@
-import { useSignal } from "@preact/signals";
-import { type CommandId, commandOf, isEnabled, keyOf, tooltip } from "../actions/commands";
+import { type CommandId, commandOf, isEnabled, tooltip } from "../actions/commands";
 import {
   addAtPlayhead,
   resizeSelected,
   revertAll,
   revertSelected,
   selection,
+  targetTrack,
 } from "../actions/edit";
 import type { FrameRange } from "../model/edits";
 import type { Instant } from "../model/plants";
 import type { Part, Side } from "../model/types";
-import { detection, edits } from "../store/session";
+import { addTarget, detection, edits } from "../store/session";
 import { Icon } from "../ui/icons";
+import { capitalize } from "../util/format";
 import { StorageNotices } from "./StorageNotices";
 
 /** Buttons and fields for all edits, as an alternative to dragging. */
@@ -27,7 +28,7 @@ export function PlantEditor() {
       {selection.value ? (
         <SelectedPlant />
       ) : (
-        <p class="note">Select a bar on the timeline or a plant in the list to edit it.</p>
+        <p class="note">Select a bar in the timeline or a plant in the list.</p>
       )}
       <AddPlant />
     </div>
@@ -71,20 +72,25 @@ function SelectedPlant() {
       )}
       <div class="form-rows plant-edges">
         <EdgeField
-          name="Start"
+          name="First"
           value={plantRef.start}
           toRange={(start) => ({ start })}
           command="set-start"
         />
-        <EdgeField name="End" value={plantRef.end} toRange={(end) => ({ end })} command="set-end" />
+        <EdgeField
+          name="Last"
+          value={plantRef.end - 1}
+          toRange={(last) => ({ end: last + 1 })}
+          command="set-end"
+        />
       </div>
       <div class="plant-actions">
-        {(["split", "merge", "delete"] as const).map((id) => (
+        {(["split", "join", "delete"] as const).map((id) => (
           <button
             key={id}
             type="button"
             class="button"
-            title={keyOf(id)}
+            title={tooltip(id)}
             onClick={commandOf(id).run}
           >
             {commandOf(id).label}
@@ -109,7 +115,7 @@ function InstantText({ name, instant }: { name: string; instant: Instant | undef
   );
 }
 
-/** An edge in frames; the end is the first frame after the plant. */
+/** The first or the last frame of a plant, both part of it. */
 function EdgeField({
   name,
   value,
@@ -147,28 +153,28 @@ function EdgeField({
         title={tooltip(command)}
         onClick={commandOf(command).run}
       >
-        Set
+        Set to playhead
       </button>
     </div>
   );
 }
 
+/** The track to which a plant is added, and the button that adds it. */
 function AddPlant() {
-  const side = useSignal<Side>("left");
-  const part = useSignal<Part>("contact");
+  const target = targetTrack.value;
+  if (!target) return null;
   const parts = (["contact", "heel", "toe"] as const).filter(
     (name) => detection.value?.parts[name],
   );
-  const chosen = parts.includes(part.value) ? part.value : parts[0];
-  if (!chosen) return null;
+  const { side, part } = target;
   return (
     <div class="add-plant">
       <select
         class="select"
         aria-label="Foot"
-        value={side.value}
+        value={side}
         onChange={(event) => {
-          side.value = event.currentTarget.value as Side;
+          addTarget.value = { part, side: event.currentTarget.value as Side };
         }}
       >
         <option value="left">Left</option>
@@ -177,14 +183,14 @@ function AddPlant() {
       <select
         class="select"
         aria-label="Part"
-        value={chosen}
+        value={part}
         onChange={(event) => {
-          part.value = event.currentTarget.value as Part;
+          addTarget.value = { side, part: event.currentTarget.value as Part };
         }}
       >
         {parts.map((name) => (
-          <option key={name} value={name}>
-            {name[0]?.toUpperCase() + name.slice(1)}
+          <option key={name} value={name} selected={name === part}>
+            {capitalize(name)}
           </option>
         ))}
       </select>
@@ -192,7 +198,7 @@ function AddPlant() {
         type="button"
         class="button"
         title={tooltip("add")}
-        onClick={() => addAtPlayhead(side.value, chosen)}
+        onClick={() => addAtPlayhead(side, part)}
       >
         Add plant
       </button>

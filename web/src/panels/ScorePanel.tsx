@@ -8,6 +8,7 @@ import { frame } from "../store/playback";
 import { openClip, reference, score, scorePart, scores } from "../store/session";
 import { PropertyList } from "../ui/PropertyList";
 import { VirtualList } from "../ui/VirtualList";
+import { capitalize } from "../util/format";
 
 /** Agreement of the labels with a reference. */
 export function ScorePanel() {
@@ -25,7 +26,7 @@ export function ScorePanel() {
           </button>
         </p>
         <button type="button" class="button" onClick={adoptReference}>
-          Adopt reference labels
+          Use these labels
         </button>
       </div>
       {current ? (
@@ -55,7 +56,7 @@ function PartChoice({ current }: { current: Score }) {
             scorePart.value = part;
           }}
         >
-          {part.charAt(0).toUpperCase() + part.slice(1)}
+          {capitalize(part)}
         </button>
       ))}
     </fieldset>
@@ -68,7 +69,7 @@ const percent = (fraction: number) =>
 function Accuracy({ score: { rows } }: { score: Score }) {
   return (
     <div class="field">
-      <h2 id="accuracy">Agreement, % of frames</h2>
+      <h2 id="accuracy">Accuracy within tolerance, %</h2>
       <table class="data-table" aria-labelledby="accuracy">
         <thead>
           <tr>
@@ -194,7 +195,7 @@ function DisagreementRow({
         <span class="dot" aria-hidden="true" />
         {side === "left" ? "Left" : "Right"}
       </span>
-      <span class="kind">{kind === "missed" ? "Missed" : "Extra"}</span>
+      <span class="kind">{kind === "missed" ? "False negative" : "False positive"}</span>
       <span>{(start / rate).toFixed(2)}</span>
       <span>
         {frames} {frames === 1 ? "frame" : "frames"}

@@ -13,6 +13,8 @@ export interface BatchRow {
   status: "waiting" | "running" | "done" | "failed";
   summary?: ClipSummary;
   failure?: Failure;
+  /** True if the user has marked it as checked. */
+  isChecked?: boolean;
 }
 
 /** The files of the last drop that had several; empty if there was none. */

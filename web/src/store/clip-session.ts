@@ -16,6 +16,7 @@ import type {
   Edit,
   Evidence,
   Failure,
+  FootFrames,
   Gait,
   Overrides,
   Part,
@@ -26,7 +27,8 @@ import type {
   Slide,
 } from "../model/types";
 
-export type Loop = "off" | "clip" | "plant" | "segment";
+/** What playback repeats; a range is chosen by the user. */
+export type Loop = "off" | "clip" | "plant" | "segment" | "range";
 
 /** Version of a cleaned clip that the viewer shows. */
 export type CleanedView = "before" | "after" | "both";
@@ -38,6 +40,8 @@ export interface CleanUp {
   overrides: Overrides;
   /** True if spikes of the hips were not repaired. */
   keepSpikes: boolean;
+  /** Frames of the corrected plants; empty for all. */
+  only: FootFrames[];
   cleaned: CleanedClip;
   view: CleanedView;
 }
@@ -88,6 +92,10 @@ export class ClipSession {
   readonly redoStack = signal<readonly (readonly Edit[])[]>([]);
   /** The plant that is being edited. */
   readonly selected = signal<PlantRef | null>(null);
+  /** The edge of the selected plant that keys move; null for the one nearest to the playhead. */
+  readonly selectedEdge = signal<"start" | "end" | null>(null);
+  /** The track to which a plant is added: the one that was used last. */
+  readonly addTarget = signal<{ side: Side; part: Part } | null>(null);
   /** Range that the selected plant would have if the current drag ended now. */
   readonly dragPreview = signal<FrameRange | null>(null);
   /** Local storage key of the edits; undefined until the hash of the file is known. */
@@ -125,7 +133,7 @@ export class ClipSession {
   /** The part of the clip that the timeline shows. */
   readonly timeView: Signal<TimeView>;
   readonly loop: Signal<Loop>;
-  /** Frames of the looped plant or segment, half-open. */
+  /** Frames of the looped plant, segment or range, half-open. */
   readonly loopRegion = signal<TimeView | null>(null);
 
   private readonly controller = new AbortController();

@@ -15,10 +15,13 @@ export const timeView = sessionField((open) => open.timeView);
 /** Range that playback repeats. */
 export const loop = sessionField((open) => open.loop);
 
-/** Frames of the looped plant or segment, half-open. */
+/** Frames of the looped plant, segment or range, half-open. */
 export const loopRegion = sessionField((open) => open.loopRegion);
 
 export const playing = signal(false);
+
+/** Direction of playback: −1 is backwards. */
+export const direction = signal<1 | -1>(1);
 
 /** Playback rate; 1 is real time. */
 export const speed = signal(1);
@@ -26,9 +29,9 @@ export const speed = signal(1);
 /** Whole frame under the playhead. */
 export const frame = computed(() => Math.floor(playhead.value + 1e-6));
 
-/** Frames of the looped plant or segment; null if the loop is off or covers the clip. */
+/** Frames of the looped plant, segment or range; null if the loop is off or covers the clip. */
 export const loopedRange = computed(() =>
-  loop.value === "plant" || loop.value === "segment" ? loopRegion.value : null,
+  loop.value === "off" || loop.value === "clip" ? null : loopRegion.value,
 );
 
 /** The looped segment, if a segment is looped. */

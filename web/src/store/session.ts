@@ -20,6 +20,8 @@ export const segmentNames = sessionField((clipSession) => clipSession.segmentNam
 export const renamedSegment = sessionField((clipSession) => clipSession.renamedSegment);
 export const edits = sessionField((clipSession) => clipSession.edits);
 export const selected = sessionField((clipSession) => clipSession.selected);
+export const selectedEdge = sessionField((clipSession) => clipSession.selectedEdge);
+export const addTarget = sessionField((clipSession) => clipSession.addTarget);
 export const dragPreview = sessionField((clipSession) => clipSession.dragPreview);
 export const persistError = sessionField((clipSession) => clipSession.persistError);
 export const unreadable = sessionField((clipSession) => clipSession.unreadable);
@@ -43,8 +45,8 @@ export const score = computed(
 
 export const plants = computed(() => (detection.value ? plantsOf(detection.value) : []));
 
-/** Frames at which plants begin or end, ascending. */
-export const edges = computed(() => plantEdges(plants.value, clip.value?.frames ?? 1));
+/** First and last frames of plants, ascending. */
+export const edges = computed(() => plantEdges(plants.value));
 
 /** The segments with the names that the user gave them. */
 export const namedSegments = computed(() =>
@@ -77,6 +79,9 @@ export const cleaned = computed(() => cleanUp.value?.cleaned ?? null);
 
 /** False if the clean-up left spikes of the hips. */
 export const repairsSpikes = computed(() => !cleanUp.value?.keepSpikes);
+
+/** Frames of the plants that the clean-up corrected; empty for all. */
+export const cleanedOnly = computed(() => cleanUp.value?.only ?? []);
 
 /** Version of the clip that the viewer shows. */
 export const cleanedView = computed(() => cleanUp.value?.view ?? "before");

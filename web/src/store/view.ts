@@ -28,10 +28,18 @@ export function lookFrom(view: CameraView) {
   cameraRequests.value++;
 }
 
+/** Number of requests for a close-up of the feet. */
+export const feetRequests = signal(0);
+
+/** Moves the camera to the feet. */
+export function lookAtFeet() {
+  feetRequests.value++;
+}
+
 /** True if the camera moves with the character. */
 export const followCamera = signal(true);
 
-/** True if the paths of toes and hips are drawn. */
+/** True if the trails of toes and hips are drawn. */
 export const trailsVisible = signal(false);
 
 /** Joint that the view marks, because its row in a panel has the focus or the pointer; or null. */
@@ -46,6 +54,9 @@ export const activeTab = signal<Tab>("detect");
 export const sheetOpen = signal(false);
 
 export const dialog = signal<"keys" | "notices" | "share" | "third-party" | null>(null);
+
+/** The frame under the pointer in the timeline, and the lane; null if the pointer is elsewhere. */
+export const hovered = signal<{ frame: number; y: number } | null>(null);
 
 /** True while files are dragged over the page. */
 export const filesDragged = signal(false);

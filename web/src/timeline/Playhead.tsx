@@ -1,8 +1,9 @@
-import { useComputed } from "@preact/signals";
+import { effect, useComputed } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
 import { pause, seek, segmentAtPlayhead } from "../actions/playback";
 import { plantAt } from "../model/plants";
 import { segmentTitle } from "../model/segments";
-import { toFrame } from "../model/time-view";
+import { toFrame, toX } from "../model/time-view";
 import { frame, playhead, timeView } from "../store/playback";
 import { clip, detection, plants } from "../store/session";
 import { margin } from "./scene";
@@ -58,4 +59,23 @@ export function Playhead(area: MarkerArea) {
       />
     </div>
   );
+}
+
+/** The playhead in the overview of the clip. */
+export function MinimapPlayhead({ layout, width }: MarkerArea) {
+  const element = useRef<HTMLDivElement>(null);
+  useEffect(
+    () =>
+      effect(() => {
+        const { labelWidth, minimap } = layout.value;
+        const laneWidth = width.value - labelWidth - margin;
+        const whole = { start: 0, end: clip.value?.frames ?? 1 };
+        if (!element.current) return;
+        const { style } = element.current;
+        style.transform = `translate(${labelWidth + toX(whole, playhead.value, laneWidth)}px, ${minimap.y}px)`;
+        style.height = `${minimap.height}px`;
+      }),
+    [layout, width],
+  );
+  return <div class="minimap-playhead" ref={element} aria-hidden="true" />;
 }

@@ -5,6 +5,7 @@ import { principalTracks } from "../model/plants";
 import { companions } from "../store/companions";
 import { opening } from "../store/jobs";
 import { loopedRange, loopedSegment, timeView } from "../store/playback";
+import { hiddenTracks, timelineHeight } from "../store/preferences";
 import {
   clip,
   detectFailure,
@@ -17,22 +18,24 @@ import {
   referenceSegments,
   segmentation,
   selected,
+  selectedEdge,
 } from "../store/session";
 import { theme } from "../store/theme";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
+import { Splitter, setSize } from "../ui/Splitter";
 import { attachGestures } from "./gestures";
 import { LanesMessage } from "./LanesMessage";
 import { layoutTimeline } from "./layout";
 import { PlantTable } from "./PlantTable";
-import { Playhead } from "./Playhead";
-import { PointedFrameLine } from "./PointedFrameLine";
+import { MinimapPlayhead, Playhead } from "./Playhead";
 import { paintTimeline } from "./paint";
+import { Readout } from "./Readout";
 import { SegmentTable } from "./SegmentTable";
 import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 
 export function Timeline() {
-  const container = useRef<HTMLDivElement>(null);
+  const container = useRef<HTMLDivElement | null>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const size = useSignal({ width: 0, height: 0 });
   const width = useComputed(() => size.value.width);
@@ -43,6 +46,7 @@ export function Timeline() {
       segmentation: segmentation.value,
       referenceSegments: referenceSegments.value,
       companions: openClip.value ? companions.value : [],
+      hidden: hiddenTracks.value,
     };
     return layoutTimeline(input, size.value.width, size.value.height);
   });
@@ -99,6 +103,7 @@ export function Timeline() {
         referenceSegments: referenceSegments.peek(),
         loop: loopedRange.peek(),
         selected: selectedBar.peek(),
+        selectedEdge: selectedEdge.peek(),
       });
     };
     const requestDraw = () => {
@@ -119,7 +124,7 @@ export function Timeline() {
           namedSegments.value,
           loopedRange.value,
         ];
-        void selectedBar.value;
+        void [selectedBar.value, selectedEdge.value];
         requestDraw();
       }),
       attachGestures(element, () => layout.peek()),
@@ -138,11 +143,24 @@ export function Timeline() {
   const hasFrames = (openClip.value?.frames ?? 0) > 0;
   return (
     <section class="timeline" aria-label="Timeline" data-compared={reference.value !== null}>
+      <Splitter
+        label="Height of the timeline"
+        orientation="horizontal"
+        size={timelineHeight}
+        measure={() => container.current?.clientHeight ?? 0}
+      />
       <StorageStatus />
       <Transport />
-      <div class="tracks" ref={container}>
+      <div
+        class="tracks"
+        ref={(element) => {
+          container.current = element;
+          setSize(element, "--tracks-height", timelineHeight.value);
+        }}
+      >
         <canvas ref={canvas} class={hasFrames ? undefined : "no-frames"} />
-        {hasFrames && <PointedFrameLine layout={layout} width={width} />}
+        {hasFrames && <Readout layout={layout} width={width} />}
+        {hasFrames && <MinimapPlayhead layout={layout} width={width} />}
         {hasFrames && <Playhead layout={layout} width={width} />}
         {!hasFrames && (
           <LanesMessage

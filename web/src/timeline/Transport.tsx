@@ -1,10 +1,19 @@
 import { useComputed } from "@preact/signals";
 import { commandOf, keyOf, tooltip } from "../actions/commands";
 import { speeds } from "../actions/playback";
-import { frame, loop, loopedSegment, loopRegion, playing, speed } from "../store/playback";
+import {
+  direction,
+  frame,
+  loop,
+  loopedSegment,
+  loopRegion,
+  playing,
+  speed,
+} from "../store/playback";
 import { openClip, plants } from "../store/session";
 import { Icon } from "../ui/icons";
-import { formatClock, formatCount } from "../util/format";
+import { formatClock, formatCount, formatRange } from "../util/format";
+import { TracksMenu } from "./TracksMenu";
 
 /** Playback controls, with the time and the frame of the playhead. */
 export function Transport() {
@@ -24,13 +33,16 @@ export function Transport() {
       >
         <Icon name={playing.value ? "pause" : "play"} />
       </button>
-      <p class="clock" title={`Duration ${formatClock(frames / rate)}`}>
-        {timeText}
-      </p>
-      <p class="frame-count">
-        <span class="muted">frame</span> {frameText}{" "}
-        <span class="muted">/ {formatCount(frames)}</span>
-      </p>
+      <div class="position">
+        <p class="clock" title={`Duration ${formatClock(frames / rate)}`}>
+          {timeText}
+        </p>
+        <p class="frame-count" title="The first frame is 0">
+          <span class="muted">frame</span> {frameText}{" "}
+          <span class="muted">/ {formatCount(Math.max(0, frames - 1))}</span>
+        </p>
+      </div>
+      {direction.value < 0 && playing.value && <p class="muted">reverse</p>}
       <span class="spacer" />
       <button
         type="button"
@@ -61,6 +73,7 @@ export function Transport() {
           ))}
         </select>
       </label>
+      <TracksMenu />
       <button
         type="button"
         class="button fit"
@@ -79,6 +92,8 @@ function LoopLabel() {
   if (loop.value === "off") return <span>Loop off</span>;
   if (loop.value === "clip") return <span>Loop clip</span>;
   if (loop.value === "segment") return <span>Loop segment {loopedSegment.value?.number}</span>;
+  if (loop.value === "range")
+    return <span>Loop {loopRegion.value && formatRange(loopRegion.value)}</span>;
   const plant = plants.value.find((p) => p.start === loopRegion.value?.start);
   return <span>Loop plant {plant?.number}</span>;
 }

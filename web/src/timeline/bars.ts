@@ -1,4 +1,4 @@
-import { type Plant, plantsWithin } from "../model/plants";
+import { plantsWithin } from "../model/plants";
 import { toX } from "../model/time-view";
 import type { Track } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
@@ -7,8 +7,8 @@ import type { Bars } from "./layout";
 import { font, type Scene } from "./scene";
 import { forEachVisible } from "./visible-intervals";
 
-/** Width that the shortest number needs with its margins, in pixels. */
-const minNumberWidth = 20;
+/** Plants with less space, in pixels, have no whiskers. */
+const minWhiskerSpace = 20;
 
 /** Shorter whiskers are not drawn, in pixels. */
 const minWhisker = 3;
@@ -16,24 +16,7 @@ const minWhisker = 3;
 /** Cache of `editedIntervalsOf`. */
 const editedIntervals = new WeakMap<Track, Uint32Array>();
 
-/** Draws a contact interval: a horizontal line with a vertical line at each end. */
-export function paintBracket(
-  ctx: CanvasRenderingContext2D,
-  color: string,
-  from: number,
-  to: number,
-  y: number,
-  height: number,
-) {
-  ctx.fillStyle = color;
-  const left = Math.round(from);
-  const right = Math.max(left + 2, Math.round(to));
-  ctx.fillRect(left, y - height / 2, 2, height);
-  ctx.fillRect(right - 2, y - height / 2, 2, height);
-  ctx.fillRect(left, y - 1, right - left, 2);
-}
-
-/** Draws a heel interval (hatched) or a toe interval (filled). */
+/** Draws an interval: hatched for the heel, filled otherwise. */
 export function paintBar(
   ctx: CanvasRenderingContext2D,
   theme: CanvasTheme,
@@ -52,7 +35,7 @@ export function paintBar(
   }
   ctx.beginPath();
   ctx.roundRect(from, y, width, height, Math.min(3, width / 2));
-  if (lane.kind === "toe") {
+  if (lane.kind !== "heel") {
     ctx.fillStyle = theme[lane.side];
     ctx.fill();
     return;
@@ -78,31 +61,21 @@ export function paintBars(
   laneWidth: number,
 ) {
   const { view, theme } = scene;
-  if (lane.kind !== "contact") {
-    ctx.fillStyle = theme.lane;
-    ctx.fillRect(0, lane.y, laneWidth, lane.height);
-  }
+  ctx.fillStyle = theme.lane;
+  ctx.fillRect(0, lane.y, laneWidth, lane.height);
   forEachVisible(lane.track.intervals, view, laneWidth, (from, to, isMerged) => {
-    const inset = lane.kind === "contact" ? 2 : 0;
-    if (isMerged)
-      paintMerged(ctx, theme[lane.side], from, to, lane.y + inset, lane.height - 2 * inset);
-    else if (inset)
-      paintBracket(ctx, theme[lane.side], from, to - 1, lane.y + lane.height / 2, lane.height - 4);
+    if (isMerged) paintMerged(ctx, theme[lane.side], from, to, lane.y, lane.height);
     else paintBar(ctx, theme, lane, from, to, lane.y, lane.height);
   });
+  ctx.fillStyle = theme.uncertain;
+  forEachVisible(lane.track.uncertain, view, laneWidth, (from, to, isMerged) => {
+    // Merged ranges would cover whole bars.
+    if (!isMerged) ctx.fillRect(from, lane.y + 1, Math.max(1, to - from), lane.height - 2);
+  });
   paintEditedMarks(ctx, scene, lane, laneWidth);
-  if (lane.kind === "contact") {
+  if (lane.isPrincipal) {
     paintWhiskers(ctx, scene, lane, laneWidth);
     paintPlantNumbers(ctx, scene, lane, laneWidth);
-  } else {
-    ctx.fillStyle = theme.uncertain;
-    forEachVisible(lane.track.uncertain, view, laneWidth, (from, to, isMerged) => {
-      // Merged ranges would cover whole bars.
-      if (!isMerged) ctx.fillRect(from, lane.y + 2, Math.max(1, to - from), lane.height - 4);
-    });
-    if (lane.kind === "toe" && !scene.layout.lanes.some((other) => other.kind === "contact")) {
-      paintPlantNumbers(ctx, scene, lane, laneWidth);
-    }
   }
   paintSelection(ctx, scene, lane, laneWidth);
 }
@@ -125,8 +98,7 @@ function paintEditedMarks(
 function paintWhiskers(ctx: CanvasRenderingContext2D, scene: Scene, lane: Bars, laneWidth: number) {
   const { view, theme, rate } = scene;
   const visible = plantsWithin(scene.plants, lane.side, view);
-  // Early exit: plants without space for their numbers have none for whiskers.
-  if (visible.length * minNumberWidth > laneWidth) return;
+  if (visible.length * minWhiskerSpace > laneWidth) return;
   const pixelsPerSecond = (rate * laneWidth) / (view.end - view.start);
   const y = Math.round(lane.y + lane.height / 2);
   ctx.fillStyle = theme.text;
@@ -151,7 +123,7 @@ function paintSelection(
   lane: Bars,
   laneWidth: number,
 ) {
-  const { view, theme, selected } = scene;
+  const { view, theme, selected, selectedEdge } = scene;
   if (selected?.side !== lane.side || selected.part !== lane.kind) return;
   const from = toX(view, selected.start, laneWidth);
   const to = Math.max(from + 3, toX(view, selected.end, laneWidth) - 1);
@@ -161,7 +133,14 @@ function paintSelection(
   drawPath(ctx, theme.text, 1.5);
   ctx.fillStyle = theme.text;
   ctx.beginPath();
-  for (const x of [from - 4, to]) ctx.roundRect(x, top, 4, height, 2);
+  for (const [edge, x] of [
+    ["start", from - 4],
+    ["end", to],
+  ] as const) {
+    // The edge that keys move is thicker.
+    const extra = edge === selectedEdge ? 2 : 0;
+    ctx.roundRect(edge === "start" ? x - extra : x, top - extra, 4 + extra, height + 2 * extra, 2);
+  }
   ctx.fill();
 }
 
@@ -180,7 +159,7 @@ export function paintMerged(
   ctx.globalAlpha = 1;
 }
 
-/** Draws the plant numbers on their bars. */
+/** Draws the plant numbers on the bars that are wide enough. */
 function paintPlantNumbers(
   ctx: CanvasRenderingContext2D,
   scene: Scene,
@@ -189,29 +168,24 @@ function paintPlantNumbers(
 ) {
   const { view, theme } = scene;
   const visible = plantsWithin(scene.plants, lane.side, view);
-  // Early exit: the shortest number already needs more space.
-  if (0.6 * visible.length * minNumberWidth > laneWidth) return;
-  ctx.font = font(10, 600);
+  // Early exit: most bars are narrower than the shortest number.
+  if (visible.length * 6 > laneWidth) return;
+  ctx.font = font(lane.height > 20 ? 11 : 10, 600);
   ctx.textAlign = "center";
   const centerY = lane.y + lane.height / 2;
-  const fits = (plant: Plant) =>
-    toX(view, plant.end, laneWidth) - toX(view, plant.start, laneWidth) >=
-    ctx.measureText(String(plant.number)).width + 20;
-  // Few numbers would look like missing plants, so either most are drawn or none.
-  if (visible.filter(fits).length < 0.6 * visible.length) return;
   for (const plant of visible) {
-    if (!fits(plant)) continue;
     const from = Math.max(0, toX(view, plant.start, laneWidth));
     const to = Math.min(laneWidth, toX(view, plant.end, laneWidth));
-    const width = ctx.measureText(String(plant.number)).width + 8;
+    const text = String(plant.number);
+    const width = ctx.measureText(text).width + 6;
     if (to - from < width) continue;
     const x = (from + to) / 2;
-    if (lane.kind === "contact") {
-      ctx.fillStyle = theme.background;
-      ctx.fillRect(x - width / 2, lane.y, width, lane.height);
+    if (lane.kind === "heel") {
       ctx.fillStyle = theme[lane.side];
-    } else ctx.fillStyle = theme.textOnSide;
-    ctx.fillText(String(plant.number), x, centerY + 0.5);
+      ctx.fillRect(x - width / 2, lane.y + 2, width, lane.height - 4);
+    }
+    ctx.fillStyle = theme.textOnSide;
+    ctx.fillText(text, x, centerY + 0.5);
   }
 }
 

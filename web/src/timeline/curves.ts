@@ -1,6 +1,7 @@
 import { toX } from "../model/time-view";
 import { niceCeiling } from "../util/axis-steps";
 import { drawPath } from "../util/draw-path";
+import { capitalize } from "../util/format";
 import { minMaxColumns } from "../util/min-max-pyramid";
 import type { Curves } from "./layout";
 import type { Scene } from "./scene";
@@ -11,19 +12,33 @@ const lineWidth = 1.5;
 /** Minimum and maximum per pixel column; reused to avoid allocation. */
 let columnExtremes = new Float32Array(0);
 
-/** Returns the value at the top of a lane of curves. */
-function axisMaximum({ left, right, kind }: Curves): number {
-  return niceCeiling(Math.max(left.summaries[kind].top, right.summaries[kind].top));
+/**
+ * Returns the value at the top of a lane of curves: that of the visible frames, or, for the whole clip, the
+ * one that single spikes do not exceed.
+ */
+function axisMaximum({ left, right, kind }: Curves, { view, frames }: Scene): number {
+  const isWhole = view.end - view.start >= frames;
+  const tops = [left, right].map(({ [kind]: values, summaries }) => {
+    if (isWhole) return summaries[kind].top;
+    const { extremes } = summaries[kind];
+    return minMaxColumns(values, extremes, view.start, view.end, 1, visibleExtremes)[1] as number;
+  });
+  return niceCeiling(Math.max(...tops, smallestTop[kind]));
 }
+
+/** Smallest range of an axis, so that noise does not fill it: in metres and in m/s. */
+const smallestTop = { height: 0.02, speed: 0.1 };
+
+const visibleExtremes = new Float32Array(2);
 
 /** Returns the label of a lane of curves, such as `Toe height`. */
 export function curveText({ part, kind }: Curves): string {
-  return `${part.charAt(0).toUpperCase() + part.slice(1)} ${kind}`;
+  return `${capitalize(part)} ${kind}`;
 }
 
 /** Returns the range of the vertical axis, such as `0–20 cm`. */
-export function scaleText(lane: Curves): string {
-  const top = axisMaximum(lane);
+export function scaleText(lane: Curves, scene: Scene): string {
+  const top = axisMaximum(lane, scene);
   if (lane.kind === "speed") return `0–${Number(top.toPrecision(3))} m/s`;
   return top < 1
     ? `0–${Number((100 * top).toPrecision(3))} cm`
@@ -40,7 +55,7 @@ export function paintCurves(
   const { theme, view } = scene;
   ctx.fillStyle = theme.lane;
   ctx.fillRect(0, lane.y, laneWidth, lane.height);
-  const top = axisMaximum(lane);
+  const top = axisMaximum(lane, scene);
   const columns = Math.max(1, Math.floor(laneWidth));
   if (columnExtremes.length < 2 * columns) columnExtremes = new Float32Array(2 * columns);
   const bottom = lane.y + lane.height - 3;

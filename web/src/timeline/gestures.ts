@@ -1,12 +1,13 @@
 import { batch } from "@preact/signals";
-import { editEdges, resizeSelected, select, selection } from "../actions/edit";
-import { loopSegment, pause, seek, seekPlant } from "../actions/playback";
+import { addToTarget, editEdges, resizeSelected, select, selection } from "../actions/edit";
+import { loopRange, loopSegment, pause, seek, seekPlant } from "../actions/playback";
 import { editSegmentName } from "../actions/segment";
 import { segmentTitle } from "../model/segments";
 import { moveEdge, pan, toFrame, zoomAt } from "../model/time-view";
 import { evidenceOpen, pointAt } from "../store/evidence";
 import { timeView } from "../store/playback";
-import { clip, dragPreview, plants } from "../store/session";
+import { addTarget, clip, dragPreview, plants } from "../store/session";
+import { hovered } from "../store/view";
 import { createHitTest, type LanePoint } from "./hit-test";
 import type { Layout } from "./layout";
 
@@ -23,6 +24,8 @@ type Drag =
   | "minimap-start"
   | "minimap-end"
   | "pinch"
+  /** A looped range, on the ruler. */
+  | "range"
   /** The start or the end of a bar. */
   | "start"
   | "end";
@@ -38,6 +41,8 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
   let origin = { x: 0, y: 0 };
   let moved = false;
   let lastClick = { target: "", time: 0 };
+  /** Frame at which the drag of a range began. */
+  let rangeOrigin = 0;
 
   const onWheel = (event: WheelEvent) => {
     event.preventDefault();
@@ -61,6 +66,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     const isTouch = event.pointerType === "touch";
     const minimapPart = hitTest.minimapPartAt(point, isTouch);
     if (minimapPart) return minimapPart;
+    if (event.shiftKey && hitTest.isOnRuler(point)) return "range";
     if (event.shiftKey || event.button === 1) return "pan";
     return hitTest.edgeAt(point, isTouch)?.edge ?? "scrub";
   };
@@ -80,7 +86,11 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     const point = hitTest.toLanePoint(event);
     if (drag === "start" || drag === "end") {
       const plantRef = hitTest.edgeAt(point, event.pointerType === "touch")?.plantRef;
-      if (plantRef) select(plantRef);
+      if (plantRef) select(plantRef, drag);
+      return;
+    }
+    if (drag === "range") {
+      rangeOrigin = frameNear(point);
       return;
     }
     if (drag === "minimap") {
@@ -102,12 +112,35 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     });
   };
 
+  /** Returns the visible frame that is nearest to a position. */
+  const frameNear = ({ x, laneWidth }: LanePoint) => {
+    const { start, end } = timeView.value;
+    const current = Math.floor(toFrame(timeView.value, x, laneWidth));
+    return Math.min(Math.max(current, Math.ceil(start)), Math.ceil(end) - 1);
+  };
+
+  /** Loops the frames from the origin of the drag to the pointer. */
+  const dragRange = (point: LanePoint) => {
+    const current = frameNear(point);
+    loopRange({
+      start: Math.min(rangeOrigin, current),
+      end: Math.max(rangeOrigin, current) + 1,
+    });
+  };
+
   /** Updates the cursor, the tooltip and the frame under the pointer. */
   const hover = (event: PointerEvent, point: LanePoint) => {
     const segment = hitTest.segmentAt(point);
     canvas.style.cursor = cursorOf(dragAt(event), hitTest.barAt(point) || segment);
-    if (evidenceOpen.value) pointAt(hitTest.frameAt(point));
+    const pointed = hitTest.frameAt(point);
+    if (evidenceOpen.value) pointAt(pointed);
+    hovered.value = pointed ? { ...pointed, y: point.y } : null;
     canvas.title = segment ? segmentTitle(segment) : "";
+  };
+
+  const leave = () => {
+    pointAt(undefined);
+    hovered.value = null;
   };
 
   const onPointerMove = (event: PointerEvent) => {
@@ -125,6 +158,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     const framesPerPixel = (view.end - view.start) / laneWidth;
     if (drag === "pinch") pinch(event, point);
     else if ((drag === "start" || drag === "end") && moved) dragEdge(drag, point);
+    else if (drag === "range" && moved) dragRange(point);
     else if (drag === "scrub" && moved) scrub(point);
     else if (drag === "pan") timeView.value = pan(view, -dx * framesPerPixel, frames());
     else if (drag === "minimap") timeView.value = pan(view, (dx * frames()) / laneWidth, frames());
@@ -210,8 +244,13 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     }
     const bar = hitTest.barAt(point);
     if (!bar) {
+      const track = hitTest.trackAt(point.y);
       select(undefined);
       scrub(point);
+      if (track) {
+        addTarget.value = track;
+        if (isDoubleClick(event, `${track.side} ${track.part}`)) addToTarget();
+      }
       return;
     }
     const { side, part, start, end } = bar;
@@ -231,7 +270,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
   canvas.addEventListener("wheel", onWheel, { passive: false, ...options });
   canvas.addEventListener("pointerdown", onPointerDown, options);
   canvas.addEventListener("pointermove", onPointerMove, options);
-  canvas.addEventListener("pointerleave", () => pointAt(undefined), options);
+  canvas.addEventListener("pointerleave", leave, options);
   canvas.addEventListener("pointerup", onPointerUp, options);
   canvas.addEventListener("pointercancel", onPointerUp, options);
   return () => listeners.abort();
@@ -242,5 +281,6 @@ function cursorOf(drag: Drag, target: unknown): string {
   if (drag === "minimap") return "grab";
   if (drag === "minimap-start" || drag === "minimap-end") return "ew-resize";
   if (drag === "start" || drag === "end") return "ew-resize";
+  if (drag === "range") return "crosshair";
   return target ? "pointer" : "default";
 }

@@ -70,6 +70,12 @@ export function createHitTest(canvas: HTMLCanvasElement, getLayout: () => Layout
         (isBars(lane) || lane.kind === "segments") && y >= lane.y && y <= lane.y + lane.height,
     );
 
+  /** Returns the track of a foot at a height. */
+  const trackAt = (y: number) => {
+    const lane = laneAt(y);
+    return lane && isBars(lane) ? { side: lane.side, part: lane.kind } : undefined;
+  };
+
   const barAt = ({ x, y, laneWidth }: LanePoint): PlantRef | undefined => {
     const lane = laneAt(y);
     if (!lane || !isBars(lane)) return undefined;
@@ -120,6 +126,7 @@ export function createHitTest(canvas: HTMLCanvasElement, getLayout: () => Layout
     isOnRuler,
     frameAt,
     laneAt,
+    trackAt,
     barAt,
     segmentAt: segmentAtPoint,
     edgeAt,

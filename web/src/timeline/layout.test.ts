@@ -21,6 +21,7 @@ const emptyInput: LayoutInput = {
   segmentation: null,
   referenceSegments: null,
   companions: [],
+  hidden: [],
 };
 const kinds = (detection: Detection | null, width: number, height: number) =>
   layoutTimeline({ ...emptyInput, detection }, width, height).lanes.map((lane) => lane.kind);
@@ -83,7 +84,8 @@ it("omits curves instead of overflowing", () => {
 
 it("makes bars large enough to touch on a phone", () => {
   for (const lane of layoutTimeline({ ...emptyInput, detection: robust }, 390, 388).lanes) {
-    if (lane.kind === "toe" || lane.kind === "heel") expect(lane.height).toBeGreaterThanOrEqual(28);
+    if (lane.kind === "contact") expect(lane.height).toBeGreaterThanOrEqual(32);
+    if (lane.kind === "toe" || lane.kind === "heel") expect(lane.height).toBeGreaterThanOrEqual(24);
   }
 });
 
@@ -112,6 +114,7 @@ describe("segments", () => {
     segmentation,
     referenceSegments,
     companions: [],
+    hidden: [],
   };
   const lanesBelowFeet = (input: LayoutInput, width: number, height: number) =>
     layoutTimeline(input, width, height)

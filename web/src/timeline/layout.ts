@@ -9,12 +9,15 @@ import type {
   Side,
   Track,
 } from "../model/types";
+import type { TrackGroup } from "../store/preferences";
 
 /** Contact intervals of one part of one foot. */
 export interface Bars {
   kind: Part;
   side: Side;
   track: Track;
+  /** True for the part that defines the plants, whose bars are higher and numbered. */
+  isPrincipal: boolean;
   y: number;
   height: number;
 }
@@ -26,6 +29,8 @@ export interface ReferenceBars {
   name: string;
   /** 1 planted, 0 not, −1 unknown, per frame. */
   labels: Int8Array;
+  /** The labels that are compared with the reference. */
+  track: Track | undefined;
   y: number;
   height: number;
 }
@@ -57,8 +62,9 @@ export interface SegmentLane {
 
 export type Lane = Bars | ReferenceBars | CompanionBars | Curves | SegmentLane;
 
-export const isBars = (lane: Lane): lane is Bars => "track" in lane;
-export const isCurves = (lane: Lane): lane is Curves => "part" in lane;
+export const isBars = (lane: Lane): lane is Bars => "isPrincipal" in lane;
+export const isCurves = (lane: Lane): lane is Curves =>
+  lane.kind === "height" || lane.kind === "speed";
 
 /** Data that determines which lanes are shown. */
 export interface LayoutInput {
@@ -68,6 +74,8 @@ export interface LayoutInput {
   referenceSegments: SegmentAnnotation | null;
   /** Comparison clips. */
   companions: readonly Companion[];
+  /** Groups of tracks that the user has hidden. */
+  hidden: readonly TrackGroup[];
 }
 
 export interface Layout {
@@ -87,9 +95,9 @@ type WithoutY<T> = T extends unknown ? Omit<T, "y"> : never;
 const wideSizes = {
   labelWidth: 118,
   ruler: 30,
-  contact: 12,
-  bar: 16,
-  reference: 8,
+  principal: 22,
+  part: 9,
+  reference: 9,
   companion: 16,
   segments: 20,
   motifs: 13,
@@ -102,8 +110,8 @@ const wideSizes = {
 const narrowSizes: Sizes = {
   ...wideSizes,
   labelWidth: 100,
-  contact: 16,
-  bar: 28,
+  principal: 32,
+  part: 24,
   reference: 10,
   companion: 12,
   segments: 28,
@@ -114,8 +122,8 @@ const narrowSizes: Sizes = {
 };
 const shortSizes: Sizes = {
   ...narrowSizes,
-  contact: 12,
-  bar: 24,
+  principal: 28,
+  part: 20,
   segments: 24,
   group: 7,
   minimap: 24,
@@ -123,8 +131,11 @@ const shortSizes: Sizes = {
 
 type Sizes = typeof wideSizes;
 
+/** Wider timelines have the sizes for a pointer. */
+const maxNarrowWidth = 560;
+
 function sizesOf(width: number, availableHeight: number): Sizes {
-  if (width > 720) return wideSizes;
+  if (width > maxNarrowWidth) return wideSizes;
   return availableHeight < 300 ? shortSizes : narrowSizes;
 }
 
@@ -134,22 +145,33 @@ const maxCurveGrowth = 44;
 const partOrder = ["contact", "heel", "toe"] as const;
 
 /**
- * Lays out the lanes from top to bottom: for each foot contact, heel and toe as far as they are
- * labelled, each above its reference; comparison clips; curves of the feet; segments, motifs and
- * reference segments; the curve of the segmentation method. Curves divide the remaining height
- * evenly, and are left out if it is too small. Sizes are in CSS pixels.
+ * Lays out the lanes from top to bottom: for each foot the principal part and the others as far as they
+ * are labelled, each above its reference; comparison clips; curves of the feet; segments, motifs and
+ * reference segments; the curve of the segmentation method. Curves divide the remaining height evenly, and
+ * are left out if it is too small, as are the parts that do not define the plants. Sizes are in CSS pixels.
  */
 export function layoutTimeline(input: LayoutInput, width: number, availableHeight: number): Layout {
-  const { detection, reference } = input;
+  const { detection, reference, hidden } = input;
   const size = sizesOf(width, availableHeight);
   const parts = detection?.parts ?? {};
-  const segments = segmentLanes(input, size);
+  const principal = principalPart(parts);
+  const footHeight = size.principal + size.group;
+  const minHeight = size.ruler + 6 + (principal ? 2 * footHeight : 0) + size.minimap + 10;
+  const allSegments = segmentLanes(input, size);
+  // On a very short timeline the feet come first.
+  const isShort = availableHeight < minHeight + (allSegments[0]?.height ?? 0) + size.gap;
+  const segments = isShort && principal ? [] : allSegments;
   const segmentsHeight = segments.reduce((sum, { height }) => sum + height + size.gap, 0);
   const reservedHeight = size.minimap + 10 + segmentsHeight + (segments.length ? size.gap : 0);
   const referenced =
-    detection && reference
-      ? visibleReferenceParts(parts, reference, size, availableHeight - reservedHeight)
-      : [];
+    detection && reference ? partOrder.filter((part) => reference.parts[part]) : [];
+  const visible = visibleParts(
+    partOrder.filter((part) => parts[part] && (part === principal || !hidden.includes("parts"))),
+    referenced,
+    principal,
+    size,
+    availableHeight - reservedHeight,
+  );
   const lanes: Lane[] = [];
   let y = size.ruler + 6;
   const add = (lane: WithoutY<Exclude<Lane, Curves>>) => {
@@ -160,10 +182,13 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
     const laneCount = lanes.length;
     for (const kind of partOrder) {
       const track = parts[kind]?.[side];
-      if (track) add({ kind, side, track, height: kind === "contact" ? size.contact : size.bar });
-      const labels = referenced.includes(kind) && reference?.parts[kind]?.[side];
+      const isPrincipal = kind === principal;
+      if (track && visible.parts.includes(kind))
+        add({ kind, side, track, isPrincipal, height: isPrincipal ? size.principal : size.part });
+      const labels = visible.referenced.includes(kind) && reference?.parts[kind]?.[side];
       if (reference && labels) {
-        add({ kind: "reference", side, name: reference.name, labels, height: size.reference });
+        const { name } = reference;
+        add({ kind: "reference", side, name, labels, track, height: size.reference });
       }
     }
     if (lanes.length > laneCount) y += size.group - size.gap;
@@ -175,11 +200,13 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
   const part = parts.toe ? "toe" : principalPart(parts);
   const tracks = part && parts[part];
   const remaining = availableHeight - y - reservedHeight - 2;
-  const wantedCurves = [
-    tracks && "height",
-    input.segmentation?.curve.values.length && "curve",
-    tracks && "speed",
-  ].filter(Boolean);
+  const wantedCurves = hidden.includes("curves")
+    ? []
+    : [
+        tracks && "height",
+        input.segmentation?.curve.values.length && "curve",
+        tracks && "speed",
+      ].filter(Boolean);
   const curveCount = Math.min(
     Math.max(0, Math.floor(remaining / (size.curve + 8))),
     wantedCurves.length,
@@ -209,7 +236,8 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
 }
 
 /** Returns the lanes of segments, without the curve. */
-function segmentLanes({ segmentation, referenceSegments }: LayoutInput, size: Sizes) {
+function segmentLanes({ segmentation, referenceSegments, hidden }: LayoutInput, size: Sizes) {
+  if (hidden.includes("segments")) return [];
   const lanes: Omit<SegmentLane, "y">[] = [];
   if (segmentation) lanes.push({ kind: "segments", height: size.segments });
   if (segmentation?.motifs.length) lanes.push({ kind: "motifs", height: size.motifs });
@@ -217,20 +245,26 @@ function segmentLanes({ segmentation, referenceSegments }: LayoutInput, size: Si
   return lanes;
 }
 
-/** Returns the parts whose reference labels are shown: all, or the principal one if space is short. */
-function visibleReferenceParts(
-  parts: Detection["parts"],
-  reference: Annotation,
+/**
+ * Returns the parts of the feet and of the reference that fit: all, else one reference, else the principal
+ * part alone.
+ */
+function visibleParts(
+  parts: readonly Part[],
+  referenced: readonly Part[],
+  principal: Part | undefined,
   size: Sizes,
   availableHeight: number,
-): readonly Part[] {
-  const labelled = partOrder.filter((part) => reference.parts[part]);
-  const heights = partOrder
-    .filter((part) => parts[part])
-    .map((part) => (part === "contact" ? size.contact : size.bar) + size.gap);
-  const partsHeight = heights.reduce((sum, height) => sum + height, 0);
-  const footHeight = partsHeight + labelled.length * (size.reference + size.gap) + size.group;
-  const principal = principalPart(reference.parts);
-  const fits = size.ruler + 6 + 2 * footHeight <= availableHeight;
-  return fits ? labelled : labelled.filter((part) => part === principal);
+) {
+  const fits = (shown: readonly Part[], compared: readonly Part[]) => {
+    const heights = shown.map((part) => (part === principal ? size.principal : size.part));
+    const barsHeight = heights.reduce((sum, height) => sum + height + size.gap, 0);
+    const footHeight = barsHeight + compared.length * (size.reference + size.gap) + size.group;
+    return size.ruler + 6 + 2 * footHeight <= availableHeight;
+  };
+  const firstReferenced = partOrder.filter((part) => referenced.includes(part)).slice(0, 1);
+  const main = parts.filter((part) => part === principal);
+  if (fits(parts, referenced)) return { parts, referenced };
+  if (fits(parts, firstReferenced)) return { parts, referenced: firstReferenced };
+  return { parts: main, referenced: firstReferenced };
 }

@@ -1,10 +1,9 @@
 import { toX } from "../model/time-view";
-import type { CanvasTheme } from "../ui/canvas-theme";
 import { drawPath } from "../util/draw-path";
-import { paintBar, paintBars, paintBracket, paintMerged } from "./bars";
+import { paintBar, paintBars, paintMerged } from "./bars";
 import { paintCompanion } from "./companion-bars";
 import { curveText, paintCurves, scaleText } from "./curves";
-import { type Bars, isBars, isCurves, type Lane } from "./layout";
+import { isBars, isCurves, type Lane } from "./layout";
 import { paintReference, paintReferenceName } from "./reference-bars";
 import { paintRuler } from "./ruler";
 import { font, margin, type Scene } from "./scene";
@@ -61,13 +60,16 @@ function paintLabel(ctx: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
   ctx.fillStyle = theme.muted;
   if (isBars(lane)) {
     // The swatch serves as the legend of the bar textures.
-    paintSwatch(ctx, theme, lane, left, centerY - 5);
-    ctx.fillStyle = lane.kind === "contact" ? theme.text : theme.muted;
-    ctx.fillText(`${lane.side === "left" ? "L" : "R"} ${lane.kind}`, left + 20, centerY);
+    const height = Math.min(lane.height, 10);
+    paintBar(ctx, theme, lane, left, left + 12, centerY - height / 2 - 0.5, height);
+    const side = lane.side === "left" ? "L" : "R";
+    ctx.font = font(lane.isPrincipal ? 12 : 10.5, lane.isPrincipal ? 550 : 450);
+    ctx.fillStyle = lane.isPrincipal ? theme.text : theme.muted;
+    ctx.fillText(`${side} ${lane.kind}`, left + 20, centerY);
   } else if (isCurves(lane)) {
     ctx.fillText(curveText(lane), left, centerY - 8);
     ctx.font = font(11);
-    ctx.fillText(scaleText(lane), left, centerY + 8);
+    ctx.fillText(scaleText(lane, scene), left, centerY + 8);
   } else if (lane.kind === "reference") {
     paintReferenceName(ctx, theme, lane.name, lane, left + 20, right);
   } else if (lane.kind === "companion") {
@@ -87,18 +89,6 @@ function paintLabel(ctx: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
     ctx.font = font(lane.kind === "motifs" ? 11 : 12);
     ctx.fillText(lane.kind === "motifs" ? "Motifs" : "Segments", left + 20, centerY);
   }
-}
-
-/** Draws a small bar in the texture of a lane. */
-function paintSwatch(
-  ctx: CanvasRenderingContext2D,
-  theme: CanvasTheme,
-  lane: Bars,
-  x: number,
-  y: number,
-) {
-  if (lane.kind === "contact") paintBracket(ctx, theme[lane.side], x, x + 12, y + 5, 8);
-  else paintBar(ctx, theme, lane, x, x + 12, y, 10);
 }
 
 /** Draws the whole clip with a frame around the visible range. */

@@ -27,7 +27,7 @@ function labelIntervals(labels: Int8Array): LabelIntervals {
   return result;
 }
 
-/** Draws the plants of the reference as outlines, unlike detected plants. */
+/** Draws the plants of the reference as outlines, and a line under frames in which the labels differ. */
 export function paintReference(
   ctx: CanvasRenderingContext2D,
   { view, theme }: Scene,
@@ -48,6 +48,24 @@ export function paintReference(
     ctx.fill();
     drawPath(ctx, theme[lane.side], 1);
   });
+  if (!lane.track) return;
+  ctx.fillStyle = theme.difference;
+  forEachInterval(differences(lane.labels, lane.track.planted), (x, width) =>
+    ctx.fillRect(x, lane.y + lane.height - 2, width, 3),
+  );
+}
+
+/** Cache of `differences`. */
+const differenceCache = new WeakMap<Uint8Array, { labels: Int8Array; ranges: Uint32Array }>();
+
+/** Returns the intervals in which labels differ from those of the reference. */
+function differences(labels: Int8Array, planted: Uint8Array): Uint32Array {
+  const cached = differenceCache.get(planted);
+  if (cached?.labels === labels) return cached.ranges;
+  const differs = (i: number) => labels[i] !== -1 && labels[i] !== planted[i];
+  const ranges = rangesWhere(labels.length, differs);
+  differenceCache.set(planted, { labels, ranges });
+  return ranges;
 }
 
 /** Draws the name of the reference in the label column, truncated at the lane. */

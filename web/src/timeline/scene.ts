@@ -27,6 +27,8 @@ export interface Scene {
   loop: TimeView | null;
   /** The selected bar; while an edge is dragged, with the preview of the edge. */
   selected: PlantRef | null;
+  /** The edge of the selected bar that keys move. */
+  selectedEdge: "start" | "end" | null;
 }
 
 /** Margin at the right edge for the last number and the handle of the playhead, in pixels. */

@@ -1,5 +1,5 @@
 import { setDetectOptions } from "../actions/detect";
-import { positionToR, rToPosition, sensitivity } from "../model/sensitivity";
+import { formatR, positionToR, rToPosition, sensitivity } from "../model/sensitivity";
 import { detectOptions } from "../store/settings";
 import { Slider } from "./Slider";
 
@@ -11,10 +11,10 @@ export function SensitivitySlider() {
       name="Sensitivity r"
       value={detectOptions.value.r}
       defaultValue={sensitivity.default}
-      format={(value) => value.toFixed(4)}
-      formatForScreenReader={(value) => `r ${value.toFixed(4)}`}
+      format={formatR}
+      formatForScreenReader={(value) => `r ${formatR(value)}`}
       range={{ min: 0, max: 1, step: 0.005, toPosition: rToPosition, fromPosition: positionToR }}
-      endLabels={["Strict", "Lenient"]}
+      endLabels={["Fewer contacts", "More contacts"]}
       onChange={(r) => setDetectOptions({ r })}
     />
   );

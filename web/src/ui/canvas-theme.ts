@@ -14,6 +14,8 @@ export interface CanvasTheme {
   text: string;
   left: string;
   right: string;
+  /** Frames in which labels differ from the reference. */
+  difference: string;
   /** Text on the colour of a side. */
   textOnSide: string;
   tint: Record<Side, string>;
@@ -47,6 +49,7 @@ export function readCanvasTheme(
     text: color("--text"),
     left,
     right,
+    difference: color("--difference"),
     textOnSide: color("--text-on-side"),
     tint: { left: color("--left-tint"), right: color("--right-tint") },
     unknown: createHatch(ctx, color("--border-strong"), pixelRatio),

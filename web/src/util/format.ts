@@ -22,6 +22,27 @@ export function formatRate(rate: number): string {
   return `${Number(rate.toFixed(2))} Hz`;
 }
 
+/**
+ * Formats a half-open range of frames as users count them, with its first and its last frame:
+ * `12–40`, or `12` for a single frame.
+ */
+export function formatRange({ start, end }: { start: number; end: number }): string {
+  return end - start > 1 ? `${formatCount(start)}–${formatCount(end - 1)}` : formatCount(start);
+}
+
+/** Describes a half-open range of frames for screen readers: `frames 12 to 40`, `frame 12`. */
+export function spokenRange({ start, end }: { start: number; end: number }): string {
+  return end - start > 1 ? `frames ${start} to ${end - 1}` : `frame ${start}`;
+}
+
+/** Returns a text with a capital first letter. */
+export const capitalize = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** Formats a count with its noun: `1 plant`, `2 plants`. */
+export function plural(n: number, noun: string): string {
+  return `${formatCount(n)} ${noun}${n === 1 ? "" : "s"}`;
+}
+
 /** Formats a count with thin spaces between thousands: `432 000`. */
 export function formatCount(n: number): string {
   return String(n).replace(/\B(?=(\d{3})+$)/g, "\u202f");

@@ -24,13 +24,19 @@ function Pill({ side }: { side: Side }) {
   const name = side === "left" ? "Left" : "Right";
   const rate = openClip.value?.rate ?? 1;
   const plant = current.value;
+  const elapsed = useComputed(() => {
+    const start = current.value?.start ?? 0;
+    return ((shownFrame.value - start) / (openClip.value?.rate ?? 1)).toFixed(2);
+  });
   return (
     <p class={`pill ${side}`} data-planted={plant !== undefined}>
       <span class="dot" aria-hidden="true" />
       {plant ? (
         <>
-          {name} planted{" "}
-          <span class="muted">{formatDuration((plant.end - plant.start) / rate)}</span>
+          {name} in contact{" "}
+          <span class="muted">
+            {elapsed} of {formatDuration((plant.end - plant.start) / rate)}
+          </span>
         </>
       ) : (
         `${name} in the air`

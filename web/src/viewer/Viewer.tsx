@@ -24,6 +24,7 @@ import { theme } from "../store/theme";
 import {
   cameraRequests,
   cameraView,
+  feetRequests,
   followCamera,
   frameAllRequests,
   markedJoint,
@@ -69,6 +70,14 @@ export function Viewer() {
             <button
               type="button"
               class="chip"
+              title={tooltip("view-feet")}
+              onClick={commandOf("view-feet").run}
+            >
+              Feet
+            </button>
+            <button
+              type="button"
+              class="chip"
               aria-pressed={followCamera.value}
               title="Move the camera with the character"
               onClick={() => {
@@ -81,10 +90,10 @@ export function Viewer() {
               type="button"
               class="chip"
               aria-pressed={trailsVisible.value}
-              title={tooltip("paths")}
-              onClick={commandOf("paths").run}
+              title={tooltip("trails")}
+              onClick={commandOf("trails").run}
             >
-              Paths
+              Trails
             </button>
           </div>
           <Pills />
@@ -190,6 +199,10 @@ function bindStage(stage: Stage): (() => void)[] {
     skipFirst(
       () => cameraRequests.value,
       () => stage.setCameraView(cameraView.peek()),
+    ),
+    skipFirst(
+      () => feetRequests.value,
+      () => stage.frameFeet(),
     ),
     skipFirst(
       () => frameAllRequests.value,

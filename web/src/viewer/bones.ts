@@ -75,7 +75,7 @@ function createMaterials(overrides: MeshStandardMaterialParameters) {
 
 // All skeletons share their materials, so that the shaders stay compiled.
 const solidMaterials = createMaterials({});
-const ghostMaterials = createMaterials({ transparent: true, opacity: 0.28, depthWrite: false });
+const ghostMaterials = createMaterials({ transparent: true, opacity: 0.45, depthWrite: false });
 
 /** A skeleton of solid bones: two instanced meshes whose matrices are updated in place. */
 export class Bones {
@@ -100,7 +100,7 @@ export class Bones {
   private readonly restDirection = new Vector3();
   private readonly direction = new Vector3();
 
-  /** `isGhost` draws the skeleton translucent. */
+  /** `isGhost` draws the skeleton translucent, in the colour of differences. */
   constructor(clip: Clip, size: number, palette: Palette, isGhost = false) {
     this.palette = palette;
     this.pose = new Float32Array(clip.joints.length * 3);
@@ -142,8 +142,11 @@ export class Bones {
       );
       this.group.add(mesh);
     }
-    drawn.forEach((_, k) => void this.bones.setColorAt(k, palette.bone));
-    clip.joints.forEach((_, j) => void this.joints.setColorAt(j, palette.joint));
+    const [boneColor, jointColor] = isGhost
+      ? [palette.difference, palette.difference]
+      : [palette.bone, palette.joint];
+    drawn.forEach((_, k) => void this.bones.setColorAt(k, boneColor));
+    clip.joints.forEach((_, j) => void this.joints.setColorAt(j, jointColor));
   }
 
   /** Shows a pose, interpolated linearly if `frame` is fractional, translated by `offset`. */

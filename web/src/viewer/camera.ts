@@ -3,7 +3,6 @@ import {
   Box3,
   MathUtils,
   Matrix4,
-  PerspectiveCamera,
   Quaternion,
   Raycaster,
   Sphere,
@@ -13,6 +12,7 @@ import {
   Vector4,
 } from "three";
 import type { CameraPose, CameraView } from "../model/view-state";
+import { ViewCamera } from "./view-camera";
 
 CameraControls.install({
   THREE: {
@@ -33,21 +33,30 @@ const fov = 32;
 /** Fraction of the free canvas height that the tallest pose fills. */
 const characterFraction = 0.84;
 /** Canvas height covered by controls, in pixels: tools at the top, pills at the bottom on a phone. */
-const reserved = { wide: { top: 52, bottom: 44 }, narrow: { top: 54, bottom: 54 } };
+const reserved = {
+  wide: { top: 52, bottom: 44 },
+  narrow: { top: 54, bottom: 54 },
+  short: { top: 36, bottom: 30 },
+};
+/** Height below which a canvas is short, in pixels. */
+const shortHeight = 260;
+/** Height of the centre and radius of a close-up of the feet, as fractions of the size. */
+const feetHeight = 0.09;
+const feetRadius = 0.3;
 /** Polar angle of the perspective view, in radians from straight above. */
 const perspectivePolar = 76 * MathUtils.DEG2RAD;
 
 /** Angles of the preset views, in radians; azimuths are relative to the facing direction. */
 const presetAngles = {
   perspective: { azimuth: -0.62, polar: perspectivePolar },
-  front: { azimuth: 0, polar: 86 * MathUtils.DEG2RAD },
-  side: { azimuth: -Math.PI / 2, polar: 86 * MathUtils.DEG2RAD },
+  front: { azimuth: 0, polar: 90 * MathUtils.DEG2RAD },
+  side: { azimuth: -Math.PI / 2, polar: 90 * MathUtils.DEG2RAD },
   top: { azimuth: -Math.PI / 2, polar: 0 },
 };
 
 /** An orbit camera on one character, with preset views, which can follow the character. */
 export class Camera {
-  readonly camera = new PerspectiveCamera(fov, 1, 0.05, 200);
+  readonly camera = new ViewCamera(fov, 1, 0.05, 200);
   readonly controls: CameraControls;
   /** True on the start page, where the character is off-centre to leave space for the text. */
   isPreview = false;
@@ -60,18 +69,27 @@ export class Camera {
   private freeFraction = 1;
   private x = 0;
   private z = 0;
+  private wasFlat = false;
 
   constructor(canvas: HTMLElement, reducedMotion: boolean) {
     this.controls = new CameraControls(this.camera, canvas);
     const { controls } = this;
     controls.smoothTime = reducedMotion ? 0 : 0.11;
     controls.draggingSmoothTime = reducedMotion ? 0 : 0.06;
-    controls.maxPolarAngle = 89 * MathUtils.DEG2RAD;
-    controls.dollyToCursor = false;
+    controls.maxPolarAngle = 90 * MathUtils.DEG2RAD;
+    controls.dollyToCursor = true;
     controls.addEventListener("controlstart", () => {
       this.isFramed = false;
     });
     const { ACTION } = CameraControls;
+    // A rotated view is no longer the front, the side or the top.
+    controls.addEventListener("control", () => {
+      if (
+        controls.currentAction === ACTION.ROTATE ||
+        controls.currentAction === ACTION.TOUCH_ROTATE
+      )
+        this.camera.isFlat = false;
+    });
     controls.mouseButtons.right = ACTION.TRUCK;
     controls.mouseButtons.middle = ACTION.TRUCK;
     controls.mouseButtons.wheel = ACTION.DOLLY;
@@ -84,7 +102,8 @@ export class Camera {
     camera.aspect = width / Math.max(height, 1);
     const right = this.isPreview && width > 720 ? 0.2 * width : 0;
     // Below the headline on a phone, above the gallery on a wide page.
-    const { top, bottom } = width > 720 ? reserved.wide : reserved.narrow;
+    const { top, bottom } =
+      height < shortHeight ? reserved.short : width > 720 ? reserved.wide : reserved.narrow;
     const up = this.isPreview ? (right ? 0.07 : -0.03) * height : (bottom - top) / 2;
     this.freeFraction = this.isPreview ? 0.78 : Math.max(1 - (top + bottom) / height, 0.3);
     camera.setViewOffset(width, height, -right, up, width, height);
@@ -114,6 +133,7 @@ export class Camera {
   /** Rotates to a preset view; `facing` is the azimuth of the facing direction. */
   setView(view: CameraView, facing: number, animate: boolean) {
     const { azimuth, polar } = presetAngles[view];
+    this.camera.isFlat = view !== "perspective";
     this.controls.normalizeRotations();
     void this.controls.rotateTo(facing + azimuth, polar, animate);
   }
@@ -145,6 +165,35 @@ export class Camera {
     void this.controls.dollyTo(this.distance(this.height / characterFraction / 2), animate);
   }
 
+  /** Moves close to the feet; `ground` is the height of the floor under them, in metres. */
+  frameFeet(ground: number, size: number, animate: boolean) {
+    this.isFramed = false;
+    void this.controls.moveTo(this.x, ground + feetHeight * size, this.z, animate);
+    void this.controls.dollyTo(this.distance(feetRadius * size), animate);
+  }
+
+  /** Moves so that characters next to the main one are visible, up to a distance on either side. */
+  frameGroup(halfWidth: number, animate: boolean) {
+    this.isFramed = false;
+    void this.controls.moveTo(this.x, this.height / 2, this.z, animate);
+    const half = Math.tan((fov / 2) * MathUtils.DEG2RAD) * this.camera.aspect;
+    const distance = Math.max(
+      this.distance(this.height / characterFraction / 2),
+      halfWidth / half + halfWidth,
+    );
+    void this.controls.dollyTo(distance, animate);
+  }
+
+  /** Adapts the projection to the distance of the target. */
+  updateProjection() {
+    const { camera } = this;
+    const isFlat = camera.isFlat;
+    if (!isFlat && !this.wasFlat) return;
+    this.wasFlat = isFlat;
+    camera.targetDistance = this.controls.distance;
+    camera.updateProjectionMatrix();
+  }
+
   /** Moves so that a rectangle on the ground is visible. */
   frameBounds(low: { x: number; z: number }, high: { x: number; z: number }, animate: boolean) {
     this.isFramed = false;
@@ -165,6 +214,11 @@ export class Camera {
     if (!follow || (dx === 0 && dz === 0)) return;
     this.controls.getTarget(this.target);
     void this.controls.moveTo(this.target.x + dx, this.target.y, this.target.z + dz, false);
+  }
+
+  /** True in a view from the front or the side. */
+  get isEdgeOn() {
+    return this.camera.isFlat && this.polar > 1;
   }
 
   get azimuth() {

@@ -13,6 +13,10 @@ import type { Palette } from "./palette";
 /** Distance between neighbouring characters, as a multiple of the character height. */
 const spacing = 0.75;
 
+/** Returns the distance of a comparison clip from the main character of a size, in metres. */
+export const companionDistance = (size: number, index: number) =>
+  spacing * size * Math.ceil((index + 1) / 2);
+
 /** The figure of a comparison clip. */
 export class CompanionFigure {
   private readonly figure: Figure;
@@ -27,8 +31,7 @@ export class CompanionFigure {
   ) {
     const { clip } = companion;
     const facing = facingDirection(mainCharacter.clip, 0);
-    const sideOffset =
-      spacing * mainCharacter.size * Math.ceil((index + 1) / 2) * (index % 2 ? -1 : 1);
+    const sideOffset = companionDistance(mainCharacter.size, index) * (index % 2 ? -1 : 1);
     const { x, z } = smoothedPosition(clip, clip.roles.hips ?? 0, 0);
     const start = mainCharacter.groundPosition(0);
     const offset = {
@@ -55,6 +58,11 @@ export class CompanionFigure {
       detection?.floor ?? this.fallbackGroundHeight,
       detection,
     );
+  }
+
+  /** Coordinates of all joints in the pose that is shown, as x, y, z per joint, in metres. */
+  get pose(): Float32Array {
+    return this.figure.pose;
   }
 
   dispose() {

@@ -50,8 +50,7 @@ const fragmentShader = /* glsl */ `
 `;
 
 /**
- * Outlines on the floor around planted feet, which grow with the contact weight. They mark contact
- * without relying on colour.
+ * Outlines on the floor around planted feet. They mark contact without relying on colour.
  */
 export class ContactRings {
   readonly mesh: Mesh;
@@ -86,7 +85,7 @@ export class ContactRings {
   }
 
   /**
-   * `left` and `right` are contact weights, 0 … 1; `levelAt` returns the height of the level that is nearest
+   * `left` and `right` are 1 if the foot is planted, else 0; `levelAt` returns the height of the level that is nearest
    * to a height above the floor.
    */
   update(bones: Bones, left: number, right: number, levelAt: (height: number) => number) {

@@ -1,7 +1,6 @@
 import type { Scene } from "three";
 import { footWithSole } from "../model/footprints";
 import { levelAt } from "../model/ground";
-import { contactWeight } from "../model/plants";
 import type { GroundPoint } from "../model/trajectory";
 import type { Clip, Detection } from "../model/types";
 import { Bones } from "./bones";
@@ -9,15 +8,12 @@ import { ContactRings } from "./contact-rings";
 import type { Palette } from "./palette";
 import { Shadow } from "./shadow";
 
-/** Half the time over which the light of a foot fades in or out at the edge of a plant, in seconds. */
-const fadeTime = 0.045;
-
 /** One character: its bones, their shadow, and a ring around each planted foot. */
 export class Figure {
   private readonly bones: Bones;
   private readonly shadow: Shadow;
   private readonly rings: ContactRings;
-  /** Contact weight for each entry of `footLights`. */
+  /** For each entry of `footLights` 1 if it is planted, else 0: exact in every frame, without fading. */
   private readonly weights = new Float32Array(5);
 
   /** `offset` translates the figure on the ground, metres. */
@@ -60,16 +56,16 @@ export class Figure {
 
   private updateWeights({ parts }: Detection, frame: number) {
     const { weights } = this;
-    const radius = fadeTime * this.clip.rate;
+    const index = Math.floor(frame + 1e-6);
     const heel = parts.heel ?? parts.contact;
     const toe = parts.toe ?? parts.contact;
     if (heel) {
-      weights[1] = contactWeight(heel.left.planted, frame, radius);
-      weights[3] = contactWeight(heel.right.planted, frame, radius);
+      weights[1] = heel.left.planted[index] ?? 0;
+      weights[3] = heel.right.planted[index] ?? 0;
     }
     if (toe) {
-      weights[2] = contactWeight(toe.left.planted, frame, radius);
-      weights[4] = contactWeight(toe.right.planted, frame, radius);
+      weights[2] = toe.left.planted[index] ?? 0;
+      weights[4] = toe.right.planted[index] ?? 0;
     }
   }
 

@@ -1,4 +1,14 @@
-import { Mesh, PlaneGeometry, ShaderMaterial, Vector2 } from "three";
+import {
+  BufferGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  PlaneGeometry,
+  ShaderMaterial,
+  Vector2,
+  Vector3,
+} from "three";
 import { gridStep } from "../model/trajectory";
 import type { Palette } from "./palette";
 import { groundHeight, groundUniform } from "./quads";
@@ -39,7 +49,10 @@ const fragmentShader = /* glsl */ `
 
 /** The floor: a grid around the character that fades into the background. */
 export class Floor {
-  readonly mesh: Mesh;
+  readonly group = new Group();
+  /** The ground as a line, for views from the front and the side, in which the floor is edge-on. */
+  private readonly line: LineSegments;
+  private readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
   private readonly center = new Vector2();
 
@@ -63,14 +76,36 @@ export class Floor {
     this.mesh = new Mesh(plane, this.material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = -10;
+    const reach = size * 7;
+    const ends = [
+      new Vector3(-reach, 0, 0),
+      new Vector3(reach, 0, 0),
+      new Vector3(0, 0, -reach),
+      new Vector3(0, 0, reach),
+    ];
+    this.line = new LineSegments(
+      new BufferGeometry().setFromPoints(ends),
+      new LineBasicMaterial({ color: palette.muted, depthTest: false }),
+    );
+    this.line.frustumCulled = false;
+    this.line.renderOrder = -9;
+    this.group.add(this.mesh, this.line);
+  }
+
+  /** Draws the ground as a line, or not. */
+  setEdgeOn(isEdgeOn: boolean) {
+    this.line.visible = isEdgeOn;
   }
 
   moveTo(x: number, z: number) {
     this.center.set(x, z);
+    this.line.position.set(x, 0, z);
   }
 
   dispose() {
     this.mesh.geometry.dispose();
     this.material.dispose();
+    this.line.geometry.dispose();
+    (this.line.material as LineBasicMaterial).dispose();
   }
 }

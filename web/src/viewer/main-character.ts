@@ -37,12 +37,12 @@ export class MainCharacter {
   }
 
   addTo(scene: Scene) {
-    scene.add(this.floor.mesh);
+    scene.add(this.floor.group);
     this.figure.addTo(scene);
   }
 
   removeFrom(scene: Scene) {
-    scene.remove(this.floor.mesh);
+    scene.remove(this.floor.group);
     this.figure.removeFrom(scene);
   }
 
@@ -75,8 +75,9 @@ export class MainCharacter {
     return Math.atan2(x, z);
   }
 
-  /** Shows the pose at a playhead position, in frames. */
-  update(playhead: number, groundHeight: number, detection: Detection | null) {
+  /** Shows the pose at a playhead position, in frames; `isEdgeOn` if the floor is seen as a line. */
+  update(playhead: number, groundHeight: number, detection: Detection | null, isEdgeOn: boolean) {
+    this.floor.setEdgeOn(isEdgeOn);
     const { x, z } = this.groundPosition(playhead);
     this.floor.moveTo(x, z);
     this.figure.update(playhead, groundHeight, detection);

@@ -11,6 +11,8 @@ export interface Palette {
   left: Color;
   right: Color;
   accent: Color;
+  /** The original in front of the cleaned clip. */
+  difference: Color;
   /** Opacity of shadows. */
   shadow: number;
 }
@@ -29,6 +31,7 @@ export function readPalette(from: Element): Palette {
     left: color("--left"),
     right: color("--right"),
     accent: color("--accent"),
+    difference: color("--difference"),
     shadow: Number(style.getPropertyValue("--view-shadow")),
   };
 }

@@ -7,11 +7,12 @@ import type { Clip, Detection } from "../model/types";
 import type { CameraPose, CameraView, ViewState } from "../model/view-state";
 import { Bones } from "./bones";
 import { Camera } from "./camera";
-import { CompanionFigure } from "./companion";
+import { CompanionFigure, companionDistance } from "./companion";
 import { Footprints } from "./footprints";
 import { JointMarker } from "./joint-marker";
 import { MainCharacter } from "./main-character";
-import { readPalette } from "./palette";
+import { NameTag } from "./name-tag";
+import { type Palette, readPalette } from "./palette";
 import { groundUniform } from "./quads";
 import { Trails } from "./trails";
 
@@ -46,6 +47,10 @@ export class Stage {
   private visibleFootprints: VisibleFootprints | null = null;
   private ghost: Ghost | null = null;
   private companions: CompanionFigure[] = [];
+  /** Names of the main character and of the companions; empty without companions. */
+  private nameTags: NameTag[] = [];
+  /** Number of companions that the camera has framed. */
+  private groupSize = 0;
   private trails: Trails | null = null;
   private jointMarker: JointMarker | null = null;
   /** Replaced objects, disposed of after the next draw, so that shared shaders stay compiled. */
@@ -184,7 +189,30 @@ export class Stage {
       ? others.map((companion, i) => new CompanionFigure(mainCharacter, companion, i, palette))
       : [];
     for (const companion of this.companions) companion.addTo(this.scene);
+    this.setNameTags(others, palette);
+    if (mainCharacter && others.length > this.groupSize)
+      this.camera.frameGroup(this.halfWidth, true);
+    this.groupSize = others.length;
     this.invalidate();
+  }
+
+  /** Half the width of the group of characters, in metres. */
+  private get halfWidth() {
+    const { size } = this.mainCharacter ?? { size: 1 };
+    return companionDistance(size, this.companions.length - 1) + 0.4 * size;
+  }
+
+  /** Names the characters if there are several. */
+  private setNameTags(others: readonly Companion[], palette: Palette) {
+    for (const tag of this.nameTags) this.scene.remove(tag.sprite);
+    this.retired.push(...this.nameTags);
+    const { mainCharacter } = this;
+    const names = [mainCharacter?.clip.name ?? "", ...others.map(({ source }) => source.name)];
+    this.nameTags =
+      mainCharacter && others.length
+        ? names.map((name) => new NameTag(name, mainCharacter.size, palette))
+        : [];
+    for (const tag of this.nameTags) this.scene.add(tag.sprite);
   }
 
   /** Shows a translucent copy of a clip at the main character; `null` removes it. */
@@ -273,11 +301,23 @@ export class Stage {
     return new Promise((resolve) => this.canvas.toBlob(resolve));
   }
 
+  /** Moves the camera to the feet. */
+  frameFeet() {
+    const { mainCharacter } = this;
+    if (!mainCharacter) return;
+    let ground = Number.POSITIVE_INFINITY;
+    for (let i = 1; i < mainCharacter.pose.length; i += 3)
+      ground = Math.min(ground, mainCharacter.pose[i] as number);
+    this.camera.frameFeet(ground, mainCharacter.size, true);
+    this.invalidate();
+  }
+
   /** Frames the character if the camera follows it, otherwise its whole trajectory. */
   frameAll() {
     const { mainCharacter } = this;
     if (!mainCharacter) return;
-    if (this.follow) this.camera.frame(true);
+    if (this.companions.length) this.camera.frameGroup(this.halfWidth, true);
+    else if (this.follow) this.camera.frame(true);
     else {
       const { low, high } = mainCharacter.groundBounds();
       this.camera.frameBounds(low, high, true);
@@ -294,7 +334,8 @@ export class Stage {
   setFollow(follow: boolean) {
     const isStarting = follow && !this.follow;
     this.follow = follow;
-    if (isStarting) this.camera.frame(true);
+    if (isStarting && this.companions.length) this.camera.frameGroup(this.halfWidth, true);
+    else if (isStarting) this.camera.frame(true);
     this.invalidate();
   }
 
@@ -327,7 +368,7 @@ export class Stage {
       const groundHeight = detection?.floor ?? mainCharacter.fallbackGroundHeight;
       const { slopeX, slopeZ, offset } = groundPlane(detection);
       groundUniform.value.set(slopeX, slopeZ, offset);
-      mainCharacter.update(playhead, groundHeight, detection);
+      mainCharacter.update(playhead, groundHeight, detection, this.camera.isEdgeOn);
       this.ghost?.bones.setPose(this.ghost.clip, playhead, groundHeight);
       this.jointMarker?.update(mainCharacter.pose);
       this.trails?.update(playhead, groundHeight);
@@ -340,7 +381,10 @@ export class Stage {
         z,
       );
       for (const companion of this.companions) companion.update(seconds);
+      for (const [i, tag] of this.nameTags.entries())
+        tag.moveAbove(i === 0 ? mainCharacter.pose : (this.companions[i - 1]?.pose ?? noPose));
     }
+    this.camera.updateProjection();
     this.renderer.render(this.scene, this.camera.camera);
     // In a later task: the first draw of a clip is already slow.
     if (!this.retired.length) return;
@@ -370,5 +414,6 @@ function dispose(parts: readonly { dispose: () => void }[]) {
   for (const part of parts) part.dispose();
 }
 
+const noPose = new Float32Array(0);
 const currentSize = new Vector2();
 const requestedSize = new Vector2();

@@ -2,12 +2,14 @@
 
 import * as Comlink from "comlink";
 import type { BatchRequest, ClipSummary, SavedFile, StoredChanges } from "../model/batch";
+import { minPlantConfidence } from "../model/plants";
 import { nameSegments, segmentTitle } from "../model/segments";
 import { summarizeSlides } from "../model/slides";
 import type { Clip, Detection, DetectOptions, OnProgress, Result } from "../model/types";
 import {
   plantFormats,
   segmentFormats,
+  WasmAnnotation,
   type WasmClip,
   type WasmDetection,
 } from "../wasm/plantigrade";
@@ -30,6 +32,7 @@ const api = {
     file: Blob,
     name: string,
     request: BatchRequest,
+    labels: readonly Blob[],
     changesOf: ChangesOf,
     onProgress?: OnProgress,
   ): Promise<BatchResult> {
@@ -41,7 +44,7 @@ const api = {
     const changes = hash ? await changesOf(hash) : { edits: [], names: [] };
     const owned: { free(): void }[] = [opened.value];
     try {
-      const task = { clip: opened.value, name, hash, request, changes, owned };
+      const task = { clip: opened.value, name, hash, request, labels, changes, owned };
       const { summary, files } = await summarizeClip(task);
       const elapsedMs = performance.now() - started;
       return { ok: true, summary: { ...summary, elapsedMs }, files };
@@ -82,6 +85,8 @@ interface SummaryTask {
   name: string;
   hash: string | undefined;
   request: BatchRequest;
+  /** Files of reference labels. */
+  labels: readonly Blob[];
   changes: StoredChanges;
   /** Objects to be freed at the end. */
   owned: { free(): void }[];
@@ -90,7 +95,7 @@ interface SummaryTask {
 type Summary = Omit<ClipSummary, "elapsedMs">;
 
 async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; files: SavedFile[] }> {
-  const { clip, name, hash, request, changes, owned } = task;
+  const { clip, name, hash, request, labels, changes, owned } = task;
   const { frames, rate, notices } = clip.info();
   const summary: Summary = {
     frames,
@@ -107,6 +112,8 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
     owned.push(value);
     value.edit([...changes.edits]);
     Object.assign(summary, plantStatistics(value, frames));
+    const agreement = await agreementWith(labels, clip, value, frames);
+    if (agreement !== undefined) summary.agreement = agreement;
     const { cadence } = clip.gait(value);
     if (cadence !== undefined) summary.cadence = cadence;
     const skate = summarizeSlides(clip.skate(value).map(({ maxDistance }) => maxDistance));
@@ -135,8 +142,45 @@ function plantStatistics(detection: WasmDetection, frames: number) {
   const fraction = (side: "left" | "right") =>
     detection.planted(part, side).reduce((sum, planted) => sum + planted, 0) / frames;
   const count = (side: "left" | "right") => detection.intervals(part, side).length / 2;
+  const confidences = (["left", "right"] as const).flatMap((side) => {
+    const edited = detection.edited(part, side);
+    const means = meanOverIntervals(
+      detection.intervals(part, side),
+      detection.confidence(part, side),
+    );
+    return means.map((mean, i) => (edited[i] ? 1 : mean));
+  });
   return {
+    ...(confidences.length && { confidence: Math.min(...confidences) }),
+    uncertain: confidences.filter((confidence) => confidence < minPlantConfidence).length,
     planted: { left: fraction("left"), right: fraction("right") },
     plants: count("left") + count("right"),
   };
+}
+
+/** Returns the mean of the values over each interval. */
+function meanOverIntervals(intervals: Uint32Array, values: Float32Array): number[] {
+  return Array.from({ length: intervals.length / 2 }, (_, i) => {
+    const range = values.subarray(intervals[2 * i], intervals[2 * i + 1]);
+    return range.reduce((sum, value) => sum + value, 0) / Math.max(1, range.length);
+  });
+}
+
+/** Returns the agreement with the first file that contains labels of this clip, within 0.1 s. */
+async function agreementWith(
+  labels: readonly Blob[],
+  clip: WasmClip,
+  detection: WasmDetection,
+  frames: number,
+): Promise<number | undefined> {
+  for (const file of labels) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const read = await toResult(() => new WasmAnnotation(bytes, frames));
+    if (!read.ok) continue;
+    const [score] = read.value.score(clip, detection);
+    read.value.free();
+    const row = score?.rows.find(({ fuzzy }) => Math.abs(fuzzy - 0.1) < 1e-9);
+    if (row) return row.lenient;
+  }
+  return undefined;
 }

@@ -14,6 +14,7 @@ import type {
   EditedParts,
   Evidence,
   FileFormat,
+  FootFrames,
   Gait,
   HeightSpeed,
   OnProgress,
@@ -215,12 +216,12 @@ const api = {
     return detection ? clip.skate(detection) : [];
   },
 
-  /** Removes foot skate; the result can be saved until the labels change. */
-  async clean(keepSpikes: boolean): Promise<CleanedClip> {
+  /** Removes foot skate of all plants, or of some; the result can be saved until the labels change. */
+  async clean(keepSpikes: boolean, only: FootFrames[]): Promise<CleanedClip> {
     const open = current();
     if (!open.detection) throw new Error("The clean-up requires labels.");
     discardCleaned(open);
-    const cleaned = open.clip.clean(open.detection, keepSpikes);
+    const cleaned = open.clip.clean(open.detection, keepSpikes, only);
     open.cleaned = cleaned;
     const positions = cleaned.positions() as Float32Array<ArrayBuffer>;
     const plain = { positions, plants: cleaned.plants(), notices: cleaned.notices() };
@@ -228,10 +229,10 @@ const api = {
   },
 
   /** Returns the cleaned clip as a BVH file. */
-  async saveCleaned(keepSpikes: boolean): Promise<Blob> {
+  async saveCleaned(keepSpikes: boolean, only: FootFrames[]): Promise<Blob> {
     const open = current();
     if (!open.detection) throw new Error("The clean-up requires labels.");
-    open.cleaned ??= open.clip.clean(open.detection, keepSpikes);
+    open.cleaned ??= open.clip.clean(open.detection, keepSpikes, only);
     return rewriteFile(open.file, open.cleaned.rewriter());
   },
 

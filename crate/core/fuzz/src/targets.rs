@@ -10,7 +10,7 @@ use plantigrade::formats::{
     self, PlantExport, PlantFormat, SegmentExport, SegmentFormat, SegmentsDocument, Source,
 };
 use plantigrade::gait::Gait;
-use plantigrade::plants::{self, Feet};
+use plantigrade::plants::{self, Detection, Feet};
 use plantigrade::segments;
 use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::{Overrides, Skeleton, Up};
@@ -92,7 +92,8 @@ pub fn labels(data: &[u8]) {
 /// All processing of a short clip with some absurd values: results are finite, and every file that is written
 /// is read back.
 ///
-/// The first bytes select methods, options and the clip; each of the following four bytes changes a value.
+/// The first bytes select methods, options, the clip and what is processed: labels and their files, gait and
+/// clean-up, segments, or all; each of the following four bytes changes a value.
 pub fn pipeline(data: &[u8]) {
     let Some((&[method, segmentation, flags, rate], edits)) = data.split_first_chunk::<4>() else { return };
     let clip = changed_clip(flags, rate, edits);
@@ -101,21 +102,51 @@ pub fn pipeline(data: &[u8]) {
     for skeleton in Skeleton::all(&clip, &overrides) {
         assert!(skeleton.metres_per_unit.is_finite() && skeleton.metres_per_unit > 0.0);
         assert!(skeleton.positions(&clip).iter().all(|position| position.is_finite()));
-        detect(&clip, &skeleton, method, flags);
-        segment(&clip, &skeleton, segmentation, flags);
+        let stage = Stage::of(method);
+        if stage != Stage::Segments {
+            label(&clip, &skeleton, method & 0x3f, flags, stage);
+        }
+        if matches!(stage, Stage::Segments | Stage::All) {
+            segment(&clip, &skeleton, segmentation, flags);
+        }
     }
 }
 
-fn detect(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8) {
+/// What an execution processes, so that most are quick.
+#[derive(Clone, Copy, PartialEq)]
+enum Stage {
+    All,
+    Labels,
+    CleanUp,
+    Segments,
+}
+
+impl Stage {
+    fn of(method: u8) -> Stage {
+        [Stage::All, Stage::Labels, Stage::CleanUp, Stage::Segments][usize::from(method >> 6)]
+    }
+}
+
+fn label(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8, stage: Stage) {
     let Ok(feet) = Feet::new(clip, skeleton) else { return };
     let method = plants::Method::ALL[usize::from(method) % plants::Method::ALL.len()];
     let params = plants::Params { method, exact: flags & 0x20 != 0, ..plants::Params::default() };
     let detection = plants::detect(&feet, params.check().expect("valid parameters"));
+    if stage != Stage::CleanUp {
+        write_labels(clip, skeleton, &detection);
+    }
+    if stage != Stage::Labels {
+        measure_and_clean(clip, skeleton, &feet, &detection);
+    }
+}
+
+/// Every file that is written is read back.
+fn write_labels(clip: &Clip, skeleton: &Skeleton, detection: &Detection) {
     let export = PlantExport {
         source: Source { name: "clip.bvh".into(), ..Source::default() },
         clip,
         notices: &[],
-        skeletons: vec![(skeleton, &detection)],
+        skeletons: vec![(skeleton, detection)],
         as_array: false,
     };
     for &format in PlantFormat::ALL {
@@ -134,11 +165,15 @@ fn detect(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8) {
     for document in export.documents() {
         assert_finite(&serde_json::to_value(document).expect("a document"));
     }
-    let gait = Gait::from_detection(&feet, &detection);
+}
+
+/// Gait measures and the cleaned clip are finite.
+fn measure_and_clean(clip: &Clip, skeleton: &Skeleton, feet: &Feet, detection: &Detection) {
+    let gait = Gait::from_detection(feet, detection);
     let text = serde_json::to_string(&gait).expect("gait");
     assert_eq!(serde_json::from_str::<Gait>(&text).expect("gait"), gait, "not finite");
 
-    let contacts = Contacts::from(&detection);
+    let contacts = Contacts::from(detection);
     let Ok(cleaned) = skate::clean(clip, skeleton, &contacts, &skate::Options::default()) else { return };
     assert!(cleaned.clip.values().iter().all(|value| value.is_finite()));
     for plant in &cleaned.plants {

@@ -18,7 +18,7 @@ use crate::skate::{Contacts, harm, leg, root, spikes};
 use crate::skeleton::Skeleton;
 
 /// Options of the clean-up.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Time over which a correction fades in before a plant and out after it, in seconds; default
     /// 0.4.
@@ -30,11 +30,14 @@ pub struct Options {
     pub max_slide: f64,
     /// If true, short jumps of the hips to another place and back are interpolated. Default true.
     pub repair_spikes: bool,
+    /// If not empty, only plants that overlap one of these frame ranges of their foot are corrected. Default
+    /// empty.
+    pub only: Vec<(Side, Range<usize>)>,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { blend: 0.4, level: true, max_slide: 0.25, repair_spikes: true }
+        Options { blend: 0.4, level: true, max_slide: 0.25, repair_spikes: true, only: Vec::new() }
     }
 }
 
@@ -80,12 +83,19 @@ pub enum SkipReason {
     /// The correction would make the clip worse: the foot would slide more or get below the ground, the hips
     /// would move too far, or joints would jerk.
     Harmful,
+    /// The options limit the clean-up to other plants.
+    NotSelected,
 }
 
 impl SkipReason {
     /// All reasons.
-    pub const ALL: [SkipReason; 4] =
-        [SkipReason::MovesTooFar, SkipReason::NoLeg, SkipReason::OutOfReach, SkipReason::Harmful];
+    pub const ALL: [SkipReason; 5] = [
+        SkipReason::MovesTooFar,
+        SkipReason::NoLeg,
+        SkipReason::OutOfReach,
+        SkipReason::Harmful,
+        SkipReason::NotSelected,
+    ];
 }
 
 impl fmt::Display for SkipReason {
@@ -95,6 +105,7 @@ impl fmt::Display for SkipReason {
             SkipReason::NoLeg => "the leg has no hip joint or knee that can rotate",
             SkipReason::OutOfReach => "the leg is too short or the foot rotates too far",
             SkipReason::Harmful => "the correction would make the clip worse",
+            SkipReason::NotSelected => "it was not selected",
         })
     }
 }
@@ -174,6 +185,8 @@ struct Cleanup<'a> {
     settings: Settings,
     /// Maximum slide of plants that are corrected, in metres.
     max_slide: f64,
+    /// Frames of the plants that are corrected; empty for all.
+    only: &'a [(Side, Range<usize>)],
     /// Half-widths of smoothing and of lowering the hips, in frames.
     hip_windows: [usize; 2],
 }
@@ -194,7 +207,7 @@ impl<'a> Cleanup<'a> {
         skeleton: &'a Skeleton,
         feet: FootData,
         translating_joint: Option<usize>,
-        options: &Options,
+        options: &'a Options,
     ) -> Cleanup<'a> {
         let frames = |seconds: f64| {
             let frames = (seconds / clip.frame_time()).round();
@@ -215,6 +228,7 @@ impl<'a> Cleanup<'a> {
             translating_joint,
             settings,
             max_slide: options.max_slide * feet.length * skeleton.metres_per_unit,
+            only: &options.only,
             hip_windows: [frames(HIP_SMOOTHING), frames(LOWERING_TIME)],
             feet,
         }
@@ -251,6 +265,12 @@ impl<'a> Cleanup<'a> {
 
     /// Returns the reason why a plant is not to be corrected, if there is one.
     fn skip_reason(&self, plant: &Slide) -> Option<SkipReason> {
+        let is_selected = |(side, frames): &(Side, Range<usize>)| {
+            *side == plant.side && frames.start < plant.frames.end && plant.frames.start < frames.end
+        };
+        if !self.only.is_empty() && !self.only.iter().any(is_selected) {
+            return Some(SkipReason::NotSelected);
+        }
         let joints = &self.feet.legs[plant.side as usize].joints;
         if !joints.upper.is_some_and(|upper| can_rotate(self.clip, upper, joints.ankle)) {
             return Some(SkipReason::NoLeg);
@@ -344,6 +364,9 @@ fn plants_notice(plants: &[CleanedPlant]) -> Option<Notice> {
         return Some(Notice::new(Code::NothingPlanted, text));
     }
     let reasons = SkipReason::ALL.map(|reason| {
+        if reason == SkipReason::NotSelected {
+            return None;
+        }
         let count = plants.iter().filter(|plant| plant.skip_reason == Some(reason)).count();
         (count > 0).then(|| format!("{count} because {reason}"))
     });

@@ -103,10 +103,10 @@ impl FootData {
         let of_foot = |side: Side| {
             let foot = side as usize;
             self.plants[foot].iter().map(move |frames| {
-                let slide =
+                let (distance, frame, path) =
                     measure::slide(&legs[foot], &self.phases[foot], frames, self.heels[foot], skeleton.up);
-                let [distance, path] = [slide.0, slide.1].map(|units| units * skeleton.metres_per_unit);
-                Slide { side, frames: frames.clone(), distance, path }
+                let [distance, path] = [distance, path].map(|units| units * skeleton.metres_per_unit);
+                Slide { side, frames: frames.clone(), distance, frame, path }
             })
         };
         Skate { plants: Side::BOTH.into_iter().flat_map(of_foot).collect() }

@@ -28,6 +28,8 @@ pub struct Slide {
     pub frames: Range<usize>,
     /// Maximum distance of the part from its mean position over the plant, in metres.
     pub distance: f64,
+    /// Frame of that distance.
+    pub frame: usize,
     /// Length of the path of the part, in metres; jitter increases it with every frame.
     pub path: f64,
 }
@@ -45,28 +47,34 @@ impl Skate {
     }
 }
 
-/// Returns distance and path of one plant in file units: the maximum of toe and heel.
+/// Returns distance, its frame, and path of one plant in file units: the maximum of toe and heel.
 pub(crate) fn slide(
     leg: &Leg,
     phases: &[Phase],
     frames: &Range<usize>,
     heel: Vector3<f64>,
     up: Up,
-) -> (f64, f64) {
+) -> (f64, usize, f64) {
     let up = up.vector();
     let horizontal = |position: Vector3<f64>| position - up * up.dot(&position);
     let slide_of = |condition: fn(Phase) -> bool, part: &dyn Fn(usize) -> Vector3<f64>| {
-        let mut max = (0.0_f64, 0.0);
+        let mut max = (0.0_f64, frames.start, 0.0);
         for run in runs(phases, frames, condition) {
             let positions = || run.clone().map(|frame| horizontal(part(frame)));
             let mean = positions().sum::<Vector3<f64>>() / run.len() as f64;
-            let distance = positions().map(|position| (position - mean).norm()).fold(0.0, f64::max);
+            let distances = positions().map(|position| (position - mean).norm());
+            for (frame, distance) in run.clone().zip(distances) {
+                if distance > max.0 {
+                    max = (distance, frame, max.2);
+                }
+            }
             let path = positions().zip(positions().skip(1)).map(|(a, b)| (b - a).norm()).sum::<f64>();
-            max = (max.0.max(distance), max.1 + path);
+            max.2 += path;
         }
         max
     };
     let toe = slide_of(Phase::has_toe, &|frame| leg.toe[frame]);
     let heel = slide_of(Phase::has_heel, &|frame| leg.ankle[frame] + leg.foot[frame] * heel);
-    (toe.0.max(heel.0), toe.1.max(heel.1))
+    let (distance, frame, _) = if heel.0 > toe.0 { heel } else { toe };
+    (distance, frame, toe.2.max(heel.2))
 }

@@ -246,3 +246,18 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn the_clean_up_can_be_limited_to_some_plants() {
+    let (clip, contacts) = sample();
+    let skeleton = Skeleton::main(&clip, &Overrides::default());
+    let all = clean(&clip, &skeleton, &contacts, &Options::default()).expect("feet");
+    let chosen = all.plants.iter().find(|plant| plant.skip_reason.is_none()).expect("a corrected plant");
+    let only = vec![(chosen.side, chosen.frames.clone())];
+    let some = clean(&clip, &skeleton, &contacts, &Options { only, ..Options::default() }).expect("feet");
+    for plant in &some.plants {
+        let is_chosen = plant.side == chosen.side && plant.frames == chosen.frames;
+        assert_eq!(plant.skip_reason == Some(SkipReason::NotSelected), !is_chosen, "{plant:?}");
+    }
+    assert!(some.notices.iter().all(|notice| notice.code != Code::Unconstrained));
+}

@@ -162,8 +162,7 @@ fn role_notices(clip: &Clip, root: usize, roles: &Roles) -> Vec<Notice> {
             .map(|joint| joint.name.as_str())
             .collect();
         let text = format!(
-            "No pair of feet was found in the skeleton. If it has feet, name the joints of both ankles. The \
-             joints are {}.",
+            "No feet were detected. If the skeleton has feet, choose both ankle joints. The joints are {}.",
             notice::list(&names)
         );
         notices.push(Notice::new(Code::NoFeet, text));

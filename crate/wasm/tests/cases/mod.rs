@@ -190,7 +190,7 @@ fn clean_up_removes_slides() {
     let slides: Vec<f64> =
         clip.skate(&detection).unwrap().iter().map(|slide| slide.to_rust().unwrap().max_distance).collect();
     assert_eq!(slides.len(), 5);
-    let cleaned = clip.clean(&detection, false).unwrap();
+    let cleaned = clip.clean(&detection, false, Vec::new()).unwrap();
     for (plant, before) in cleaned.plants().unwrap().iter().zip(slides) {
         let plant = plant.to_rust().unwrap();
         assert_eq!((plant.before, plant.skip_reason), (before, None));

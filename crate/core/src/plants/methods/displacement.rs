@@ -6,7 +6,7 @@ use crate::plants::methods::toes::Toes;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "displacement",
-    title: "Squared displacement 0.002",
+    title: "Fixed displacement",
     description: "Toes whose squared displacement since the previous frame is below 0.002 m², at any frame rate.",
     family: Family::Threshold,
     parts: &[Part::Toe],

@@ -6,8 +6,8 @@ use crate::plants::methods::toes::Toes;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "height-speed",
-    title: "0.114 m and 0.93 m/s",
-    description: "Toes lower than 0.114 m and slower than 0.93 m/s, a rule used to label motion-learning data sets.",
+    title: "Fixed height and speed",
+    description: "Toes lower than 0.114 m and slower than 0.93 m/s: a rule used to label motion-learning data sets.",
     family: Family::Threshold,
     parts: &[Part::Toe],
     thresholds: |_, _| Thresholds { height: Some(HEIGHT), speed: Some(SPEED) },

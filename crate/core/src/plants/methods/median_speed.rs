@@ -6,7 +6,7 @@ use crate::plants::methods::toes::Toes;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "median-speed",
-    title: "0.15 m/s, median filter",
+    title: "Fixed speed, median filter",
     description: "Toes slower than 0.15 m/s, the labels smoothed by a median filter of seven frames.",
     family: Family::Threshold,
     parts: &[Part::Toe],

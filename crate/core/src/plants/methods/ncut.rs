@@ -11,7 +11,7 @@ use crate::plants::spectral::lanczos;
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "ncut",
     title: "Normalised cut",
-    description: "Second eigenvector of the same graph, split by two-means.",
+    description: "Second eigenvector of the same graph, split by 2-means.",
     family: Family::Spectral,
     parts: &[Part::Toe],
     thresholds: |_, _| Thresholds::NONE,

@@ -7,7 +7,7 @@ use crate::plants::methods::toes::Toes;
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "paper",
     title: "Paper 2014",
-    description: "The method exactly as published: toes only; feet that never move cannot be labelled.",
+    description: "As published: toes only; fails if the feet never move.",
     family: Family::Spectral,
     parts: &[Part::Toe],
     thresholds: |_, _| Thresholds::NONE,

@@ -9,7 +9,7 @@ use crate::plants::signal::samples::Samples;
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "sparse",
     title: "Sparse",
-    description: "The method of the paper without affinities of samples more than 2σ apart.",
+    description: "The method of the paper with affinities beyond 2σ set to zero.",
     family: Family::Spectral,
     parts: &[Part::Toe],
     thresholds: |_, _| Thresholds::NONE,

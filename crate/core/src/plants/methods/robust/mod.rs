@@ -53,7 +53,7 @@ const CONFIDENCE_WINDOW: f64 = 0.04;
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "robust",
     title: "Robust spectral",
-    description: "Contact, heel and toe; removes glitches and is invariant to the frame rate.",
+    description: "Contact, heel and toe; repairs single-frame glitches; independent of the frame rate.",
     family: Family::Spectral,
     parts: &[Part::Contact, Part::Toe, Part::Heel],
     thresholds: |_, _| Thresholds::NONE,

@@ -1,0 +1,142 @@
+/** Keys belong to the timeline, whichever control was used last. */
+
+import { type App, expect, test } from "./app";
+import { eachViewport } from "./viewports";
+
+/** Opens a tab, which on a phone also raises the sheet. */
+async function openTab(app: App, name: "Detect" | "Labels") {
+  const tab = app.page.getByRole("tab", { name });
+  const panel = app.page.getByRole("tabpanel", { name });
+  if (!(await panel.isVisible()) || (await tab.getAttribute("aria-selected")) !== "true")
+    await tab.click();
+  await expect(panel).toBeVisible();
+}
+
+for (const [name, viewport] of eachViewport) {
+  test.describe(name, () => {
+    test.use({ viewport });
+
+    test("keys step frames after a menu was used with the pointer", async ({ app, page }) => {
+      await app.openSample("curved-walk");
+      await openTab(app, "Detect");
+      const method = page.getByRole("combobox", { name: "Method" });
+      await method.click();
+      await page.keyboard.press("ArrowDown");
+      await page.keyboard.press("Enter");
+      const chosen = await method.inputValue();
+      await page.keyboard.press("ArrowRight");
+      await expect.poll(() => app.frame()).toBe(1);
+      await page.keyboard.press(".");
+      await expect.poll(() => app.frame()).toBe(2);
+      await expect(method).toHaveValue(chosen);
+    });
+
+    test("keys step frames after a number was entered", async ({ app, page }) => {
+      await app.openSample("curved-walk");
+      await openTab(app, "Labels");
+      await page.keyboard.press("e");
+      const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+      await last.fill("50");
+      await page.keyboard.press("Enter");
+      await expect(last).toHaveValue("50");
+      await page.keyboard.press("ArrowRight");
+      await expect.poll(() => app.frame()).toBe(1);
+      await expect(last).toHaveValue("50");
+    });
+
+    test("the timeline and the view take the focus when they are pressed", async ({
+      app,
+      page,
+    }) => {
+      await app.openSample("curved-walk");
+      await openTab(app, "Labels");
+      await page.keyboard.press("e");
+      const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+      for (const press of [
+        () => app.pressRuler(0.5),
+        async () => {
+          const box = await app.stage.boundingBox();
+          if (box) await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.6 * box.height);
+        },
+      ]) {
+        await last.click();
+        await expect(last).toBeFocused();
+        await press();
+        await expect(last).not.toBeFocused();
+        await page.keyboard.press("Home");
+        await page.keyboard.press("ArrowRight");
+        await expect.poll(() => app.frame()).toBe(1);
+      }
+    });
+  });
+}
+
+test("single letters never reach a menu that has the focus", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const method = page.getByRole("combobox", { name: "Method" });
+  await method.focus();
+  const before = await method.inputValue();
+  // The names of other methods begin with these letters.
+  for (const key of ["h", "n", "g", "p"]) await page.keyboard.press(key);
+  await expect(method).toHaveValue(before);
+  await page.keyboard.press("l");
+  await expect(app.timeline.getByRole("button", { name: "Pause" })).toBeVisible();
+  await page.keyboard.press("k");
+  await expect(app.timeline.getByRole("button", { name: "Play" })).toBeVisible();
+});
+
+test("keys of the menu itself work after it was reached by keyboard", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const speed = app.timeline.getByRole("combobox", { name: "Speed" });
+  await app.timeline.getByRole("button", { name: /^Loop/ }).focus();
+  await page.keyboard.press("Tab");
+  await expect(speed).toBeFocused();
+  await page.keyboard.press("ArrowDown");
+  await expect(speed).toHaveValue("1.5");
+  expect(await app.frame()).toBe(0);
+});
+
+test("every step of the sensitivity slider changes it", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const slider = page.getByRole("slider", { name: "Sensitivity r" });
+  await slider.focus();
+  const seen = new Set([await slider.getAttribute("aria-valuetext")]);
+  for (let i = 1; i <= 12; i++) {
+    await page.keyboard.press(i > 6 ? "ArrowLeft" : "ArrowRight");
+    if (i <= 6) {
+      await expect
+        .poll(async () => seen.has(await slider.getAttribute("aria-valuetext")))
+        .toBe(false);
+      seen.add(await slider.getAttribute("aria-valuetext"));
+    }
+  }
+  await expect(slider).toHaveAttribute("aria-valuetext", "r 0.001");
+});
+
+test("has the former keys as a choice, which is remembered", async ({ app, page }) => {
+  await app.openSample("bowling");
+  await page.keyboard.press("?");
+  await app.dialog.getByRole("checkbox", { name: /^Former keys/ }).check();
+  await expect(app.dialog.getByText("Loop: clip, plant, segment, off")).toBeVisible();
+  await page.keyboard.press("Escape");
+  await page.reload();
+  await app.waitForClip("bowling.bvh");
+  await page.keyboard.press("l");
+  await expect(app.timeline.getByRole("button", { name: /^Loop plant/ })).toBeVisible();
+});
+
+test("plays backwards and faster by J and L", async ({ app, page }) => {
+  await app.openSample("bowling");
+  await page.keyboard.press("End");
+  const speed = app.timeline.getByRole("combobox", { name: "Speed" });
+  await page.keyboard.press("j");
+  await expect(app.timeline.getByText("reverse")).toBeVisible();
+  await expect.poll(() => app.frame()).toBeLessThan(310);
+  await page.keyboard.press("j");
+  await expect(speed).toHaveValue("1.5");
+  await page.keyboard.press("k");
+  const paused = await app.frame();
+  await page.keyboard.press("l");
+  await expect(speed).toHaveValue("1");
+  await expect.poll(() => app.frame()).toBeGreaterThan(paused);
+});

@@ -1,0 +1,52 @@
+/** Moving between the start page and the clips that were open, by the logo, Back and Forward. */
+
+import { batch } from "@preact/signals";
+import { tableVisible } from "../store/batch";
+import { ClipSession, openSession } from "../store/clip-session";
+import { errorReport } from "../store/errors";
+import { source } from "../store/session";
+import { dialog } from "../store/view";
+import { clipOfEntry } from "./history";
+import { cancelOpening, openSource } from "./open";
+import { openFromAddress, startPreview } from "./open-address";
+import { pause } from "./playback";
+
+/** Shows the start page. */
+export function goHome() {
+  showStartPage();
+  history.pushState(null, "", location.pathname + location.search);
+}
+
+function showStartPage() {
+  batch(() => {
+    pause();
+    cancelOpening();
+    errorReport.value = null;
+    dialog.value = null;
+    tableVisible.value = false;
+    openSession(new ClipSession(null, null, { isPreview: true }));
+  });
+  void startPreview();
+}
+
+/** Follows Back, Forward and changes of the address. */
+export function followHistory(signal: AbortSignal) {
+  addEventListener(
+    "popstate",
+    ({ state }) => {
+      const clip = clipOfEntry(state);
+      if (clip) {
+        tableVisible.value = false;
+        if (clip !== source.peek()) void openSource(clip);
+      } else if (!location.hash) showStartPage();
+    },
+    { signal },
+  );
+  addEventListener(
+    "hashchange",
+    () => {
+      if (!clipOfEntry(history.state)) void openFromAddress();
+    },
+    { signal },
+  );
+}

@@ -1,0 +1,56 @@
+import { hiddenTracks, type TrackGroup, trackGroups } from "../store/preferences";
+import { Menu } from "../ui/Menu";
+
+const groupNames: Record<TrackGroup, string> = {
+  parts: "Heel and toe",
+  curves: "Height and speed",
+  segments: "Segments",
+};
+
+/** What the marks of the timeline mean; the class draws a sample of each. */
+const legend = [
+  ["contact", "Contact: any part of the foot is on the ground"],
+  ["heel", "Heel contact"],
+  ["uncertain", "Low confidence: review these frames"],
+  ["whisker", "Foot strike or foot off ± one standard deviation"],
+  ["edited", "Edited by hand"],
+  ["reference", "Reference labels"],
+  ["difference", "Frames that differ from the reference"],
+] as const;
+
+/** Chooses the tracks that the timeline shows, and explains its marks. */
+export function TracksMenu() {
+  const hidden = hiddenTracks.value;
+  return (
+    <Menu label="Tracks" title="Choose tracks, and see what the marks mean">
+      <fieldset class="menu-choices">
+        <legend>Tracks</legend>
+        {trackGroups.map((group) => (
+          <label key={group} class="checkbox-row">
+            <input
+              type="checkbox"
+              checked={!hidden.includes(group)}
+              onChange={(event) =>
+                hiddenTracks.set(
+                  event.currentTarget.checked
+                    ? hidden.filter((other) => other !== group)
+                    : [...hidden, group],
+                )
+              }
+            />
+            {groupNames[group]}
+          </label>
+        ))}
+      </fieldset>
+      <h3>Legend</h3>
+      <dl class="legend">
+        {legend.map(([name, text]) => (
+          <div key={name}>
+            <dt class={`legend-mark ${name}`} aria-hidden="true" />
+            <dd>{text}</dd>
+          </div>
+        ))}
+      </dl>
+    </Menu>
+  );
+}
