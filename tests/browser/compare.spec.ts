@@ -57,10 +57,10 @@ test("goes to differences by key and from the list", async ({ app, page }) => {
   const seconds = (await items.allInnerTexts()).map((text) => Number(/\d+\.\d\d/.exec(text)?.[0]));
   const starts = [...new Set(seconds.map((at) => Math.round(at * 30)))].filter((at) => at > 0);
   for (const start of starts.slice(0, 3)) {
-    await page.keyboard.press("n");
+    await page.keyboard.press("d");
     expect(await app.frame()).toBe(start);
   }
-  await page.keyboard.press("Shift+N");
+  await page.keyboard.press("Shift+D");
   expect(await app.frame()).toBe(starts.slice(0, 3).at(-2));
   await items.first().click();
   expect(await app.frame()).toBe(Math.round((seconds[0] ?? 0) * 30));

@@ -77,7 +77,7 @@ test("single letters never reach a menu that has the focus", async ({ app, page 
   await method.focus();
   const before = await method.inputValue();
   // The names of other methods begin with these letters.
-  for (const key of ["h", "n", "g", "p"]) await page.keyboard.press(key);
+  for (const key of ["n", "f", "s"]) await page.keyboard.press(key);
   await expect(method).toHaveValue(before);
   await page.keyboard.press("l");
   await expect(app.timeline.getByRole("button", { name: "Pause" })).toBeVisible();

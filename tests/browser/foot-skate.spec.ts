@@ -15,13 +15,15 @@ test("measures and removes foot skate and saves the cleaned clip", async ({ app 
   expect(mean).toBeGreaterThan(0.2);
   expect(worst).toBeGreaterThan(mean);
   await app.panel.getByRole("button", { name: "Fix foot skate" }).click();
-  await expect(table.getByRole("row", { name: "Cleaned" })).toHaveText(/0\.0 cm\s*0\.0 cm/);
+  await expect(table.getByRole("row", { name: "Cleaned", exact: true })).toHaveText(
+    /0\.0 cm\s*0\.0 cm/,
+  );
   await expect(app.panel.getByRole("button", { name: "Both" })).toHaveAttribute(
     "aria-pressed",
     "true",
   );
   const both = await app.stillPicture();
-  await app.panel.getByRole("button", { name: "After" }).click();
+  await app.panel.getByRole("button", { name: "Cleaned", exact: true }).click();
   await expect.poll(async () => (await app.picture()) === both).toBe(false);
   const saved = await app.download(() =>
     app.panel.getByRole("button", { name: /^Save cleaned clip/ }).click(),
@@ -42,7 +44,7 @@ test("goes to the largest slide and discards the result after edits", async ({ a
   await app.openSample("curved-walk");
   await app.tab("Clip");
   await app.panel.getByRole("button", { name: "Fix foot skate" }).click();
-  await expect(app.panel.getByRole("button", { name: "After" })).toBeVisible();
+  await expect(app.panel.getByRole("button", { name: "Cleaned", exact: true })).toBeVisible();
   await page.keyboard.press("End");
   await app.panel.getByRole("button", { name: /^\d.* cm$/ }).click();
   expect(await app.frame()).toBeLessThan(244);
@@ -65,7 +67,7 @@ test("repairs spikes of the hips and can leave them", async ({ app }) => {
   await repair.click();
   await expect(notice).toBeHidden();
   await expect(repair).not.toBeChecked();
-  await expect(app.panel.getByRole("button", { name: "After" })).toBeVisible();
+  await expect(app.panel.getByRole("button", { name: "Cleaned", exact: true })).toBeVisible();
   await repair.click();
   await expect(notice).toBeVisible();
 });

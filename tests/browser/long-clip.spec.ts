@@ -36,7 +36,7 @@ test("labels, plays and scrubs a clip of 30,000 frames", async ({ app, page }) =
     ["Left", "left"],
     ["Right", "right"],
   ] as const) {
-    const state = words.includes(`${side} planted`) ? "planted" : "in the air";
+    const state = words.includes(`${side} in contact`) ? "in contact" : "in the air";
     expect(words).toContain(`${side} ${state}`);
     await expect(app.view.getByText(`${foot} ${state}`)).toBeVisible();
   }

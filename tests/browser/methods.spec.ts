@@ -90,10 +90,10 @@ test("lists the confidence of every plant and marks uncertain ones", async ({ ap
   await page.getByRole("combobox", { name: "Method" }).selectOption("gmm");
   await app.tab("Labels");
   const plants = app.panel.getByRole("listitem").getByRole("button");
-  await expect.poll(() => plants.filter({ hasText: "uncertain" }).count()).toBeGreaterThan(0);
+  await expect.poll(() => plants.filter({ hasText: "review" }).count()).toBeGreaterThan(0);
   for (const plant of await plants.all()) {
     const percent = Number((await plant.locator(".confidence").textContent())?.match(/^\d+/)?.[0]);
-    await expect(plant).toContainText(percent < 95 ? "uncertain" : "%");
-    if (percent >= 95) await expect(plant).not.toContainText("uncertain");
+    await expect(plant).toContainText(percent < 95 ? "review" : "%");
+    if (percent >= 95) await expect(plant).not.toContainText("review");
   }
 });

@@ -33,7 +33,7 @@ test("overrides a foot joint and restores the detected one", async ({ app, page 
   await app.openSample("bowling");
   const found = readLabels(await app.save("Labels")).joints;
   await app.tab("Clip");
-  const toe = page.getByRole("combobox", { name: "Left toe" });
+  const toe = page.getByRole("combobox", { name: "Left toe", exact: true });
   await toe.selectOption({ label: found.left.heel });
   await expect
     .poll(async () => readLabels(await app.save("Labels")).joints.left.toe)

@@ -62,6 +62,8 @@ test("loops a free range by a drag and by keys", async ({ app, page }) => {
   const from = await app.ruler(0.4);
   const to = await app.ruler(0.6);
   const first = await app.pressRuler(0.4);
+  // The handle of the playhead would be dragged.
+  await page.keyboard.press("Home");
   await page.keyboard.down("Shift");
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();

@@ -95,7 +95,10 @@ impl OutputFolder {
     pub fn write(&self, name: &Path, result: &[u8], origin: &Origin) -> io::Result<()> {
         let path = self.path(name);
         if fs::metadata(&path).is_ok_and(|existing| !existing.is_file()) {
-            return Err(io::Error::new(io::ErrorKind::AlreadyExists, "a folder, pipe or device has this name"));
+            return Err(io::Error::new(
+                io::ErrorKind::AlreadyExists,
+                "a folder, pipe or device has this name",
+            ));
         }
         file::write(&path, result)?;
         let entry = Entry { result: key(name), origin: origin.digest(), sha256: hex_digest(result) };

@@ -198,8 +198,10 @@ export function selectAtPlayhead() {
     .flatMap((side) => parts.map((part) => partTrackOf({ side, part })))
     .map((track) => track && plantRefAt(track, frame.value))
     .filter((plantRef) => plantRef !== undefined);
+  const current = selected.value;
   const index = candidates.findIndex(
-    ({ side, part }) => side === selected.value?.side && part === selected.value.part,
+    ({ side, part, start }) =>
+      side === current?.side && part === current.part && start === current.start,
   );
   const next = candidates[(index + 1) % candidates.length];
   select(next);

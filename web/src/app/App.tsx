@@ -53,6 +53,7 @@ export function App() {
   useEffect(() => {
     document.title = clip ? `${clip.name} – Plantigrade` : "Plantigrade";
   }, [clip]);
+  const width = panelWidth.value;
   return (
     <div
       class="shell"
@@ -61,7 +62,7 @@ export function App() {
       data-hint={hintTarget()}
       data-panel={panelCollapsed.value ? "collapsed" : "shown"}
       data-sheet={sheetOpen.value ? "raised" : "lowered"}
-      ref={(element) => setSize(element, "--panel-width", panelWidth.value)}
+      ref={(element) => setSize(element, "--panel-width", width)}
     >
       <Head />
       <main>

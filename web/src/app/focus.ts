@@ -7,9 +7,6 @@ export function focusTimeline() {
   else if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
 }
 
-/** Controls that lose the focus after they were used with the pointer. */
-const released = "button, select, input[type=checkbox]";
-
 /**
  * Returns the focus to the timeline when it or the view is pressed, and after a button or a menu was used
  * with the pointer. A control that received the focus by keyboard keeps it.
@@ -42,12 +39,13 @@ export function returnFocus(signal: AbortSignal) {
     },
     options,
   );
-  const release = ({ target }: Event) => {
+  const release = (controls: string, { target }: Event) => {
     if (!(target instanceof Element) || target.closest("dialog")) return;
-    const control = target.closest<HTMLElement>(released);
+    const control = target.closest<HTMLElement>(controls);
     // An option of a menu that the pointer opened may have been chosen by keyboard.
     if (control && (usesPointer || control === focusedByPointer)) control.blur();
   };
-  addEventListener("click", release, { signal });
-  addEventListener("change", release, { signal });
+  addEventListener("click", (event) => release("button", event), { signal });
+  // A menu is still open when it is clicked.
+  addEventListener("change", (event) => release("select, input[type=checkbox]", event), { signal });
 }

@@ -42,11 +42,12 @@ export function onKey(event: KeyboardEvent) {
   const isBracket = /^[[\]]$/.test(event.key);
   if (!mod && (event.metaKey || ((event.ctrlKey || event.altKey) && !isBracket))) return;
   const command = commandForKey(event, mod);
-  if (!command || !isEnabled(command)) return;
+  if (!command || (mod && !isEnabled(command))) return;
   if (!command.isGlobal) {
     if (dialog.value) return;
     if (mod ? isTyping(event) : belongsToControl(event)) return;
   }
+  // A key whose command is not possible now must not reach a menu either.
   event.preventDefault();
-  command.run();
+  if (isEnabled(command)) command.run();
 }

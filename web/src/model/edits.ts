@@ -45,17 +45,22 @@ export function resizePlant(track: PartTrack, plant: PlantRef, range: FrameRange
 }
 
 /**
- * Returns the edit that splits a plant: a gap of one frame, since labels are per frame; none at its edges.
- * The outer edges stay as they were detected.
+ * Returns edits that split a plant by a gap of one frame, since labels are per frame; none at its edges. The
+ * frames next to the gap are pinned, so that both halves are edited plants; the outer edges stay as they were
+ * detected.
  */
 export function splitPlant(plant: PlantRef, frame: number): Edit[] {
   if (frame <= plant.start || frame >= plant.end - 1) return [];
-  return [createEdit(plant, frame, frame + 1, false)];
+  return [
+    createEdit(plant, frame - 1, frame, true),
+    createEdit(plant, frame + 1, frame + 2, true),
+    createEdit(plant, frame, frame + 1, false),
+  ];
 }
 
 /**
  * Returns the edits with a plant joined with the next one; undefined if it is the last. Joining the halves
- * of a split removes its edit, so that the plant is as before.
+ * of a split removes its edits, so that the plant is as before.
  */
 export function joinWithNext(
   edits: readonly Edit[],
@@ -64,19 +69,20 @@ export function joinWithNext(
 ): readonly Edit[] | undefined {
   const next = nextPlantRef(track, plant);
   if (!next) return undefined;
-  const { side, part, end } = plant;
-  const split = edits.findLast(
-    (edit) =>
-      edit.side === side &&
-      edit.part === part &&
-      !edit.planted &&
-      edit.start === end &&
-      edit.end === next.start &&
-      edit.end - edit.start === 1,
-  );
-  if (split) return edits.filter((edit) => edit !== split);
+  const whole = { ...plant, end: next.end };
+  const split = next.start - plant.end === 1 ? splitPlant(whole, plant.end) : [];
+  const found = split.map((part) => edits.findLast((edit) => isSameEdit(edit, part)));
+  if (split.length && found.every((edit) => edit !== undefined))
+    return edits.filter((edit) => !found.includes(edit));
   return [...edits, ...pinEdges(plant, { start: plant.start, end: next.end }, track.frames)];
 }
+
+const isSameEdit = (a: Edit, b: Edit) =>
+  a.side === b.side &&
+  a.part === b.part &&
+  a.start === b.start &&
+  a.end === b.end &&
+  a.planted === b.planted;
 
 /** Returns the edit that removes a plant. */
 export function removePlant(plant: PlantRef): Edit[] {

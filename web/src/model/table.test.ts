@@ -41,7 +41,7 @@ test("filters by all words", () => {
 test("exports CSV with quoted fields", () => {
   const [header, first, second, third] = tableCsv(rows).split("\n");
   expect(header).toMatch(/^file,frames,rate_hz,duration_s,.*,took_ms,error$/);
-  expect(first).toMatch(/^walk 10\.bvh,20,120,0\.1667,0,3,0\.5,0\.6667,/);
+  expect(first).toMatch(/^walk 10\.bvh,20,120,0\.1667,0,3,,no,,0\.5,0\.6667,/);
   expect(second).toMatch(/^walk 9\.bvh,,,.*,"no ""feet"""$/);
   expect(third).toMatch(/^"jump, high\.bvh",100,/);
   expect(new Set([header, first].map((line) => line?.split(",").length)).size).toBe(1);

@@ -124,6 +124,11 @@ function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip })
           </button>
         ))}
       </fieldset>
+      {cleanedView.value === "both" && (
+        <p class="note">
+          The original is red. Lines at the feet show the correction, four times enlarged.
+        </p>
+      )}
       {isLimited && <p class="note">Only the selected plant is corrected.</p>}
       <button type="button" class="button" onClick={saveCleaned}>
         Save cleaned clip <span class="muted">BVH</span>

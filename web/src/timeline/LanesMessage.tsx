@@ -33,7 +33,7 @@ export function LanesMessage({ message, hint, offersJoints, retry, bottom = 0 }:
       )}
       {offersJoints && (
         <button type="button" class="button" onClick={openClipPanel}>
-          Assign joints
+          Choose joints
         </button>
       )}
     </div>

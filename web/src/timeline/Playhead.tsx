@@ -17,7 +17,7 @@ export function Playhead(area: MarkerArea) {
     const current = frame.value;
     const rate = clip.value?.rate ?? 1;
     const foot = (side: "left" | "right") =>
-      plantAt(plants.value, current, side) ? `${side} planted` : `${side} in the air`;
+      plantAt(plants.value, current, side) ? `${side} in contact` : `${side} in the air`;
     const feet = detection.value ? `, ${foot("left")}, ${foot("right")}` : "";
     const segment = segmentAtPlayhead();
     const segmentText = segment

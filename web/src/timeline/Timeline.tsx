@@ -140,6 +140,7 @@ export function Timeline() {
     };
   }, [layout, width, selectedBar]);
 
+  const height = timelineHeight.value;
   const hasFrames = (openClip.value?.frames ?? 0) > 0;
   return (
     <section class="timeline" aria-label="Timeline" data-compared={reference.value !== null}>
@@ -155,7 +156,7 @@ export function Timeline() {
         class="tracks"
         ref={(element) => {
           container.current = element;
-          setSize(element, "--tracks-height", timelineHeight.value);
+          setSize(element, "--tracks-height", height);
         }}
       >
         <canvas ref={canvas} class={hasFrames ? undefined : "no-frames"} />

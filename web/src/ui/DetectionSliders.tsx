@@ -1,5 +1,5 @@
 import { setDetectOptions } from "../actions/detect";
-import { formatR, positionToR, rToPosition, sensitivity } from "../model/sensitivity";
+import { formatR, positionStep, positionToR, rToPosition, sensitivity } from "../model/sensitivity";
 import { detectOptions } from "../store/settings";
 import { Slider } from "./Slider";
 
@@ -13,7 +13,13 @@ export function SensitivitySlider() {
       defaultValue={sensitivity.default}
       format={formatR}
       formatForScreenReader={(value) => `r ${formatR(value)}`}
-      range={{ min: 0, max: 1, step: 0.005, toPosition: rToPosition, fromPosition: positionToR }}
+      range={{
+        min: 0,
+        max: 1,
+        step: positionStep,
+        toPosition: rToPosition,
+        fromPosition: positionToR,
+      }}
       endLabels={["Fewer contacts", "More contacts"]}
       onChange={(r) => setDetectOptions({ r })}
     />

@@ -27,7 +27,7 @@ export function Menu({
       },
       options,
     );
-    menu.current?.addEventListener(
+    addEventListener(
       "keydown",
       (event) => {
         if (event.key !== "Escape") return;
@@ -35,7 +35,7 @@ export function Menu({
         isOpen.value = false;
         button.current?.focus();
       },
-      options,
+      { ...options, capture: true },
     );
     return () => controller.abort();
   }, [isOpen.value]);

@@ -8,6 +8,7 @@ import type { CameraPose, CameraView, ViewState } from "../model/view-state";
 import { Bones } from "./bones";
 import { Camera } from "./camera";
 import { CompanionFigure, companionDistance } from "./companion";
+import { FootOffsets } from "./foot-offsets";
 import { Footprints } from "./footprints";
 import { JointMarker } from "./joint-marker";
 import { MainCharacter } from "./main-character";
@@ -16,10 +17,11 @@ import { type Palette, readPalette } from "./palette";
 import { groundUniform } from "./quads";
 import { Trails } from "./trails";
 
-/** The uncorrected clip, drawn translucent. */
+/** The uncorrected clip, drawn translucent, with lines that show how far the feet were moved. */
 interface Ghost {
   clip: Clip;
   bones: Bones;
+  offsets: FootOffsets;
 }
 
 /** The labels of the open clip. */
@@ -218,14 +220,16 @@ export class Stage {
   /** Shows a translucent copy of a clip at the main character; `null` removes it. */
   setGhost(clip: Clip | null) {
     if (this.ghost) {
-      this.scene.remove(this.ghost.bones.group);
-      this.retired.push(this.ghost.bones);
+      this.scene.remove(this.ghost.bones.group, this.ghost.offsets.lines);
+      this.retired.push(this.ghost.bones, this.ghost.offsets);
     }
     this.ghost = null;
     if (clip && this.mainCharacter) {
-      const bones = new Bones(clip, this.mainCharacter.size, readPalette(this.host), true);
-      this.ghost = { clip, bones };
-      this.scene.add(bones.group);
+      const palette = readPalette(this.host);
+      const bones = new Bones(clip, this.mainCharacter.size, palette, true);
+      const offsets = new FootOffsets(clip, palette);
+      this.ghost = { clip, bones, offsets };
+      this.scene.add(bones.group, offsets.lines);
     }
     this.invalidate();
   }
@@ -369,7 +373,11 @@ export class Stage {
       const { slopeX, slopeZ, offset } = groundPlane(detection);
       groundUniform.value.set(slopeX, slopeZ, offset);
       mainCharacter.update(playhead, groundHeight, detection, this.camera.isEdgeOn);
-      this.ghost?.bones.setPose(this.ghost.clip, playhead, groundHeight);
+      if (this.ghost) {
+        const { bones, offsets } = this.ghost;
+        bones.setPose(this.ghost.clip, playhead, groundHeight);
+        offsets.update(mainCharacter.pose, bones.pose);
+      }
       this.jointMarker?.update(mainCharacter.pose);
       this.trails?.update(playhead, groundHeight);
       const seconds = this.playhead / clip.rate;

@@ -119,7 +119,8 @@ fn a_pipe_with_the_name_of_a_result_is_an_error() {
     let folder = clips();
     let folder = folder.path();
     assert_eq!(run(folder, &["detect", "a.bvh", "--out", "out"]).0, 0);
-    let mut paths = fs::read_dir(folder.join("out")).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let mut paths =
+        fs::read_dir(folder.join("out")).expect("a folder").map(|entry| entry.expect("an entry").path());
     let result = paths.find(|path| path.extension().is_some_and(|end| end == "json")).expect("a result");
     fs::remove_file(&result).expect("a file");
     assert!(std::process::Command::new("mkfifo").arg(&result).status().expect("mkfifo runs").success());

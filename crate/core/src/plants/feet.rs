@@ -45,7 +45,7 @@ pub enum DetectError {
     #[error("the clip has no motion in which plants could be detected")]
     NoMotion,
     /// The ankles are unknown.
-    #[error("no pair of feet was found; name the joints of both ankles")]
+    #[error("no feet were detected; choose both ankle joints")]
     NoFeet,
 }
 

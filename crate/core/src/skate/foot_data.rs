@@ -22,7 +22,7 @@ pub enum SkateError {
     #[error("the clip has no motion, so foot skate cannot be measured")]
     NoMotion,
     /// The ankles are unknown.
-    #[error("no pair of feet was found; name the joints of both ankles")]
+    #[error("no feet were detected; choose both ankle joints")]
     NoFeet,
     /// The labels belong to another clip.
     #[error("the labels have {found} frames, but the clip has {frames}")]
