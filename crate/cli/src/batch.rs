@@ -96,9 +96,9 @@ impl Batch<'_> {
             let inputs = inputs.iter().zip(&is_done).filter(|(_, is_done)| **is_done == wanted);
             inputs.map(|(input, _)| input.clone()).collect()
         };
-        let (mut analyses, mut failures) = parallel::map(&with(false), self.write.jobs, &analyse);
+        let (mut analyses, mut failures) = parallel::map(&with(false), self.write.jobs, analyse);
         if !analyses.is_empty() {
-            let (done, failures_of_done) = parallel::map(&with(true), self.write.jobs, &analyse);
+            let (done, failures_of_done) = parallel::map(&with(true), self.write.jobs, analyse);
             analyses.extend(done);
             failures += failures_of_done;
             let places: BTreeMap<&Path, usize> =

@@ -500,6 +500,13 @@ fn score_compares_cuts_with_truth() {
     assert_eq!(row("all cuts ")[1], (2 * cuts + 1).to_string());
     assert!(!text.contains("no-truth"));
     assert_eq!(code(&plantigrade(&["score", path, "--cuts", "--method", "pca-tail", "--dims", "3"])), 0);
+    let classes = plantigrade(&["score", path, "--cuts", "--classes"]);
+    let classes = stdout(&classes).split_once("\nclasses: ").expect("a second table").1.to_owned();
+    for name in ["own ", "named "] {
+        let line = classes.lines().find(|line| line.starts_with(name)).expect(&classes);
+        assert!(line.ends_with("     1.000   1.000"), "{classes}");
+    }
+    assert!(classes.lines().any(|line| line.starts_with("all frames ")), "{classes}");
 
     let other = serde_json::json!({"shared": [{"start": 1, "end": 9}]});
     fs::write(folder.path().join("segmentation.json"), other.to_string()).expect("written");

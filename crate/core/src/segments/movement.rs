@@ -11,8 +11,9 @@ use crate::segments::body;
 use crate::segments::grid::SampleGrid;
 use crate::skeleton::{Role, Skeleton};
 
-/// Sample rate, in Hz; samples coincide with frames of clips at 30, 60 and 120 Hz.
-pub(crate) const RATE: f64 = 30.0;
+/// Sample rate, in Hz, or the frame rate of the clip if that is lower. Samples coincide with frames of
+/// clips at 30, 60 and 120 Hz.
+const RATE: f64 = 30.0;
 
 /// Joints that are compared, by role, in the order of the rows.
 const JOINTS: [Role; 11] = [
@@ -126,7 +127,7 @@ impl Movement {
         if joints.count() < MIN_JOINTS {
             return None;
         }
-        let grid = SampleGrid::new(clip, frames, RATE);
+        let grid = SampleGrid::new(clip, frames, RATE.min(clip.rate()));
         let needed: Vec<usize> = slots.into_iter().flatten().chain([hips, left, right]).collect();
         let mut kinematics = Kinematics::for_joints(clip, &needed);
         let scale = body::leg_length(skeleton).recip();

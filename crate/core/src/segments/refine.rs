@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use crate::segments::movement::{self, Movement, Row, squared_distance};
+use crate::segments::movement::{Movement, Row, squared_distance};
 use crate::segments::segment::Segment;
 
 /// Maximum distance of a refined cut from the original one, in seconds …
@@ -26,7 +26,7 @@ pub(crate) fn refine_cuts(movement: &Movement, segments: &mut [Segment]) {
     let ranges: Vec<Range<usize>> =
         segments.iter().map(|segment| movement.samples(&segment.frames)).collect();
     for (index, pair) in ranges.windows(2).enumerate() {
-        let cut = movement.frame(refined_cut(movement.all_rows(), &pair[0], &pair[1]));
+        let cut = movement.frame(refined_cut(movement, &pair[0], &pair[1]));
         // At frame rates of a few Hz, cuts might meet.
         let cut = cut.clamp(segments[index].frames.start + 1, segments[index + 1].frames.end - 1);
         segments[index].frames.end = cut;
@@ -35,13 +35,14 @@ pub(crate) fn refine_cuts(movement: &Movement, segments: &mut [Segment]) {
 }
 
 /// Returns the first sample of the second of two adjacent segments.
-fn refined_cut(rows: &[Row], before: &Range<usize>, after: &Range<usize>) -> usize {
-    let cut = after.start;
-    let samples = |seconds: f64| (seconds * movement::RATE) as usize;
+fn refined_cut(movement: &Movement, before: &Range<usize>, after: &Range<usize>) -> usize {
+    let (rows, cut) = (movement.all_rows(), after.start);
+    // Casts saturate.
+    let samples = |seconds: f64| (seconds / movement.step()) as usize;
     let reach = |segment: &Range<usize>| samples(REACH).min((segment.len() as f64 * REACH_FRACTION) as usize);
     let between = cut - reach(before)..cut + reach(after);
     let before = before.start.max(between.start.saturating_sub(samples(REFERENCE)))..between.start;
-    let after = between.end..after.end.min(between.end + samples(REFERENCE));
+    let after = between.end..after.end.min(between.end.saturating_add(samples(REFERENCE)));
     between.start + best_split(&rows[between], &rows[before], &rows[after])
 }
 
@@ -60,4 +61,24 @@ fn best_split(between: &[Row], before: &[Row], after: &[Row]) -> usize {
         }
     }
     best.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(values: &[f32]) -> Vec<Row> {
+        values.iter().map(|value| [*value; size_of::<Row>() / size_of::<f32>()]).collect()
+    }
+
+    #[test]
+    fn movements_belong_to_the_more_similar_action() {
+        let (low, high) = (rows(&[0.0; 9]), rows(&[2.0; 9]));
+        assert_eq!(best_split(&rows(&[0.1, 0.2, 0.6, 1.5, 1.9]), &low, &high), 3);
+        // A single deviation does not change the result.
+        assert_eq!(best_split(&rows(&[0.1, 1.2, 0.2, 1.9, 1.9]), &low, &high), 3);
+        assert_eq!(best_split(&rows(&[1.5, 1.9]), &low, &high), 0);
+        assert_eq!(best_split(&rows(&[0.1, 0.2]), &low, &high), 2);
+        assert_eq!(best_split(&[], &low, &high), 0);
+    }
 }

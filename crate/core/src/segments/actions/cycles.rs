@@ -80,3 +80,41 @@ fn repeating_samples(rows: &[Row], lag: usize, max_difference: f64) -> usize {
     }
     first.map_or(0, |first| last - first + lag)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEP: f64 = 1.0 / 30.0;
+
+    /// Poses of one joint that circles with a period in samples between pauses.
+    fn circling(period: f64, pauses: usize, count: usize) -> Vec<Row> {
+        let row = |sample: usize| {
+            let sample = sample.clamp(pauses, pauses + count) - pauses;
+            let phase = std::f64::consts::TAU * sample as f64 / period;
+            let mut row: Row = [0.0; size_of::<Row>() / size_of::<f32>()];
+            (row[0], row[1]) = (phase.sin() as f32, phase.cos() as f32);
+            row
+        };
+        (0..count + 2 * pauses).map(row).collect()
+    }
+
+    #[test]
+    fn period_and_number_are_those_of_the_repeated_part() {
+        for period in [12.0, 15.4, 31.7] {
+            let cycles = cycles(&circling(period, 20, 160), STEP).unwrap();
+            assert!((cycles.period_s - period * STEP).abs() < 0.01, "{period}: {cycles:?}");
+            assert!((cycles.count - 160.0 / period).abs() < 1.0, "{period}: {cycles:?}");
+        }
+    }
+
+    #[test]
+    fn other_movements_have_no_cycles() {
+        assert_eq!(cycles(&circling(30.0, 0, 50), STEP), None, "fewer than two cycles");
+        assert_eq!(cycles(&circling(30.0, 90, 1), STEP), None, "almost motionless");
+        for count in 0..20 {
+            assert_eq!(cycles(&circling(8.0, 0, count), STEP), None, "{count} samples");
+        }
+        assert_eq!(cycles(&circling(30.0, 0, 100), 0.0), None);
+    }
+}

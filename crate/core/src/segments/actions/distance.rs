@@ -21,3 +21,31 @@ pub(crate) fn distance(a: &[Row], b: &[Row]) -> f64 {
     let larger = median(nearest_a).unwrap_or(0.0).max(median(nearest_b).unwrap_or(0.0));
     larger.sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(values: &[f32]) -> Vec<Row> {
+        let mut row: Row = [0.0; size_of::<Row>() / size_of::<f32>()];
+        let row = |value: &f32| {
+            row[0] = *value;
+            row
+        };
+        values.iter().map(row).collect()
+    }
+
+    #[test]
+    fn order_and_transitions_do_not_matter() {
+        let walk = rows(&[0.0, 1.0, 2.0, 3.0, 0.0, 1.0]);
+        assert_eq!(distance(&walk, &rows(&[3.0, 2.0, 1.0, 0.0])), 0.0);
+        // Up to half of a segment may be different.
+        assert_eq!(distance(&walk, &rows(&[3.0, 2.0, 1.0, 0.0, 7.0, 8.0, 9.0])), 0.0);
+    }
+
+    #[test]
+    fn a_part_differs_from_the_whole() {
+        let (part, whole) = (rows(&[0.0; 4]), rows(&[0.0, 0.0, 3.0, 3.0, 3.0]));
+        assert_eq!((distance(&part, &whole), distance(&whole, &part)), (3.0, 3.0));
+    }
+}
