@@ -261,6 +261,9 @@ pub struct ScoreArgs {
     /// Score cuts between actions; truth is NAME.segments.json, NAME.json or segmentation*.json
     #[arg(long, conflicts_with_all = ["plants", "part"])]
     pub cuts: bool,
+    /// Score the classes of the actions, too
+    #[arg(long, requires = "cuts")]
+    pub classes: bool,
     /// Method of detect, or of segment with --cuts [default: robust, or auto]
     #[arg(long)]
     pub method: Option<String>,

@@ -14,6 +14,9 @@ use walkdir::WalkDir;
 use crate::args::ReadArgs;
 use crate::error::{InputError, UsageError};
 
+/// Number of bytes read at a time.
+const CHUNK_BYTES: usize = 1 << 16;
+
 /// One file to read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Input {
@@ -156,6 +159,28 @@ fn find_joint(path: &Path, clip: &Clip, name: &str) -> Result<usize, InputError>
     }
 }
 
+/// Returns the SHA-256 of a file in hexadecimal; `None` for standard input and files that cannot be read.
+pub fn sha256(input: &Input) -> Option<String> {
+    if input.path == Path::new("-") {
+        return None;
+    }
+    let mut hash = Sha256::new();
+    let mut file = File::open(&input.path).ok()?;
+    let mut chunk = vec![0; CHUNK_BYTES];
+    loop {
+        match file.read(&mut chunk).ok()? {
+            0 => break,
+            count => hash.update(&chunk[..count]),
+        }
+    }
+    Some(hexadecimal(&hash.finalize()))
+}
+
+/// Returns bytes in hexadecimal.
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 /// Reads one file.
 pub fn load(input: &Input, args: &ReadArgs) -> Result<LoadedClip, InputError> {
     load_chunks(input, args, |_| {})
@@ -192,7 +217,7 @@ fn load_chunks(
     let options = Options { lenient: args.lenient, expected_bytes, ..Options::default() };
     let mut reader = Reader::new(options);
     let mut hash = Sha256::new();
-    let mut chunk = vec![0; 1 << 16];
+    let mut chunk = vec![0; CHUNK_BYTES];
     loop {
         let count = file.read(&mut chunk).map_err(read_error)?;
         if count == 0 {
@@ -206,7 +231,7 @@ fn load_chunks(
     if let Some(fps) = args.fps {
         parsed.clip.set_frame_time(1.0 / fps);
     }
-    let sha256 = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+    let sha256 = hexadecimal(&hash.finalize());
     let overrides = overrides(path, &parsed.clip, args)?;
     Ok(LoadedClip { parsed, sha256, overrides })
 }

@@ -165,6 +165,6 @@ impl Origin<'_> {
 }
 
 /// Returns the SHA-256 of bytes in hexadecimal.
-fn hex_digest(bytes: &[u8]) -> String {
+pub fn hex_digest(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -364,10 +364,13 @@ fn segment_writes_all_formats() {
     for method in ["auto", "lsd", "pca", "pca-tail", "ppca"] {
         let table = segment("csv", method);
         let mut lines = table.lines();
-        assert_eq!(lines.next(), Some("start_frame,end_frame,start_s,end_s,kind,label"));
+        assert_eq!(
+            lines.next(),
+            Some("start_frame,end_frame,start_s,end_s,kind,label,action,period_s,cycles")
+        );
         let end = lines.fold(0, |end, line| {
             let fields: Vec<&str> = line.split(',').collect();
-            assert_eq!((fields.len(), fields[0]), (6, end.to_string().as_str()), "{method}: {line}");
+            assert_eq!((fields.len(), fields[0]), (9, end.to_string().as_str()), "{method}: {line}");
             fields[1].parse().expect(line)
         });
         assert_eq!(end, frames, "{method}");
@@ -377,6 +380,45 @@ fn segment_writes_all_formats() {
         assert_eq!(read(&segment("json", method)).as_ref(), Ok(&segments));
         let cuts = |segments: &[Segment]| segments.iter().map(|s| s.frames.clone()).collect::<Vec<_>>();
         assert_eq!(cuts(&read(&segment("babel", method)).expect(method)), cuts(&segments));
+    }
+}
+
+#[test]
+fn segment_names_the_actions_of_all_clips_together() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let samples = [("a", "frog-jumps"), ("b", "skipping"), ("c", "frog-jumps"), ("d", "straight-jog")];
+    for (name, sample) in samples {
+        let copy = folder.path().join(name).with_extension("bvh");
+        fs::copy(format!("../../samples/{sample}.bvh"), copy).expect("copied");
+    }
+    let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let run = |out: &str, clips: &[&str]| {
+        let clips: Vec<String> = clips.iter().map(|name| path(&format!("{name}.bvh"))).collect();
+        let clips: Vec<&str> = clips.iter().map(String::as_str).collect();
+        let output = plantigrade(&[&["segment", "--out", &path(out)], &clips[..]].concat());
+        assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+    };
+    let result = |out: &str, name: &str| {
+        fs::read_to_string(format!("{}/{name}.segments.json", path(out))).expect("a result")
+    };
+    let actions = |out: &str, name: &str| -> Vec<String> {
+        let document: Value = serde_json::from_str(&result(out, name)).expect("JSON");
+        let segments = document["segments"].as_array().expect("a list").iter();
+        segments.map(|segment| segment["action"].as_str().expect("a name").into()).collect()
+    };
+    run("all", &["a", "b", "c", "d"]);
+    assert_eq!(actions("all", "a")[0], "A");
+    assert_eq!(actions("all", "a"), actions("all", "c"));
+    // Frog jumps and skipping differ; the actor stands still before and after both.
+    assert!(!actions("all", "a").contains(&actions("all", "b")[1]));
+    // A batch that is continued has the same results.
+    run("continued", &["b", "a"]);
+    assert_eq!(actions("continued", "b")[0], "A");
+    run("continued", &["a", "b", "c", "d"]);
+    fs::remove_file(format!("{}/b.segments.json", path("continued"))).expect("removed");
+    run("continued", &["a", "b", "c", "d"]);
+    for name in ["a", "b", "c", "d"] {
+        assert_eq!(result("continued", name), result("all", name), "{name}");
     }
 }
 
@@ -458,6 +500,13 @@ fn score_compares_cuts_with_truth() {
     assert_eq!(row("all cuts ")[1], (2 * cuts + 1).to_string());
     assert!(!text.contains("no-truth"));
     assert_eq!(code(&plantigrade(&["score", path, "--cuts", "--method", "pca-tail", "--dims", "3"])), 0);
+    let classes = plantigrade(&["score", path, "--cuts", "--classes"]);
+    let classes = stdout(&classes).split_once("\nclasses: ").expect("a second table").1.to_owned();
+    for name in ["own ", "named "] {
+        let line = classes.lines().find(|line| line.starts_with(name)).expect(&classes);
+        assert!(line.ends_with("     1.000   1.000"), "{classes}");
+    }
+    assert!(classes.lines().any(|line| line.starts_with("all frames ")), "{classes}");
 
     let other = serde_json::json!({"shared": [{"start": 1, "end": 9}]});
     fs::write(folder.path().join("segmentation.json"), other.to_string()).expect("written");

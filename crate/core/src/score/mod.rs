@@ -1,9 +1,13 @@
-//! Accuracy of labels against a reference with fuzzy boundaries (paper, section 3.1).
+//! Accuracy of labels against a reference: plants with fuzzy boundaries (paper, section 3.1), cuts and
+//! classes of actions.
 
+mod assignment;
+mod classes;
 mod compare;
 mod cuts;
 mod events;
 
+pub use classes::{ClassScore, classes};
 pub use compare::{AccuracyRow, Disagreement, DisagreementKind, FUZZY_PERIODS, PartScore, compare};
 pub use cuts::{CutTally, Tolerance, TrueCut, cuts};
 pub use events::{EventScore, Events, events};

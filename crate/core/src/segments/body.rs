@@ -21,6 +21,15 @@ const LIMBS: [Role; 8] = [
 const ENDS: [Role; 6] =
     [Role::LeftAnkle, Role::RightAnkle, Role::LeftToe, Role::RightToe, Role::LeftHand, Role::RightHand];
 
+/// Leg length in metres if the skeleton has none.
+const DEFAULT_LEG_METRES: f64 = 0.9;
+
+/// Returns the length of thigh and shank, in file units: the unit of distances between poses.
+pub(crate) fn leg_length(skeleton: &Skeleton) -> f64 {
+    let leg = skeleton.leg.filter(|leg| leg.is_normal());
+    leg.unwrap_or(DEFAULT_LEG_METRES / skeleton.metres_per_unit)
+}
+
 /// Joints to measure, and roles that are missing.
 #[derive(Debug)]
 pub(crate) struct Body {

@@ -48,6 +48,12 @@ impl SampleGrid {
         self.position(sample).round() as usize
     }
 
+    /// Returns the first sample at or after a frame.
+    pub fn sample_from(&self, frame: usize) -> usize {
+        // The margin is for frame times such as 0.0083333; casts saturate.
+        (frame.saturating_sub(self.first) as f64 / self.step - 1e-2).ceil() as usize
+    }
+
     /// Returns the time from the first sample to another, in seconds.
     pub fn seconds(&self, sample: usize) -> f64 {
         sample as f64 * self.step * self.frame_time

@@ -13,6 +13,27 @@ pub struct Segment {
     pub kind: Kind,
     /// Label, as the motifs that the action repeats; empty if the method has none.
     pub label: String,
+    /// Name of the action: segments in which the same is done share it. Letters in order of first
+    /// appearance, from A; empty if unknown.
+    pub action: String,
+    /// Cycles of the action, if it repeats.
+    pub cycles: Option<Cycles>,
+}
+
+impl Segment {
+    /// Creates a segment whose action is unknown.
+    pub fn new(frames: Range<usize>, kind: Kind, label: impl Into<String>) -> Segment {
+        Segment { frames, kind, label: label.into(), action: String::new(), cycles: None }
+    }
+}
+
+/// Cycles of an action: its repeats, as steps or punches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cycles {
+    /// Period, in seconds.
+    pub period_s: f64,
+    /// Number of cycles, at least 2; a fraction if the last one is incomplete.
+    pub count: f64,
 }
 
 /// Kind of action of a segment.

@@ -206,6 +206,111 @@ fn violated_rules_are_stated() {
     }
 }
 
+/// Walking in place, bowing and walking again, 6 s each.
+fn walk_bow_walk(rate: f64) -> Clip {
+    clip(BODY.len(), (18.0 * rate) as usize, rate, |joint, frame| {
+        let time = frame as f64 / rate;
+        let swing = |amplitude: f64, period: f64| amplitude * (std::f64::consts::TAU * time / period).sin();
+        let is_bowing = (6.0..12.0).contains(&time);
+        match (BODY[joint].0, is_bowing) {
+            ("LeftUpLeg", false) => swing(35.0, 1.2),
+            ("RightUpLeg", false) => swing(-35.0, 1.2),
+            ("LeftLeg" | "RightLeg", false) => 20.0 + swing(20.0, 1.2),
+            ("Spine", true) => 30.0 + swing(30.0, 0.8),
+            _ => 0.0,
+        }
+    })
+}
+
+fn actions_of(segmentation: &Segmentation) -> Vec<&str> {
+    segmentation.segments.iter().map(|segment| segment.action.as_str()).collect()
+}
+
+#[test]
+fn recurring_actions_have_one_name_and_a_period() {
+    for method in [Method::Auto, Method::Lsd] {
+        let found = cut(&walk_bow_walk(60.0), Params { method, ..Params::default() }).unwrap();
+        assert_eq!(actions_of(&found), ["A", "B", "A"], "{method}");
+        assert!(found.actions.iter().map(|action| action.name.as_str()).eq(["A", "B"]));
+        for (segment, period) in found.segments.iter().zip([1.2, 0.8, 1.2]) {
+            let cycles = segment.cycles.unwrap();
+            assert!((cycles.period_s - period).abs() < 0.03, "{method}: {cycles:?}");
+            assert!((cycles.count - 6.0 / period).abs() < 0.8, "{method}: {cycles:?}");
+        }
+    }
+}
+
+#[test]
+fn actions_are_invariant_to_rate_unit_place_heading_and_up_axis() {
+    let reference = cut(&walk_bow_walk(120.0), Params::default()).unwrap();
+    for rate in [24.0, 25.0, 30.0, 60.0, 100.0] {
+        let found = cut(&walk_bow_walk(rate), Params::default()).unwrap();
+        assert_eq!(actions_of(&found), actions_of(&reference), "{rate} Hz");
+        for (a, b) in found.segments.iter().zip(&reference.segments) {
+            let [a, b] = [a, b].map(|segment| segment.cycles.unwrap());
+            assert!((a.period_s - b.period_s).abs() < 0.02, "{rate} Hz: {a:?} {b:?}");
+        }
+        let names = common_names(&[&reference.actions, &found.actions]);
+        assert_eq!(names, [["A", "B"], ["A", "B"]], "{rate} Hz");
+    }
+    let moved = placed(&walk_bow_walk(60.0), 0.01, |offset| offset, [3.0, -2.0, 40.0], 130.0, Axis::Y);
+    let z_up = |offset: Vector3<f64>| Vector3::new(offset.x, -offset.z, offset.y);
+    let rotated = placed(&walk_bow_walk(60.0), 2.54, z_up, [0.0, 0.0, 0.0], -75.0, Axis::Z);
+    for clip in [moved, rotated] {
+        let found = cut(&clip, Params::default()).unwrap();
+        assert_eq!(found.cuts(), cut(&walk_bow_walk(60.0), Params::default()).unwrap().cuts());
+        assert_eq!(common_names(&[&reference.actions, &found.actions]), [["A", "B"], ["A", "B"]]);
+    }
+}
+
+/// Returns the clip in another unit and other axes, at a place and with a heading in degrees.
+fn placed(
+    clip: &Clip,
+    unit: f64,
+    axes: impl Fn(Vector3<f64>) -> Vector3<f64>,
+    place: [f64; 3],
+    heading: f64,
+    up: Axis,
+) -> Clip {
+    let mut joints = clip.joints().to_vec();
+    for joint in &mut joints {
+        joint.offset = axes(joint.offset) * unit;
+    }
+    joints[0].channels = [Axis::X, Axis::Y, Axis::Z].map(Channel::Position).into();
+    joints[0].channels.extend([Channel::Rotation(up), Channel::Rotation(Axis::X)]);
+    let root = [axes(Vector3::new(0.0, 95.0, 0.0)) * unit + Vector3::from(place), Vector3::zeros()];
+    let values = (0..clip.frame_count()).flat_map(|frame| {
+        let first = [root[0].x, root[0].y, root[0].z, heading];
+        first.into_iter().chain(clip.row(frame).iter().copied())
+    });
+    Clip::new(joints, clip.frame_time(), values.collect())
+}
+
+#[test]
+fn actions_are_the_same_backwards() {
+    let clip = walk_bow_walk(60.0);
+    let backwards = (0..clip.frame_count()).rev().flat_map(|frame| clip.row(frame)).copied().collect();
+    let backwards = Clip::new(clip.joints().to_vec(), clip.frame_time(), backwards);
+    let found = [&clip, &backwards].map(|clip| cut(clip, Params::default()).unwrap());
+    assert_eq!(actions_of(&found[0]), actions_of(&found[1]));
+}
+
+#[test]
+fn common_names_are_in_order_of_the_clips() {
+    let walk = cut(&walk_bow_walk(60.0), Params::default()).unwrap().actions;
+    let bow = [walk[1].clone()];
+    assert_eq!(common_names(&[&bow, &walk, &[]]), [vec!["A"], vec!["B", "A"], vec![]]);
+    assert_eq!(common_names(&[]), Vec::<Vec<String>>::new());
+}
+
+#[test]
+fn actions_are_unknown_without_both_sides() {
+    let clip = clip(10, 300, 60.0, |joint, frame| (frame as f64 / 9.0 + joint as f64).sin() * 30.0);
+    let found = cut(&clip, Params::default()).unwrap();
+    assert!(found.actions.is_empty() && actions_of(&found).iter().all(|action| action.is_empty()));
+    assert!(found.notices.iter().any(|notice| notice.text.starts_with("The actions are unknown")));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 

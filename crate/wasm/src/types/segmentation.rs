@@ -104,6 +104,18 @@ pub struct SegmentInfo {
     pub kind: String,
     /// The method's label; empty if it has none.
     pub label: String,
+    /// Name of the action, which all segments share in which the same is done: A, B, ….
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub action: Option<String>,
+    /// Period of the action's cycles, in seconds, if it repeats.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub period: Option<f64>,
+    /// Number of cycles, if the action repeats.
+    #[tsify(optional)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<f64>,
 }
 
 impl From<&Segment> for SegmentInfo {
@@ -113,6 +125,9 @@ impl From<&Segment> for SegmentInfo {
             end: segment.frames.end,
             kind: segment.kind.name().into(),
             label: segment.label.clone(),
+            action: (!segment.action.is_empty()).then(|| segment.action.clone()),
+            period: segment.cycles.map(|cycles| cycles.period_s),
+            cycles: segment.cycles.map(|cycles| cycles.count),
         }
     }
 }

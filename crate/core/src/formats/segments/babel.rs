@@ -11,7 +11,7 @@ use crate::formats::document::{ReadError, to_json};
 use crate::formats::format_info::FormatInfo;
 use crate::formats::segments::document::SegmentsDocument;
 use crate::formats::segments::export::{Reader, Writer};
-use crate::formats::segments::file::TimedActions;
+use crate::formats::segments::file::{TimedAction, TimedActions};
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "babel",
@@ -62,7 +62,7 @@ struct Action {
 /// Returns a BABEL file with one sequence per document, under the name of its clip.
 ///
 /// If the clip has several skeletons, the name of the root follows. Segments without a label are named
-/// by their number, as in `segment 3`.
+/// by their number, as in `segment 3`. Their category is the name of the action.
 fn babel_json(documents: &[SegmentsDocument]) -> String {
     let sequences: BTreeMap<String, Sequence> = documents.iter().map(sequence).collect();
     to_json(&sequences)
@@ -78,7 +78,7 @@ fn sequence(document: &SegmentsDocument) -> (String, Sequence) {
         raw_label: Some(if segment.label.is_empty() { default_name(index) } else { segment.label.clone() }),
         proc_label: (!segment.label.is_empty()).then(|| segment.label.clone()),
         seg_id: (index + 1).to_string().into(),
-        act_cat: None,
+        act_cat: (!segment.action.is_empty()).then(|| vec![segment.action.clone()]),
         start_t: Some(segment.frames.start_s),
         end_t: Some(segment.frames.end_s),
     });
@@ -103,8 +103,12 @@ pub(crate) fn read_sequence(sequence: Value) -> Result<TimedActions, ReadError> 
     let sequence: Sequence = serde_json::from_value(sequence)?;
     let labels = sequence.frame_ann.unwrap_or_default().labels;
     let actions = labels.into_iter().enumerate().filter_map(|(index, action)| {
-        let label = action.raw_label.filter(|label| *label != default_name(index)).unwrap_or_default();
-        Some((action.start_t?, action.end_t?, label))
+        Some(TimedAction {
+            start: action.start_t?,
+            end: action.end_t?,
+            label: action.raw_label.filter(|label| *label != default_name(index)).unwrap_or_default(),
+            action: action.act_cat.unwrap_or_default().join(", "),
+        })
     });
     Ok(TimedActions { duration: sequence.dur, actions: actions.collect() })
 }

@@ -1,11 +1,13 @@
 //! The segments document: JSON that is saved, shared and read back.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use crate::bvh::Clip;
 use crate::formats::document::{FrameRange, Header, Origin, Source};
 use crate::notice::Notice;
-use crate::segments::{Kind, MethodOption, Segmentation, ValidParams};
+use crate::segments::{Cycles, Kind, MethodOption, Segment, Segmentation, ValidParams};
 use crate::skeleton::Skeleton;
 
 /// Segments of one clip and their origin.
@@ -59,6 +61,15 @@ pub struct DocumentSegment {
     /// Label; empty if there is none.
     #[serde(default)]
     pub label: String,
+    /// Name of the action, which all segments share in which the same is done; empty if unknown.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub action: String,
+    /// Period of the action's cycles, in seconds, if it repeats.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub period_s: Option<f64>,
+    /// Number of cycles, if the action repeats.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<f64>,
     /// Origin of the segment.
     pub source: Origin,
 }
@@ -74,6 +85,21 @@ pub struct DocumentMotif {
     pub class: usize,
     /// Change of the method's curve; negative if it falls.
     pub amplitude: f64,
+}
+
+impl DocumentSegment {
+    /// Returns the segment without its times and origin.
+    pub(crate) fn segment(self) -> Segment {
+        let mut segment = Segment::new(self.frames.start..self.frames.end, self.kind, self.label);
+        segment.action = self.action;
+        segment.cycles = cycles(self.period_s, self.cycles);
+        segment
+    }
+}
+
+/// Returns the cycles if both their period and their number are known.
+pub(crate) fn cycles(period_s: Option<f64>, count: Option<f64>) -> Option<Cycles> {
+    Some(Cycles { period_s: period_s?, count: count? })
 }
 
 impl SegmentsMethod {
@@ -107,6 +133,9 @@ impl SegmentsDocument {
             frames: FrameRange::new(segment.frames.clone(), rate),
             kind: segment.kind,
             label: segment.label.clone(),
+            action: segment.action.clone(),
+            period_s: segment.cycles.map(|cycles| (cycles.period_s * 1e3).round() / 1e3),
+            cycles: segment.cycles.map(|cycles| (cycles.count * 10.0).round() / 10.0),
             source: Origin::Auto,
         });
         let motifs = segmentation.motifs.iter().map(|motif| DocumentMotif {
@@ -123,6 +152,15 @@ impl SegmentsDocument {
             transitions: transitions.collect(),
             motifs: motifs.collect(),
             notices: [notices, &skeleton.notices, &segmentation.notices].concat(),
+        }
+    }
+
+    /// Renames the actions; names that the map does not have remain.
+    pub fn rename_actions(&mut self, names: &BTreeMap<String, String>) {
+        for segment in &mut self.segments {
+            if let Some(name) = names.get(&segment.action) {
+                segment.action.clone_from(name);
+            }
         }
     }
 
@@ -160,6 +198,20 @@ mod tests {
             fields(Method::Mvu),
             ["dims=3", "name=\"mvu\"", "published=false", "residual=\"absolute\""]
         );
+    }
+
+    #[test]
+    fn actions_are_renamed() {
+        let text = r#"{"format": "plantigrade-segments", "version": 1, "source": {"name": "a.bvh"},
+            "frames": 3, "rate": 30, "method": {"name": "auto"}, "segments": [
+            {"start": 0, "end": 1, "start_s": 0, "end_s": 0.1, "kind": "action", "action": "A", "source": "auto"},
+            {"start": 1, "end": 3, "start_s": 0.1, "end_s": 0.2, "kind": "action", "action": "B",
+             "period_s": 0.5, "cycles": 2.5, "source": "auto"}]}"#;
+        let mut document: SegmentsDocument = serde_json::from_str(text).unwrap();
+        document.rename_actions(&[("A".into(), "B".into()), ("B".into(), "F".into())].into());
+        assert_eq!([0, 1].map(|segment| document.segments[segment].action.as_str()), ["B", "F"]);
+        let read = document.segments.remove(1).segment();
+        assert_eq!((read.action.as_str(), read.cycles), ("F", Some(Cycles { period_s: 0.5, count: 2.5 })));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::ops::Range;
 use serde::Deserialize;
 
 use crate::formats::document::ReadError;
-use crate::formats::segments::document::SegmentsDocument;
+use crate::formats::segments::document::{DocumentSegment, SegmentsDocument};
 use crate::numeric::sort;
 use crate::score::TrueCut;
 use crate::segments::{Kind, Segment};
@@ -30,7 +30,7 @@ pub(crate) struct FileSegment {
 
 impl FileSegment {
     pub fn new(frames: Range<usize>, kind: Kind, label: impl Into<String>) -> FileSegment {
-        FileSegment { segment: Segment { frames, kind, label: label.into() }, cut: None }
+        FileSegment { segment: Segment::new(frames, kind, label), cut: None }
     }
 }
 
@@ -38,8 +38,19 @@ impl FileSegment {
 pub(crate) struct TimedActions {
     /// Duration of the clip, in seconds.
     pub duration: Option<f64>,
-    /// Start and end in seconds, and label, which may be empty.
-    pub actions: Vec<(f64, f64, String)>,
+    pub actions: Vec<TimedAction>,
+}
+
+/// An action with times.
+pub(crate) struct TimedAction {
+    /// Start, in seconds.
+    pub start: f64,
+    /// End, in seconds.
+    pub end: f64,
+    /// Label; may be empty.
+    pub label: String,
+    /// Name of the action; may be empty.
+    pub action: String,
 }
 
 /// One annotated action. Frames count from 1, and `end` is the last frame.
@@ -61,9 +72,8 @@ impl SegmentFile {
                 Err(ReadError::Length { found: document.header.frames, frames })
             }
             SegmentFile::Document(document) => {
-                let parts = document.segments.into_iter().map(|segment| {
-                    FileSegment::new(segment.frames.start..segment.frames.end, segment.kind, segment.label)
-                });
+                let segments = document.segments.into_iter().map(DocumentSegment::segment);
+                let parts = segments.map(|segment| FileSegment { segment, cut: None });
                 check_partition(parts.collect(), frames)
             }
             SegmentFile::Table(parts) => check_partition(parts, frames),
@@ -81,8 +91,11 @@ fn timed_parts(file: TimedActions, frames: usize, rate: f64) -> Result<Vec<FileS
     {
         return Err(ReadError::Length { found: frame(seconds), frames });
     }
-    let parts = file.actions.into_iter().map(|(start, end, label)| {
-        FileSegment::new(frame(start).min(frames)..frame(end).min(frames), Kind::Action, label)
+    let parts = file.actions.into_iter().map(|TimedAction { start, end, label, action }| {
+        let mut part =
+            FileSegment::new(frame(start).min(frames)..frame(end).min(frames), Kind::Action, label);
+        part.segment.action = action;
+        part
     });
     Ok(complete(parts.collect(), frames, rate))
 }

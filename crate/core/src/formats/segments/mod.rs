@@ -103,15 +103,18 @@ mod tests {
     use super::*;
     use crate::formats::to_json;
     use crate::formats::{DocumentSegment, FrameRange, Header, Origin, SegmentsMethod, Source, VERSION};
-    use crate::segments::Kind;
+    use crate::segments::{Cycles, Kind};
 
     fn document() -> SegmentsDocument {
         let rate = 1.0 / 0.0083333;
-        let segments = [(0..40, "walk"), (40..41, ""), (41..500, "kick, \"high\"")];
-        let segments = segments.map(|(frames, label)| DocumentSegment {
+        let segments = [(0..40, "walk", "A"), (40..41, "", ""), (41..500, "kick, \"high\"", "AB")];
+        let segments = segments.map(|(frames, label, action)| DocumentSegment {
             frames: FrameRange::new(frames, rate),
             kind: Kind::Action,
             label: label.into(),
+            action: action.into(),
+            period_s: (label == "walk").then_some(1.125),
+            cycles: (label == "walk").then_some(2.5),
             source: Origin::Edited,
         });
         SegmentsDocument {
@@ -145,6 +148,11 @@ mod tests {
             let text = String::from_utf8(format.write(&export)).unwrap();
             let read = read_segments(&text, "86_01", frames, rate).unwrap();
             assert_eq!(ranges(&read), [(0..40, "walk"), (40..41, ""), (41..500, "kick, \"high\"")], "{text}");
+            assert!(read.iter().map(|segment| segment.action.as_str()).eq(["A", "", "AB"]), "{text}");
+            let cycles = Some(Cycles { period_s: 1.125, count: 2.5 });
+            let has_cycles = matches!(format, SegmentFormat::Json | SegmentFormat::Csv);
+            assert_eq!(read[0].cycles, cycles.filter(|_| has_cycles), "{text}");
+            assert_eq!(read[2].cycles, None, "{text}");
             let cuts = read_cuts(&text, "86_01", frames, rate).unwrap();
             assert_eq!(cuts, [40.0, 41.0].map(TrueCut::at));
             let short = read_segments(&text, "86_01", 400, rate);
@@ -162,7 +170,9 @@ mod tests {
         let export = SegmentExport { documents: documents.into(), as_array: true };
         let write = |format: SegmentFormat| String::from_utf8(format.write(&export)).unwrap();
         let table = write(SegmentFormat::Csv);
-        assert!(table.starts_with("root,start_frame,end_frame,start_s,end_s,kind,label\nA:Hips,0,40,0,"));
+        assert!(table.starts_with(
+            "root,start_frame,end_frame,start_s,end_s,kind,label,action,period_s,cycles\nA:Hips,0,40,0,"
+        ));
         assert!(write(SegmentFormat::Babel).contains("\"86_01 B:Hips\""));
         for text in [table, write(SegmentFormat::Json)] {
             assert!(matches!(read_cuts(&text, "86_01", 500, 120.0), Err(ReadError::Invalid(_))));
@@ -237,6 +247,7 @@ mod tests {
             "start_frame,end_frame,label\n0,4,walk\n5,10,walk\n",
             "start_frame,end_frame,label\n0,10,walk\n10,10,walk\n",
             "start_frame,end_frame,kind,label\n0,10,odd,walk\n",
+            "start_frame,end_frame,label,period_s,cycles\n0,10,walk,1,often\n",
             r#"{"walk": [{"start": 0, "end": 10}]}"#,
             r#"{"walk": [{"start": 3, "end": 1}, {"start": 1, "end": 10}]}"#,
             r#"{"walk": [{"start": -1, "end": 10}]}"#,

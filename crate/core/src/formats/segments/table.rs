@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::formats::csv::{self, root_field, seconds, table_header};
 use crate::formats::document::ReadError;
 use crate::formats::format_info::FormatInfo;
-use crate::formats::segments::document::SegmentsDocument;
+use crate::formats::segments::document::{self, SegmentsDocument};
 use crate::formats::segments::export::{Reader, Writer};
 use crate::formats::segments::file::{FileSegment, SegmentFile};
 use crate::segments::Kind;
@@ -20,24 +20,31 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     read: Some(Reader { recognises: |text| !text.starts_with(['{', '[']), read }),
 };
 
-/// Returns one row per segment: `start_frame,end_frame,start_s,end_s,kind,label`, half-open. The rows
-/// cover the clip from frame 0 without gaps.
+/// Columns after the name of the root.
+const COLUMNS: &str = "start_frame,end_frame,start_s,end_s,kind,label,action,period_s,cycles";
+
+/// Returns one row per segment with [`COLUMNS`]; frames are half-open. The rows cover the clip from frame 0
+/// without gaps. Period and number of cycles are empty if the action does not repeat.
 ///
 /// With several skeletons, the table begins with a column `root`.
 fn segments_csv(documents: &[SegmentsDocument]) -> String {
     let roots = documents.iter().map(|document| document.header.root.as_deref());
-    let mut text = table_header(roots, "start_frame,end_frame,start_s,end_s,kind,label\n");
+    let mut text = table_header(roots, &format!("{COLUMNS}\n"));
+    let number = |number: Option<f64>| number.map_or_else(String::new, |number| number.to_string());
     for SegmentsDocument { header, segments, .. } in documents {
         for segment in segments {
             let (start, end) = (segment.frames.start, segment.frames.end);
             let _ = writeln!(
                 text,
-                "{}{start},{end},{},{},{},{}",
+                "{}{start},{end},{},{},{},{},{},{},{}",
                 root_field(header.root.as_deref()),
                 seconds(start, 1.0 / header.rate),
                 seconds(end, 1.0 / header.rate),
                 segment.kind.name(),
                 csv::field(&segment.label),
+                csv::field(&segment.action),
+                number(segment.period_s),
+                number(segment.cycles),
             );
         }
     }
@@ -56,6 +63,7 @@ fn read(text: &str, _clip: &str) -> Result<SegmentFile, ReadError> {
         return Err(ReadError::Invalid("tables of several skeletons cannot be compared".into()));
     }
     let kinds = column("kind");
+    let [action, period, cycles] = ["action", "period_s", "cycles"].map(column);
     let part = |row: csv::Row| {
         let frame = |column| {
             let found = row.field(column);
@@ -68,7 +76,18 @@ fn read(text: &str, _clip: &str) -> Result<SegmentFile, ReadError> {
                 .find(|kind| Some(kind.name()) == found)
                 .ok_or_else(|| row.unexpected("a kind", found))?,
         };
-        Ok(FileSegment::new(frame(start)?..frame(end)?, kind, row.field(label).unwrap_or_default()))
+        let number = |column: Option<usize>| match column.and_then(|column| row.field(column)) {
+            None | Some("") => Ok(None),
+            found => found
+                .and_then(|text| text.parse().ok())
+                .map(Some)
+                .ok_or_else(|| row.unexpected("a number", found)),
+        };
+        let label = row.field(label).unwrap_or_default();
+        let mut part = FileSegment::new(frame(start)?..frame(end)?, kind, label);
+        part.segment.action = action.and_then(|column| row.field(column)).unwrap_or_default().into();
+        part.segment.cycles = document::cycles(number(period)?, number(cycles)?);
+        Ok(part)
     };
     Ok(SegmentFile::Table(rows.map(part).collect::<Result<_, ReadError>>()?))
 }

@@ -28,6 +28,8 @@ pub(crate) struct MethodInfo {
     pub description: &'static str,
     /// Parameters that the method uses.
     pub options: &'static [MethodOption],
+    /// True if cuts are refined within their transitions; methods of publications are not changed.
+    pub refines_cuts: bool,
     pub segment: fn(&mut Input) -> Result<Output, SegmentError>,
 }
 
@@ -63,9 +65,7 @@ pub(crate) struct Output {
 impl Output {
     /// Creates segments without kinds or labels from cuts.
     pub fn from_cuts(frames: usize, cuts: &[usize], curve: Curve, notices: Vec<Notice>) -> Output {
-        let segments = partition(frames, cuts)
-            .map(|frames| Segment { frames, kind: Kind::Action, label: String::new() })
-            .collect();
+        let segments = partition(frames, cuts).map(|frames| Segment::new(frames, Kind::Action, "")).collect();
         Output { segments, transitions: Vec::new(), motifs: Vec::new(), curve, notices }
     }
 }

@@ -40,6 +40,11 @@ impl Method {
         self.entry().options
     }
 
+    /// True if cuts are refined within their transitions.
+    pub(crate) fn refines_cuts(self) -> bool {
+        self.entry().refines_cuts
+    }
+
     pub(crate) fn segment(self, input: &mut Input) -> Result<Output, SegmentError> {
         (self.entry().segment)(input)
     }

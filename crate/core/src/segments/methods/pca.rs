@@ -18,6 +18,7 @@ pub(crate) const PCA: MethodInfo = MethodInfo {
     title: "PCA, as published",
     description: "Cuts where the error of the subspace of the first poses grows faster than before.",
     options: &[],
+    refines_cuts: false,
     segment: segment_pca,
 };
 
@@ -26,6 +27,7 @@ pub(crate) const PCA_TAIL: MethodInfo = MethodInfo {
     title: "PCA tail",
     description: "Cuts where the variance beyond two dimensions jumps.",
     options: &[MethodOption::Dims(2)],
+    refines_cuts: false,
     segment: segment_pca_tail,
 };
 

@@ -20,6 +20,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     title: "Probabilistic PCA",
     description: "Cuts where the next poses are least likely under the distribution of the previous ones.",
     options: &[MethodOption::Published],
+    refines_cuts: false,
     segment,
 };
 

@@ -26,6 +26,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     title: "Gaussian segments",
     description: "Cuts where several Gaussian distributions of poses describe the clip better than fewer.",
     options: &[],
+    refines_cuts: true,
     segment,
 };
 

@@ -14,7 +14,6 @@ mod action;
 mod actions;
 mod align;
 mod extrema;
-mod linkage;
 mod motifs;
 mod periods;
 mod pose_shapes;
@@ -43,6 +42,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Motifs between the turning points of the least-squares distance to a template pose; \
             an action repeats its motifs or lies between such actions.",
     options: &[MethodOption::Template, MethodOption::Published],
+    refines_cuts: false,
     segment,
 };
 
@@ -150,5 +150,5 @@ fn labelled_segment(action: &Action, frames: Range<usize>, classes: &[usize]) ->
     };
     let listed = classes.iter().take(MAX_LABEL_CLASSES).map(usize::to_string);
     let more = (classes.len() > MAX_LABEL_CLASSES).then(|| "…".to_owned());
-    Segment { frames, kind, label: listed.chain(more).collect::<Vec<_>>().join(" ") }
+    Segment::new(frames, kind, listed.chain(more).collect::<Vec<_>>().join(" "))
 }

@@ -1,7 +1,7 @@
 //! Motifs and their classes (patent, section 4.2).
 
+use crate::segments::linkage;
 use crate::segments::methods::lsd::align::Shape;
-use crate::segments::methods::lsd::linkage;
 use crate::segments::progress::Cancelled;
 
 /// Number of points at which the curves of motifs are compared, independent of their duration.
@@ -16,6 +16,9 @@ const MIN_AMPLITUDE: f64 = 10.0;
 
 /// Distance of poses from which motifs that begin or end with them are not similar.
 const MAX_POSE_DISTANCE: f64 = 100.0;
+
+/// Maximum number of motifs with a full distance matrix, which limits the memory.
+const MAX_COMPARED: usize = 2048;
 
 /// Curve of a motif.
 #[derive(Clone, Debug)]
@@ -72,7 +75,8 @@ pub(crate) fn classes(
         (0..curves.len()).partition(|&motif| curves[motif].change() >= 0.0);
     let mut first_members = vec![0; curves.len()];
     for motifs in [rising, falling] {
-        let groups = linkage::groups(motifs.len(), |a, b| distance(motifs[a], motifs[b]), 1.0, checkpoint)?;
+        let distance = |a: usize, b: usize| distance(motifs[a], motifs[b]);
+        let groups = linkage::groups(motifs.len(), MAX_COMPARED, distance, 1.0, checkpoint)?;
         for (&motif, first) in motifs.iter().zip(groups) {
             first_members[motif] = motifs[first];
         }

@@ -2,16 +2,13 @@
 
 use crate::bvh::Clip;
 use crate::kinematics::Kinematics;
-use crate::segments::body::Body;
+use crate::segments::body::{self, Body};
 use crate::segments::methods::lsd::align::Shape;
 use crate::skeleton::Skeleton;
 
 /// Leg length (thigh plus shank) in the unit of all distances: that of the skeletons for which the
 /// patent states its threshold.
 const LEG_LENGTH: f64 = 15.94;
-
-/// Leg length in metres if the skeleton has none.
-const DEFAULT_LEG_METRES: f64 = 0.9;
 
 /// Number of joints over which squared distances are summed; if some are missing, the sum is
 /// scaled.
@@ -30,11 +27,8 @@ pub(crate) struct PoseShapes<'a> {
 impl<'a> PoseShapes<'a> {
     /// Creates the shapes for the joints of a body.
     pub fn new(clip: &'a Clip, skeleton: &Skeleton, body: &'a Body) -> PoseShapes<'a> {
-        let leg = skeleton.leg.filter(|leg| leg.is_normal());
-        let unit =
-            leg.map_or(skeleton.metres_per_unit * LEG_LENGTH / DEFAULT_LEG_METRES, |leg| LEG_LENGTH / leg);
         let joints = &body.joints[..];
-        let scale = unit * (FULL_JOINT_COUNT / joints.len() as f64).sqrt();
+        let scale = LEG_LENGTH / body::leg_length(skeleton) * (FULL_JOINT_COUNT / joints.len() as f64).sqrt();
         PoseShapes { clip, joints, scale, kinematics: Kinematics::for_joints(clip, joints) }
     }
 

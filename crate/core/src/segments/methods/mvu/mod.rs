@@ -30,6 +30,7 @@ pub(crate) const METHOD: MethodInfo = MethodInfo {
     description: "Unfolds the poses of a growing window and cuts where the variance beyond few dimensions jumps.",
     // With the published 10 dimensions the residual is almost zero.
     options: &[MethodOption::Dims(1), MethodOption::Residual, MethodOption::Published],
+    refines_cuts: false,
     segment,
 };
 

@@ -2,21 +2,20 @@
 
 use crate::segments::progress::Cancelled;
 
-/// Maximum number of items with a full distance matrix, which limits the memory. Further items join
-/// the group whose first member is nearest, or start a group.
-const MAX_COMPARED: usize = 2048;
-
 /// Returns the first member of each item's group.
 ///
-/// Groups are merged while their average distance is at most `max_distance`, the nearest first.
-/// `checkpoint` is called regularly and may cancel.
+/// Groups are merged while their average distance is at most `max_distance`, the nearest first. All
+/// distances among the first `max_compared` items are computed, which limits memory and time; further
+/// items join the group whose first member is nearest, or start a group. `checkpoint` is called regularly
+/// and may cancel.
 pub(crate) fn groups(
     count: usize,
+    max_compared: usize,
     distance: impl Fn(usize, usize) -> f64,
     max_distance: f64,
     checkpoint: &mut impl FnMut() -> Result<(), Cancelled>,
 ) -> Result<Vec<usize>, Cancelled> {
-    let compared = count.min(MAX_COMPARED);
+    let compared = count.min(max_compared);
     let mut rows = Vec::with_capacity(compared);
     for item in 0..compared {
         checkpoint()?;
@@ -88,8 +87,11 @@ mod tests {
 
     use super::*;
 
+    const MAX_COMPARED: usize = 100;
+
     fn group_values(values: &[f64], max_distance: f64) -> Vec<usize> {
-        groups(values.len(), |a, b| (values[a] - values[b]).abs(), max_distance, &mut || Ok(())).unwrap()
+        groups(values.len(), MAX_COMPARED, |a, b| (values[a] - values[b]).abs(), max_distance, &mut || Ok(()))
+            .unwrap()
     }
 
     /// Merges the nearest pair each time, with every mean computed from scratch.
@@ -139,7 +141,7 @@ mod tests {
 
     #[test]
     fn can_be_cancelled() {
-        assert_eq!(groups(3, |_, _| 0.0, 1.0, &mut || Err(Cancelled)), Err(Cancelled));
+        assert_eq!(groups(3, 9, |_, _| 0.0, 1.0, &mut || Err(Cancelled)), Err(Cancelled));
     }
 
     proptest! {
