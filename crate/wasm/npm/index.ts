@@ -8,6 +8,7 @@
 import load, {
   type ClipInfo,
   type DetectOptions,
+  type CutEditInfo,
   type EditInfo,
   type Failure,
   type FormatInfo,
@@ -35,6 +36,7 @@ import load, {
 export type {
   ClipInfo,
   DetectOptions,
+  CutEditInfo,
   EditInfo,
   FormatInfo,
   GaitInfo,
@@ -308,6 +310,14 @@ export class Segmentation {
   /** Assumptions and doubts of the method. */
   get notices(): NoticeInfo[] {
     return rethrow(() => this.inner.notices());
+  }
+
+  /**
+   * Applies edits of the cuts to the segments of the method, replacing earlier edits. Later entries take
+   * precedence.
+   */
+  editCuts(edits: CutEditInfo[]): void {
+    rethrow(() => this.inner.editCuts(edits));
   }
 
   /**

@@ -6,15 +6,15 @@ use js_sys::Function;
 use plantigrade::bvh::Rewriter;
 use plantigrade::formats::{self, SegmentExport, SegmentFormat, SegmentsDocument};
 use plantigrade::score::{self, Tolerance, TrueCut};
-use plantigrade::segments::{self, Method, Segment, Segmentation};
+use plantigrade::segments::{self, CutEdit, Method, Segment, Segmentation};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::types::{
-    ArgumentError, Failure, FormatInfo, NoticeInfo, SegmentInfo, SegmentMethodInfo, SegmentOptions, from_js,
-    parse_name, to_js,
+    ArgumentError, CutEditInfo, Failure, FormatInfo, NoticeInfo, SegmentInfo, SegmentMethodInfo,
+    SegmentOptions, from_js, parse_name, to_js,
 };
 use crate::{WasmClip, WasmRewriter};
 
@@ -38,7 +38,12 @@ pub fn segment_formats() -> Result<Vec<Ts<FormatInfo>>, Failure> {
 
 /// The segments of a clip.
 #[wasm_bindgen]
-pub struct WasmSegmentation(Segmentation);
+pub struct WasmSegmentation {
+    /// The segments with edits applied.
+    current: Segmentation,
+    /// The segments of the method.
+    detected: Vec<Segment>,
+}
 
 #[wasm_bindgen]
 impl WasmClip {
@@ -57,7 +62,8 @@ impl WasmClip {
             let _ = progress.call1(&JsValue::NULL, &fraction.into());
             Ok(())
         };
-        Ok(WasmSegmentation(segments::segment(self.core(), self.skeleton(), params, &mut report)?))
+        let current = segments::segment(self.core(), self.skeleton(), params, &mut report)?;
+        Ok(WasmSegmentation { detected: current.segments.clone(), current })
     }
 
     /// Returns the segments with the given labels as a file in a format that `segmentFormats` lists.
@@ -75,8 +81,13 @@ impl WasmClip {
     ) -> Result<Vec<u8>, Failure> {
         let format: SegmentFormat = parse_name(format)?;
         let source = self.source(name, sha256);
-        let mut document =
-            SegmentsDocument::new(source, self.core(), self.skeleton(), &segmentation.0, self.notices());
+        let mut document = SegmentsDocument::new(
+            source,
+            self.core(),
+            self.skeleton(),
+            &segmentation.current,
+            self.notices(),
+        );
         document.set_labels(&labels);
         Ok(format.write(&SegmentExport { documents: vec![document], as_array: false }))
     }
@@ -96,57 +107,73 @@ impl WasmClip {
 
 #[wasm_bindgen]
 impl WasmSegmentation {
+    /// Applies edits of the cuts to the segments of the method, replacing earlier edits; later entries take
+    /// precedence.
+    ///
+    /// # Errors
+    /// If an entry is not a valid edit.
+    #[wasm_bindgen(js_name = editCuts)]
+    pub fn edit_cuts(&mut self, edits: Vec<Ts<CutEditInfo>>) -> Result<(), Failure> {
+        let edits = edits.iter().map(|edit| {
+            let CutEditInfo { cut, present } = from_js(edit)?;
+            Ok(CutEdit { frame: cut, present })
+        });
+        let edits = edits.collect::<Result<Vec<CutEdit>, Failure>>()?;
+        self.current.segments = segments::edit_cuts(&self.detected, &edits);
+        Ok(())
+    }
+
     /// The segments in order; they cover the clip without gaps.
     ///
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn segments(&self) -> Result<Vec<Ts<SegmentInfo>>, Failure> {
-        self.0.segments.iter().map(|segment| to_js(&SegmentInfo::from(segment))).collect()
+        self.current.segments.iter().map(|segment| to_js(&SegmentInfo::from(segment))).collect()
     }
 
     /// Transitions between actions, as half-open frame ranges: start, end, start, end, ….
     pub fn transitions(&self) -> Vec<u32> {
-        self.0.transitions.iter().flat_map(bounds).collect()
+        self.current.transitions.iter().flat_map(bounds).collect()
     }
 
     /// Motifs, the intervals between turning points, as half-open frame ranges: start, end, ….
     pub fn motifs(&self) -> Vec<u32> {
-        self.0.motifs.iter().flat_map(|motif| bounds(&motif.frames)).collect()
+        self.current.motifs.iter().flat_map(|motif| bounds(&motif.frames)).collect()
     }
 
     /// Class of each motif, from 1; similar motifs share a class.
     #[wasm_bindgen(js_name = motifClasses)]
     pub fn motif_classes(&self) -> Vec<u32> {
-        self.0.motifs.iter().map(|motif| motif.class as u32).collect()
+        self.current.motifs.iter().map(|motif| motif.class as u32).collect()
     }
 
     /// Title of the method's curve.
     #[wasm_bindgen(js_name = curveTitle)]
     pub fn curve_title(&self) -> String {
-        self.0.curve.title.into()
+        self.current.curve.title.into()
     }
 
     /// Positions of the curve's values, in fractional frames, ascending.
     #[wasm_bindgen(js_name = curveFrames)]
     pub fn curve_frames(&self) -> Vec<f32> {
-        to_f32(&self.0.curve.frames)
+        to_f32(&self.current.curve.frames)
     }
 
     /// The values of the curve.
     #[wasm_bindgen(js_name = curveValues)]
     pub fn curve_values(&self) -> Vec<f32> {
-        to_f32(&self.0.curve.values)
+        to_f32(&self.current.curve.values)
     }
 
     /// Threshold at each value of the curve; empty if the method has none.
     #[wasm_bindgen(js_name = curveThreshold)]
     pub fn curve_threshold(&self) -> Vec<f32> {
-        to_f32(&self.0.curve.threshold)
+        to_f32(&self.current.curve.threshold)
     }
 
     /// Indices of the extrema of the curve, if the method uses them.
     pub fn extrema(&self) -> Vec<u32> {
-        self.0.curve.extrema.iter().map(|&index| index as u32).collect()
+        self.current.curve.extrema.iter().map(|&index| index as u32).collect()
     }
 
     /// Assumptions and omissions of the method.
@@ -154,7 +181,7 @@ impl WasmSegmentation {
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn notices(&self) -> Result<Vec<Ts<NoticeInfo>>, Failure> {
-        self.0.notices.iter().map(|notice| to_js(&NoticeInfo::from(notice))).collect()
+        self.current.notices.iter().map(|notice| to_js(&NoticeInfo::from(notice))).collect()
     }
 }
 
@@ -206,7 +233,8 @@ impl WasmSegmentAnnotation {
     ) -> Result<Vec<Ts<CutScore>>, Failure> {
         let score = |within: f64| {
             let tolerance = Tolerance::Seconds(within);
-            let tally = score::cuts(&segmentation.0.cuts(), &self.cuts, clip.core().frame_time(), tolerance);
+            let tally =
+                score::cuts(&segmentation.current.cuts(), &self.cuts, clip.core().frame_time(), tolerance);
             let (precision, recall, f1) = (tally.precision(), tally.recall(), tally.f1());
             to_js(&CutScore { within, precision, recall, f1 })
         };

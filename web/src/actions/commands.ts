@@ -7,7 +7,7 @@ import type { NamedSegment } from "../model/segments";
 import { batchRows } from "../store/batch";
 import { loopedSegment } from "../store/playback";
 import { classicKeys, panelCollapsed } from "../store/preferences";
-import { openClip, selected } from "../store/session";
+import { openClip, selected, selectedCut } from "../store/session";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
 import { openBatchRow, reviewNext, toggleChecked } from "./batch";
 import { stepDisagreement } from "./compare";
@@ -26,6 +26,7 @@ import {
   startAtPlayhead,
   undo,
 } from "./edit";
+import { addCutAtPlayhead, nudgeCut, removeNearestCut } from "./edit-cuts";
 import { exportLabels } from "./export";
 import { bindingIndex, type KeyBinding, keyText } from "./key-bindings";
 import { pickFiles } from "./pick-files";
@@ -70,6 +71,9 @@ export interface Command {
 
 const hasClip = () => openClip.value !== null;
 const zoomFactor = 0.7;
+
+/** Moves the selected cut, or else an edge, by a number of frames. */
+const nudge = (by: number) => (selectedCut.value === null ? nudgeEdge(by) : nudgeCut(by));
 
 function withSegment(segment: NamedSegment | undefined, run: (segment: NamedSegment) => void) {
   if (segment) run(segment);
@@ -253,6 +257,22 @@ const list = [
     run: () => withSegment(loopedSegment.value ?? segmentAtPlayhead(), editSegmentName),
   },
   {
+    id: "add-cut",
+    group: "Segments",
+    label: "Add cut",
+    help: "Add, remove a cut at the playhead",
+    keys: [{ key: "x" }],
+    run: addCutAtPlayhead,
+  },
+  {
+    id: "remove-cut",
+    group: "Segments",
+    label: "Remove cut",
+    help: "Add, remove a cut at the playhead",
+    keys: [{ key: "x", shift: true }],
+    run: removeNearestCut,
+  },
+  {
     id: "select",
     group: "Edit",
     label: "Select plant",
@@ -280,33 +300,33 @@ const list = [
     id: "nudge-back",
     group: "Edit",
     label: "Edge one frame earlier",
-    help: "Move the edge by a frame; with Shift by five",
+    help: "Move the edge or the cut by a frame; with Shift by five",
     keys: [{ key: "q" }],
-    run: () => nudgeEdge(-1),
+    run: () => nudge(-1),
   },
   {
     id: "nudge-ahead",
     group: "Edit",
     label: "Edge one frame later",
-    help: "Move the edge by a frame; with Shift by five",
+    help: "Move the edge or the cut by a frame; with Shift by five",
     keys: [{ key: "w" }],
-    run: () => nudgeEdge(1),
+    run: () => nudge(1),
   },
   {
     id: "nudge-back-far",
     group: "Edit",
     label: "Edge five frames earlier",
-    help: "Move the edge by a frame; with Shift by five",
+    help: "Move the edge or the cut by a frame; with Shift by five",
     keys: [{ key: "q", shift: true }],
-    run: () => nudgeEdge(-5),
+    run: () => nudge(-5),
   },
   {
     id: "nudge-ahead-far",
     group: "Edit",
     label: "Edge five frames later",
-    help: "Move the edge by a frame; with Shift by five",
+    help: "Move the edge or the cut by a frame; with Shift by five",
     keys: [{ key: "w", shift: true }],
-    run: () => nudgeEdge(5),
+    run: () => nudge(5),
   },
   {
     id: "split",
@@ -337,9 +357,9 @@ const list = [
     id: "delete",
     group: "Edit",
     label: "Delete",
-    help: "Delete the plant",
+    help: "Delete the plant or the cut",
     keys: [{ key: "delete" }, { key: "backspace" }],
-    run: removeSelected,
+    run: () => (selectedCut.value === null ? removeSelected() : removeNearestCut()),
   },
   {
     id: "undo",
@@ -368,7 +388,7 @@ const list = [
     label: "Deselect",
     help: "Deselect",
     keys: [{ key: "escape" }],
-    enabled: () => hasClip() && selected.value !== null,
+    enabled: () => hasClip() && (selected.value !== null || selectedCut.value !== null),
     run: () => select(undefined),
   },
   {

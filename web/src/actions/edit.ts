@@ -2,6 +2,7 @@
 
 import { batch, computed, type Signal } from "@preact/signals";
 import { engine } from "../engine";
+import { type AnyEdit, cutEditsOf, plantEditsOf } from "../model/cut-edits";
 import {
   addPlant,
   type FrameRange,
@@ -16,7 +17,7 @@ import {
   withoutEditsOf,
 } from "../model/edits";
 import { instantsOf, principalPart } from "../model/plants";
-import type { Detection, Edit, EditedParts, Part, Side, Track } from "../model/types";
+import type { Detection, EditedParts, Part, Side, Track } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
 import { reportFailure } from "../store/errors";
 import { frame } from "../store/playback";
@@ -25,13 +26,16 @@ import {
   clip,
   detection,
   edits,
+  plantEdits,
   plants,
   selected,
+  selectedCut,
   selectedEdge,
 } from "../store/session";
 import { activeTab, announcement, sheetOpen } from "../store/view";
 import { capitalize, spokenRange } from "../util/format";
 import { updateScores } from "./compare";
+import { applyCutEdits } from "./cuts";
 import { pause, seek } from "./playback";
 
 /** Initial duration of an added plant, in seconds. */
@@ -85,7 +89,7 @@ function isEdited({ intervals, edited }: Track, { start }: FrameRange): boolean 
 /** Replaces the edits, also those to which undo and redo return. */
 export async function replaceEdits(
   clipSession: ClipSession,
-  replace: (edits: readonly Edit[]) => readonly Edit[],
+  replace: (edits: readonly AnyEdit[]) => readonly AnyEdit[],
 ): Promise<void> {
   const { edits, undoStack, redoStack } = clipSession;
   const before = edits.value;
@@ -99,7 +103,7 @@ export async function replaceEdits(
 
 /** Replaces the edits; this can be undone. */
 export function commitEdits(
-  next: readonly Edit[],
+  next: readonly AnyEdit[],
   message: string,
   range?: FrameRange,
 ): Promise<void> {
@@ -118,7 +122,7 @@ export function commitEdits(
 export const undo = () => swap(session.value.undoStack, session.value.redoStack, "Undone");
 export const redo = () => swap(session.value.redoStack, session.value.undoStack, "Redone");
 
-type EditStack = Signal<readonly (readonly Edit[])[]>;
+type EditStack = Signal<readonly (readonly AnyEdit[])[]>;
 
 function swap(from: EditStack, to: EditStack, message: string) {
   const clipSession = session.value;
@@ -136,7 +140,10 @@ function swap(from: EditStack, to: EditStack, message: string) {
 /** Applies the edits to the labels. */
 async function applyEdits(clipSession: ClipSession): Promise<void> {
   try {
-    const parts = await clipSession.run("edit", () => engine.edit([...clipSession.edits.value]));
+    const [parts] = await Promise.all([
+      clipSession.run("edit", () => engine.edit(plantEditsOf(clipSession.edits.value))),
+      applyCutEdits(clipSession),
+    ]);
     if (!parts) return;
     batch(() => {
       const before = clipSession.detection.value;
@@ -188,6 +195,7 @@ export function select(plantRef: PlantRef | undefined, edge: "start" | "end" | n
     if (plantRef) addTarget.value = { side: plantRef.side, part: plantRef.part };
     selected.value = plantRef ?? null;
     selectedEdge.value = edge;
+    selectedCut.value = null;
   });
 }
 
@@ -287,7 +295,10 @@ export function splitAtPlayhead() {
 
 export function joinNext() {
   change(
-    ({ track, plantRef }) => joinWithNext(edits.value, track, plantRef),
+    ({ track, plantRef }) => {
+      const joined = joinWithNext(plantEdits.value, track, plantRef);
+      return joined && [...joined, ...cutEditsOf(edits.value)];
+    },
     "Joined with the next plant",
     "There is no next plant to join with",
   );
@@ -298,10 +309,11 @@ export function removeSelected() {
 }
 
 /** Returns the edits with others at the end; undefined if there are no others. */
-const append = (added: readonly Edit[]) => (added.length ? [...edits.value, ...added] : undefined);
+const append = (added: readonly AnyEdit[]) =>
+  added.length ? [...edits.value, ...added] : undefined;
 
 function change(
-  edit: (selected: { track: PartTrack; plantRef: PlantRef }) => readonly Edit[] | undefined,
+  edit: (selected: { track: PartTrack; plantRef: PlantRef }) => readonly AnyEdit[] | undefined,
   success: string,
   failure: string,
 ) {
@@ -314,12 +326,14 @@ function change(
 /** Reverts the selected plant to what was detected. */
 export function revertSelected() {
   const plantRef = selected.value;
-  if (plantRef) void commitEdits(withoutEditsOf(edits.value, plantRef), "Plant reverted");
+  if (!plantRef) return;
+  const others = withoutEditsOf(plantEdits.value, plantRef);
+  void commitEdits([...others, ...cutEditsOf(edits.value)], "Plant reverted");
 }
 
 /** Reverts all labels to what was detected. */
 export function revertAll() {
-  if (edits.value.length) void commitEdits([], "All plants reverted");
+  if (plantEdits.value.length) void commitEdits(cutEditsOf(edits.value), "All plants reverted");
 }
 
 /** Adds a plant that starts at the playhead. */
@@ -346,7 +360,11 @@ export function addToTarget() {
 export async function adoptReference(): Promise<void> {
   const clipSession = session.value;
   const reference = await clipSession.run("reference edits", () => engine.referenceEdits());
-  if (reference?.length) await commitEdits(reference, "Labels replaced by those of the reference");
+  if (reference?.length)
+    await commitEdits(
+      [...reference, ...cutEditsOf(clipSession.edits.value)],
+      "Labels replaced by those of the reference",
+    );
 }
 
 /** Shows the start and end fields of a plant. */

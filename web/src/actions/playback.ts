@@ -8,6 +8,7 @@ import { clampView, scrollToFrame, zoomAt } from "../model/time-view";
 import {
   direction,
   frame,
+  type Loop,
   loop,
   loopedRange,
   loopRegion,
@@ -141,6 +142,20 @@ export function loopSegment(segment: NamedSegment) {
     seek(segment.start);
     const details = [segment.name, segmentKind(segment)].filter(Boolean).join(", ");
     announcement.value = `Segment ${segment.number}${details && `, ${details}`}, ${spokenRange(segment)}`;
+  });
+}
+
+/** What is looped. */
+export interface LoopState {
+  kind: Loop;
+  region: FrameRange | null;
+}
+
+/** Loops what was looped before. */
+export function restoreLoop({ kind, region }: LoopState) {
+  batch(() => {
+    loopRegion.value = region;
+    loop.value = kind;
   });
 }
 

@@ -12,6 +12,7 @@ import { segmentFormats, segmentMethods, segmentOptions } from "../store/setting
 import { activeTab, sheetOpen } from "../store/view";
 import { latestOnly } from "../util/latest-only";
 import { updateCutScores } from "./compare";
+import { applyCutEdits } from "./cuts";
 
 const job = createExclusiveJob("Segmenting", 300);
 
@@ -46,9 +47,10 @@ export async function runSegmentation(
     batch(() => {
       clipSession.segmentation.value = segmented.ok ? segmented.segmentation : null;
       clipSession.segmentFailure.value = segmented.ok ? null : segmented.failure;
+      clipSession.selectedCut.value = null;
       moveLoop(clipSession);
     });
-    await updateCutScores(clipSession);
+    await Promise.all([applyCutEdits(clipSession), updateCutScores(clipSession)]);
   } catch (error) {
     batch(() => {
       clipSession.segmentation.value = null;
@@ -91,7 +93,10 @@ export function setSegmentOptions(next: SegmentOptions) {
   segmentLatest(next);
 }
 
-/** Names an action; the name applies to every segmentation that contains this action. */
+/**
+ * Names a segment. The name applies to all segments with the same action that have no name of their own, and
+ * to every segmentation that contains this segment.
+ */
 export function setSegmentName(segment: NamedSegment, name: string) {
   segmentNames.value = renameSegment(segmentNames.value, segment, name);
 }

@@ -53,6 +53,7 @@ function fakeCalls(log: string[]) {
     },
     evidence: async () => undefined,
     referenceEdits: async () => [],
+    editCuts: async () => [],
     hash: async () => undefined,
     methods: async () => [],
     segmentMethods: async () => [],

@@ -76,6 +76,7 @@ const simpleCalls: {
   score: ["clip", 0],
   save: ["clip", 1],
   cut: ["clip", 1],
+  editCuts: ["segmentation", 1],
   scoreSegments: ["segmentation", 0],
   saveSegments: ["segmentation", 2],
 };

@@ -8,7 +8,7 @@ import { sensitivity } from "../model/sensitivity";
 import type { Clustering, Part, Side } from "../model/types";
 import { evidence, evidencePart, pointedFrame } from "../store/evidence";
 import { frame } from "../store/playback";
-import { detectFailure, detection, edits } from "../store/session";
+import { detectFailure, detection, plantEdits } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";
 import { SensitivitySlider, WindowSlider } from "../ui/DetectionSliders";
 import { capitalize } from "../util/format";
@@ -28,7 +28,7 @@ export function EvidencePanel() {
   const input = useComputed<ExplanationInput | null>(() => {
     const tracks = evidence.value && detection.value?.parts[evidence.value.part];
     return evidence.value && tracks
-      ? { evidence: evidence.value, tracks, edits: edits.value }
+      ? { evidence: evidence.value, tracks, edits: plantEdits.value }
       : null;
   });
   const lastInput = useLastValue(input);

@@ -1,7 +1,8 @@
 /** Requests to the batch worker, and its results. */
 
+import type { AnyEdit } from "./cut-edits";
 import type { SegmentName } from "./segments";
-import type { DetectOptions, Edit, SegmentOptions } from "./types";
+import type { DetectOptions, SegmentOptions } from "./types";
 
 /** Computation requested for each file of a batch. */
 export interface BatchRequest {
@@ -46,7 +47,7 @@ export interface ClipSummary {
 
 /** Edits and names that the browser has stored for a file. */
 export interface StoredChanges {
-  edits: readonly Edit[];
+  edits: readonly AnyEdit[];
   names: readonly SegmentName[];
   /** True if there are others that cannot be read. */
   isUnreadable?: boolean;

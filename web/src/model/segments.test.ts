@@ -43,6 +43,20 @@ it("replaces the name of an action, also if its cuts have moved", () => {
   expect(renameSegment(names, { start: 0, end: 90 }, " ")).toEqual([]);
 });
 
+it("gives the name of an action to all its segments, except those with a name of their own", () => {
+  const actions = ["A", "B", "A", "A"];
+  const segments = segmentsEndingAt(10, 20, 30, 40).map((segment, i) => ({
+    ...segment,
+    action: actions[i] ?? "",
+  }));
+  let names = renameSegment([], { start: 20, end: 30 }, "walk");
+  expect(namesOf(segments, names)).toEqual(["walk", "", "walk", "walk"]);
+  names = renameSegment(names, { start: 30, end: 40 }, "march");
+  expect(namesOf(segments, names)).toEqual(["walk", "", "walk", "march"]);
+  names = renameSegment(names, { start: 20, end: 30 }, "stroll");
+  expect(namesOf(segments, names)).toEqual(["stroll", "", "stroll", "march"]);
+});
+
 it("finds the segment that contains a frame", () => {
   const named = nameSegments(segmentsEndingAt(10, 25, 40), []);
   expect([0, 9, 10, 24, 39, 99].map((frame) => segmentIndexAt(named, frame))).toEqual([

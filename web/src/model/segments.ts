@@ -41,30 +41,49 @@ export function matchingSegment<T extends FrameRange>(
   return match;
 }
 
-/** Numbers the segments and gives them the names of their actions. */
+/**
+ * Numbers the segments and names them: by the name given to the segment, or else by the first name given to
+ * a segment with the same action.
+ */
 export function nameSegments(
   segments: readonly Segment[],
   names: readonly SegmentName[],
 ): NamedSegment[] {
+  const own = segments.map((segment) => matchingSegment(names, segment));
+  const nameOf = new Map<string, string>();
+  for (const name of names) {
+    const action = segments[own.indexOf(name)]?.action;
+    if (action && !nameOf.has(action)) nameOf.set(action, name.name);
+  }
   return segments.map((segment, i) => ({
     ...segment,
     number: i + 1,
-    name: matchingSegment(names, segment)?.name ?? "",
+    name: own[i]?.name ?? nameOf.get(segment.action ?? "") ?? "",
   }));
 }
 
-/** Replaces the name of one action; an empty name removes it. */
+/** Replaces the name of one segment; an empty name removes it. */
 export function renameSegment(
   names: readonly SegmentName[],
   { start, end }: FrameRange,
   name: string,
 ): SegmentName[] {
-  const others = names.filter((other) => overlap(other, { start, end }) <= 0.5);
-  return name.trim() ? [...others, { start, end, name }] : others;
+  const isSame = (other: SegmentName) => overlap(other, { start, end }) > 0.5;
+  if (!name.trim()) return names.filter((other) => !isSame(other));
+  const renamed = { start, end, name };
+  // In its place, since the first name of an action is that of the others.
+  return names.some(isSame)
+    ? names.map((other) => (isSame(other) ? renamed : other))
+    : [...names, renamed];
 }
 
 /** Returns the name of a segment, or the label of the method if it has none. */
 export const segmentTitle = ({ name, label }: NamedSegment) => name.trim() || label;
+
+/** Returns the letter of the action of a segment, with the number of its cycles: `A`, `A, 12 cycles`. */
+export function actionText({ action = "", cycles }: Segment): string {
+  return cycles ? `${action}, ${Math.round(cycles)} cycles` : action;
+}
 
 /** Returns the kind of a segment; empty for a plain action. */
 export const segmentKind = ({ kind }: Segment) => (kind === "action" ? "" : kind);

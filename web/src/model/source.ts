@@ -1,6 +1,7 @@
+import type { AnyEdit } from "./cut-edits";
 import type { Origin } from "./link";
 import type { SegmentName } from "./segments";
-import type { Clip, Detection, Edit, Notice } from "./types";
+import type { Clip, Detection, Notice } from "./types";
 import type { ViewState } from "./view-state";
 
 /** A clip that can be opened: a dropped file, a sample or a download. */
@@ -18,7 +19,7 @@ export interface Source {
   /** View and settings of a link or a shared page. */
   view?: ViewState;
   /** Edits and names in a shared page; `id` distinguishes several shares of one clip. */
-  shared?: { id: string; edits: readonly Edit[]; names: readonly SegmentName[] };
+  shared?: { id: string; edits: readonly AnyEdit[]; names: readonly SegmentName[] };
   /** Labels and segments of the same drop whose file names start with that of the clip. */
   labels?: readonly Source[];
 }

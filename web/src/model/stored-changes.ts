@@ -2,13 +2,16 @@
 
 import { randomId } from "../util/random-id";
 import type { StoredChanges } from "./batch";
+import { type AnyEdit, isCutEdit } from "./cut-edits";
 import type { SegmentName } from "./segments";
-import type { Edit } from "./types";
+import type { CutEdit, Edit } from "./types";
 
 /** Version of the records that this app writes. */
-const currentVersion = 2;
+const currentVersion = 3;
 
-/** The edits and names of one clip as stored. Version 1 had no revisions. */
+/**
+ * The edits and names of one clip as stored. Version 1 had no revisions, version
+ * 2 no edits of cuts. */
 export interface StoredClip extends StoredChanges {
   version: typeof currentVersion;
   /** Identifies this state of the record. */
@@ -44,7 +47,7 @@ export function parseRecord(text: string | null): StoredRecord {
     version === 1 ? { ...value, ...firstRevision(text) } : value;
   const changes = parseChanges(value);
   const isValid =
-    (version === 1 || version === currentVersion) &&
+    [1, 2, currentVersion].includes(version as number) &&
     changes &&
     typeof name === "string" &&
     typeof revision === "string" &&
@@ -85,18 +88,19 @@ export const nextRecord = (
 export function parseChanges(value: unknown): StoredChanges | undefined {
   if (!isObject(value)) return undefined;
   const { edits, names } = value;
-  if (!Array.isArray(edits) || !edits.every(isEdit)) return undefined;
+  if (!Array.isArray(edits) || !edits.every(isAnyEdit)) return undefined;
   if (!Array.isArray(names) || !names.every(isSegmentName)) return undefined;
   return {
-    edits: edits.map(({ side, part, start, end, planted }) => ({
-      side,
-      part,
-      start,
-      end,
-      planted,
-    })),
+    edits: edits.map(copyEdit),
     names: names.map(({ start, end, name }) => ({ start, end, name })),
   };
+}
+
+/** Returns an edit without other fields. */
+function copyEdit(edit: AnyEdit): AnyEdit {
+  if (isCutEdit(edit)) return { cut: edit.cut, present: edit.present };
+  const { side, part, start, end, planted } = edit;
+  return { side, part, start, end, planted };
 }
 
 function parseJson(text: string): unknown {
@@ -113,9 +117,10 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 /** Frame numbers are 32 bits wide in the core. */
 const maxFrame = 2 ** 32 - 1;
 
+const isFrame = (value: unknown) =>
+  Number.isInteger(value) && Number(value) >= 0 && Number(value) <= maxFrame;
+
 function isRange({ start, end }: Record<string, unknown>): boolean {
-  const isFrame = (value: unknown) =>
-    Number.isInteger(value) && Number(value) >= 0 && Number(value) <= maxFrame;
   return isFrame(start) && isFrame(end) && Number(start) < Number(end);
 }
 
@@ -126,6 +131,19 @@ function isEdit(value: unknown): value is Edit {
     ["left", "right"].includes(value.side as string) &&
     ["contact", "heel", "toe"].includes(value.part as string) &&
     typeof value.planted === "boolean"
+  );
+}
+
+function isAnyEdit(value: unknown): value is AnyEdit {
+  return isEdit(value) || isValidCutEdit(value);
+}
+
+function isValidCutEdit(value: unknown): value is CutEdit {
+  return (
+    isObject(value) &&
+    !("side" in value) &&
+    isFrame(value.cut) &&
+    typeof value.present === "boolean"
   );
 }
 
@@ -200,7 +218,7 @@ export function sameChanges(a: StoredChanges, b: StoredChanges): boolean {
   return isSame(a.edits, b.edits) && isSame(a.names, b.names);
 }
 
-/** True if both sides added edits that overlap: of the same foot and frames. */
+/** True if both sides added edits that overlap: of the same foot and frames, or of the same cut. */
 export function isConflict(
   base: StoredChanges,
   local: StoredChanges,
@@ -209,8 +227,10 @@ export function isConflict(
   const remoteEdits = without(without(remote.edits, base.edits), local.edits);
   const localEdits = without(without(local.edits, base.edits), remote.edits);
   return localEdits.some((local) =>
-    remoteEdits.some(
-      (other) => other.side === local.side && other.start < local.end && local.start < other.end,
+    remoteEdits.some((other) =>
+      isCutEdit(local) || isCutEdit(other)
+        ? isCutEdit(local) && isCutEdit(other) && local.cut === other.cut
+        : other.side === local.side && other.start < local.end && local.start < other.end,
     ),
   );
 }

@@ -20,6 +20,7 @@ import type {
 
 export type {
   CleanedPlantInfo as CleanedPlant,
+  CutEditInfo as CutEdit,
   CutScore,
   DisagreementInfo as Disagreement,
   EditInfo as Edit,

@@ -1,4 +1,4 @@
-import { type CommandId, commandOf, isEnabled, tooltip } from "../actions/commands";
+import { type CommandId, commandOf, tooltip } from "../actions/commands";
 import {
   addAtPlayhead,
   resizeSelected,
@@ -10,9 +10,9 @@ import {
 import type { FrameRange } from "../model/edits";
 import type { Instant } from "../model/plants";
 import type { Part, Side } from "../model/types";
-import { addTarget, detection, edits } from "../store/session";
-import { Icon } from "../ui/icons";
+import { addTarget, detection, plantEdits } from "../store/session";
 import { capitalize } from "../util/format";
+import { HistoryButton } from "./HistoryButton";
 import { StorageNotices } from "./StorageNotices";
 
 /** Buttons and fields for all edits, as an alternative to dragging. */
@@ -32,22 +32,6 @@ export function PlantEditor() {
       )}
       <AddPlant />
     </div>
-  );
-}
-
-function HistoryButton({ id }: { id: "undo" | "redo" }) {
-  const command = commandOf(id);
-  return (
-    <button
-      type="button"
-      class="button flat icon-only"
-      aria-label={command.label}
-      title={tooltip(id)}
-      disabled={!isEnabled(command)}
-      onClick={command.run}
-    >
-      <Icon name={id} />
-    </button>
   );
 }
 
@@ -202,7 +186,7 @@ function AddPlant() {
       >
         Add plant
       </button>
-      {edits.value.length > 0 && (
+      {plantEdits.value.length > 0 && (
         <button type="button" class="link" onClick={revertAll}>
           Revert all
         </button>

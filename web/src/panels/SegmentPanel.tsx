@@ -1,11 +1,13 @@
 import { useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { commandOf, tooltip } from "../actions/commands";
 import { removeReferenceSegments } from "../actions/compare";
+import { moveCutTo } from "../actions/edit-cuts";
 import { exportClips, exportSegments } from "../actions/export";
 import { loopSegment } from "../actions/playback";
 import { runSegmentation, setSegmentName, setSegmentOptions } from "../actions/segment";
 import { toSentence } from "../model/report";
-import { type NamedSegment, segmentKind } from "../model/segments";
+import { actionText, type NamedSegment, segmentKind } from "../model/segments";
 import type { SegmentOptions } from "../model/types";
 import { frame, loopedSegment } from "../store/playback";
 import {
@@ -16,6 +18,7 @@ import {
   renamedSegment,
   segmentation,
   segmentFailure,
+  selectedCut,
 } from "../store/session";
 import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
 import { FormatButton } from "../ui/FormatButton";
@@ -23,6 +26,7 @@ import { Icon } from "../ui/icons";
 import { ListHead } from "../ui/ListHead";
 import { VirtualList } from "../ui/VirtualList";
 import { formatCount } from "../util/format";
+import { HistoryButton } from "./HistoryButton";
 
 /** Segmentation method, its options, comparison, and the list of segments. */
 export function SegmentPanel() {
@@ -33,6 +37,7 @@ export function SegmentPanel() {
       <Options />
       <Notices />
       <Comparison />
+      <CutEditor />
       <SegmentList />
     </div>
   );
@@ -234,6 +239,59 @@ function Comparison() {
   );
 }
 
+/** Buttons and a field for all edits of cuts, as an alternative to dragging. */
+function CutEditor() {
+  if (!namedSegments.value.length) return null;
+  const cut = selectedCut.value;
+  return (
+    <div class="field">
+      <div class="field-head">
+        <h2>Cuts</h2>
+        <HistoryButton id="undo" />
+        <HistoryButton id="redo" />
+      </div>
+      {cut === null ? (
+        <p class="note">Select a cut in the timeline to move it.</p>
+      ) : (
+        <label class="cut-field">
+          <span>Cut at frame</span>
+          <input
+            class="input"
+            type="number"
+            min={1}
+            step={1}
+            value={cut}
+            onChange={(event) => {
+              const field = event.currentTarget;
+              const to = field.valueAsNumber;
+              if (Number.isInteger(to)) void moveCutTo(cut, to);
+              else field.value = String(cut);
+            }}
+          />
+        </label>
+      )}
+      <p class="cut-buttons">
+        <button
+          type="button"
+          class="button"
+          title={tooltip("add-cut")}
+          onClick={commandOf("add-cut").run}
+        >
+          Add cut
+        </button>
+        <button
+          type="button"
+          class="button"
+          title={tooltip("remove-cut", cut === null ? "Remove the nearest cut" : "Remove cut")}
+          onClick={commandOf("remove-cut").run}
+        >
+          {cut === null ? "Remove nearest cut" : "Remove cut"}
+        </button>
+      </p>
+    </div>
+  );
+}
+
 function SegmentList() {
   const rate = openClip.value?.rate ?? 1;
   if (!namedSegments.value.length) return null;
@@ -273,7 +331,7 @@ function SaveButtons() {
 }
 
 function Row({ segment, rate }: { segment: NamedSegment; rate: number }) {
-  const { number, start, end, kind, label, name } = segment;
+  const { number, start, end, kind, label, name, action } = segment;
   const field = useRef<HTMLInputElement>(null);
   const previousName = useRef(name);
   const isCurrent = useComputed(() => frame.value >= start && frame.value < end);
@@ -285,7 +343,13 @@ function Row({ segment, rate }: { segment: NamedSegment; rate: number }) {
     field.current?.select();
   }, [isRenamed]);
   const seconds = (frames: number) => (frames / rate).toFixed(2);
-  const title = [`segment ${number}`, segmentKind(segment)].filter(Boolean).join(", ");
+  const details = [action && `action ${actionText(segment)}`, segmentKind(segment)];
+  const spoken = [
+    `Loop segment ${number}`,
+    `from ${seconds(start)} s`,
+    `${seconds(end - start)} s long`,
+    ...details,
+  ].filter(Boolean);
   return (
     <div
       class="segment"
@@ -294,13 +358,14 @@ function Row({ segment, rate }: { segment: NamedSegment; rate: number }) {
     >
       <button
         type="button"
-        aria-label={`Loop ${title}, from ${seconds(start)} s, ${seconds(end - start)} s long`}
+        aria-label={spoken.join(", ")}
         aria-pressed={loopedSegment.value?.start === start}
-        title={segmentKind(segment) || undefined}
+        title={details.filter(Boolean).join(", ") || undefined}
         onClick={() => loopSegment(segment)}
       >
         <span class="number">
           {number}
+          {action && <span class="action-letter">{action}</span>}
           {kind !== "action" && <Icon name={kind} />}
         </span>
         <span>{seconds(start)}</span>

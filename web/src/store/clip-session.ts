@@ -2,6 +2,7 @@
 
 import { batch, type Signal, signal } from "@preact/signals";
 import type { StoredChanges } from "../model/batch";
+import type { AnyEdit } from "../model/cut-edits";
 import type { FrameRange, PlantRef } from "../model/edits";
 import type { NamedSegment, SegmentName } from "../model/segments";
 import type { Source } from "../model/source";
@@ -13,7 +14,6 @@ import type {
   Clip,
   CutScore,
   Detection,
-  Edit,
   Evidence,
   Failure,
   FootFrames,
@@ -82,14 +82,18 @@ export class ClipSession {
   readonly segmentFailure = signal<Failure | null>(null);
   /** Names given by the user; they survive a change of the segmentation. */
   readonly segmentNames = signal<readonly SegmentName[]>([]);
+  /** The selected cut: the first frame of its segment. */
+  readonly selectedCut = signal<number | null>(null);
+  /** Frame of the selected cut if the current drag ended now. */
+  readonly cutPreview = signal<number | null>(null);
   /** The segment whose name field should receive the focus. */
   readonly renamedSegment = signal<NamedSegment | null>(null);
 
-  /** Edits of the labels, in order. */
-  readonly edits = signal<readonly Edit[]>([]);
+  /** Edits of the labels and of the cuts, in order. */
+  readonly edits = signal<readonly AnyEdit[]>([]);
   /** Earlier and undone lists of edits; the newest is last. */
-  readonly undoStack = signal<readonly (readonly Edit[])[]>([]);
-  readonly redoStack = signal<readonly (readonly Edit[])[]>([]);
+  readonly undoStack = signal<readonly (readonly AnyEdit[])[]>([]);
+  readonly redoStack = signal<readonly (readonly AnyEdit[])[]>([]);
   /** The plant that is being edited. */
   readonly selected = signal<PlantRef | null>(null);
   /** The edge of the selected plant that keys move; null for the one nearest to the playhead. */

@@ -1,10 +1,10 @@
 /** The clip that a shared single-file page contains. */
 
+import type { AnyEdit } from "../model/cut-edits";
 import { blockText, decodeBlock } from "../model/player-html";
 import type { SegmentName } from "../model/segments";
 import type { Source } from "../model/source";
 import { parseChanges } from "../model/stored-changes";
-import type { Edit } from "../model/types";
 
 export interface EmbeddedClip {
   version: 1;
@@ -13,7 +13,7 @@ export interface EmbeddedClip {
   name: string;
   /** View state, in the format of links. */
   showing: string;
-  edits: readonly Edit[];
+  edits: readonly AnyEdit[];
   names: readonly SegmentName[];
   /** Address of the app that made the page; absent if that is a local one. */
   home?: string;

@@ -1,6 +1,7 @@
 /** Views of the open session for components: fields that follow it, and values derived from it. */
 
 import { computed } from "@preact/signals";
+import { plantEditsOf } from "../model/cut-edits";
 import { plantEdges, plantsOf } from "../model/plants";
 import { cutsOf, nameSegments } from "../model/segments";
 import { session, sessionField } from "./clip-session";
@@ -19,6 +20,8 @@ export const segmentFailure = sessionField((clipSession) => clipSession.segmentF
 export const segmentNames = sessionField((clipSession) => clipSession.segmentNames);
 export const renamedSegment = sessionField((clipSession) => clipSession.renamedSegment);
 export const edits = sessionField((clipSession) => clipSession.edits);
+export const selectedCut = sessionField((clipSession) => clipSession.selectedCut);
+export const cutPreview = sessionField((clipSession) => clipSession.cutPreview);
 export const selected = sessionField((clipSession) => clipSession.selected);
 export const selectedEdge = sessionField((clipSession) => clipSession.selectedEdge);
 export const addTarget = sessionField((clipSession) => clipSession.addTarget);
@@ -37,6 +40,9 @@ export const gait = sessionField((clipSession) => clipSession.gait);
 
 /** The clip that the user opened; null on the start page. */
 export const openClip = computed(() => (isPreview.value ? null : clip.value));
+
+/** The edits of the labels. */
+export const plantEdits = computed(() => plantEditsOf(edits.value));
 
 /** The displayed score: that of the chosen part, or the first. */
 export const score = computed(

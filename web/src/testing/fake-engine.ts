@@ -95,6 +95,7 @@ export function createFakeEngine(): ClipEngine {
     edit: async () => ({}),
     evidence: async () => undefined,
     referenceEdits: async () => [],
+    editCuts: async () => [],
     hash: async () => undefined,
     async methods() {
       const method = { description: "A method for tests.", parts: ["toe" as const] };

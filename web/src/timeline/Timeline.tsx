@@ -8,6 +8,7 @@ import { loopedRange, loopedSegment, timeView } from "../store/playback";
 import { hiddenTracks, timelineHeight } from "../store/preferences";
 import {
   clip,
+  cutPreview,
   detectFailure,
   detection,
   dragPreview,
@@ -18,6 +19,7 @@ import {
   referenceSegments,
   segmentation,
   selected,
+  selectedCut,
   selectedEdge,
 } from "../store/session";
 import { theme } from "../store/theme";
@@ -100,6 +102,7 @@ export function Timeline() {
         segmentation: segmentation.peek(),
         namedSegments: namedSegments.peek(),
         loopedSegment: loopedSegment.peek(),
+        selectedCut: cutPreview.peek() ?? selectedCut.peek(),
         referenceSegments: referenceSegments.peek(),
         loop: loopedRange.peek(),
         selected: selectedBar.peek(),
@@ -124,7 +127,7 @@ export function Timeline() {
           namedSegments.value,
           loopedRange.value,
         ];
-        void [selectedBar.value, selectedEdge.value];
+        void [selectedBar.value, selectedEdge.value, selectedCut.value, cutPreview.value];
         requestDraw();
       }),
       attachGestures(element, () => layout.peek()),

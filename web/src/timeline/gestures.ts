@@ -1,12 +1,30 @@
 import { batch } from "@preact/signals";
 import { addToTarget, editEdges, resizeSelected, select, selection } from "../actions/edit";
-import { loopRange, loopSegment, pause, seek, seekPlant } from "../actions/playback";
+import { moveCutTo, selectCut } from "../actions/edit-cuts";
+import {
+  type LoopState,
+  loopRange,
+  loopSegment,
+  pause,
+  restoreLoop,
+  seek,
+  seekPlant,
+} from "../actions/playback";
 import { editSegmentName } from "../actions/segment";
+import { moveCut } from "../model/cut-edits";
 import { segmentTitle } from "../model/segments";
 import { moveEdge, pan, toFrame, zoomAt } from "../model/time-view";
 import { evidenceOpen, pointAt } from "../store/evidence";
-import { timeView } from "../store/playback";
-import { addTarget, clip, dragPreview, plants } from "../store/session";
+import { loop, loopRegion, timeView } from "../store/playback";
+import {
+  addTarget,
+  clip,
+  cutPreview,
+  cuts,
+  dragPreview,
+  plants,
+  selectedCut,
+} from "../store/session";
 import { hovered } from "../store/view";
 import { createHitTest, type LanePoint } from "./hit-test";
 import type { Layout } from "./layout";
@@ -26,6 +44,7 @@ type Drag =
   | "pinch"
   /** A looped range, on the ruler. */
   | "range"
+  | "cut"
   /** The start or the end of a bar. */
   | "start"
   | "end";
@@ -41,6 +60,8 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
   let origin = { x: 0, y: 0 };
   let moved = false;
   let lastClick = { target: "", time: 0 };
+  /** Loop before the last click on a segment. */
+  let loopBefore: LoopState = { kind: "clip", region: null };
   /** Frame at which the drag of a range began. */
   let rangeOrigin = 0;
 
@@ -68,6 +89,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     if (minimapPart) return minimapPart;
     if (event.shiftKey && hitTest.isOnRuler(point)) return "range";
     if (event.shiftKey || event.button === 1) return "pan";
+    if (hitTest.cutAt(point, isTouch) !== undefined) return "cut";
     return hitTest.edgeAt(point, isTouch)?.edge ?? "scrub";
   };
 
@@ -87,6 +109,10 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     if (drag === "start" || drag === "end") {
       const plantRef = hitTest.edgeAt(point, event.pointerType === "touch")?.plantRef;
       if (plantRef) select(plantRef, drag);
+      return;
+    }
+    if (drag === "cut") {
+      selectCut(hitTest.cutAt(point, event.pointerType === "touch") ?? null);
       return;
     }
     if (drag === "range") {
@@ -159,6 +185,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     if (drag === "pinch") pinch(event, point);
     else if ((drag === "start" || drag === "end") && moved) dragEdge(drag, point);
     else if (drag === "range" && moved) dragRange(point);
+    else if (drag === "cut" && moved) dragCut(point);
     else if (drag === "scrub" && moved) scrub(point);
     else if (drag === "pan") timeView.value = pan(view, -dx * framesPerPixel, frames());
     else if (drag === "minimap") timeView.value = pan(view, (dx * frames()) / laneWidth, frames());
@@ -187,6 +214,31 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     });
   };
 
+  /** Moves the preview of the selected cut to the pointer, and the playhead to its frame. */
+  const dragCut = ({ x, laneWidth }: LanePoint) => {
+    const cut = selectedCut.value;
+    if (cut === null) return;
+    const to = Math.round(toFrame(timeView.value, x, laneWidth));
+    const at = moveCut(cuts.value, cut, to, frames()).at(-1)?.cut ?? cut;
+    batch(() => {
+      cutPreview.value = at;
+      pause();
+      seek(at);
+    });
+  };
+
+  /** Applies the dragged cut. The preview is shown until the edit is done. */
+  const endCutDrag = (event: PointerEvent) => {
+    const [cut, to] = [selectedCut.value, cutPreview.value];
+    if (cut === null || to === null || event.type !== "pointerup") {
+      cutPreview.value = null;
+      return;
+    }
+    void moveCutTo(cut, to).then(() => {
+      cutPreview.value = null;
+    });
+  };
+
   const pinch = (event: PointerEvent, { x, laneWidth }: LanePoint) => {
     const pointer = pointers.get(event.pointerId);
     const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
@@ -205,6 +257,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
   const onPointerUp = (event: PointerEvent) => {
     if (!pointers.delete(event.pointerId)) return;
     if (drag === "start" || drag === "end") endEdgeDrag(event);
+    else if (drag === "cut") endCutDrag(event);
     else if (drag === "scrub" && !moved && event.type === "pointerup") click(event);
     if (!pointers.size) drag = null;
   };
@@ -238,8 +291,14 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     }
     const segment = hitTest.segmentAt(point);
     if (segment) {
-      if (isDoubleClick(event, `segment ${segment.number}`)) editSegmentName(segment);
-      else loopSegment(segment);
+      if (isDoubleClick(event, `segment ${segment.number}`)) {
+        // The first click looped the segment, which naming does not ask for.
+        restoreLoop(loopBefore);
+        editSegmentName(segment);
+      } else {
+        loopBefore = { kind: loop.value, region: loopRegion.value };
+        loopSegment(segment);
+      }
       return;
     }
     const bar = hitTest.barAt(point);
@@ -281,6 +340,7 @@ function cursorOf(drag: Drag, target: unknown): string {
   if (drag === "minimap") return "grab";
   if (drag === "minimap-start" || drag === "minimap-end") return "ew-resize";
   if (drag === "start" || drag === "end") return "ew-resize";
+  if (drag === "cut") return "ew-resize";
   if (drag === "range") return "crosshair";
   return target ? "pointer" : "default";
 }

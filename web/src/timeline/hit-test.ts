@@ -1,9 +1,10 @@
+import { nearestCut } from "../model/cut-edits";
 import type { PlantRef } from "../model/edits";
 import { firstIntervalAfter, intervalAt } from "../model/intervals";
 import { segmentAt } from "../model/segments";
 import { toFrame, toX } from "../model/time-view";
 import { timeView } from "../store/playback";
-import { clip, namedSegments, selected } from "../store/session";
+import { clip, cuts, namedSegments, selected, selectedCut } from "../store/session";
 import { isBars, type Layout } from "./layout";
 import { margin } from "./scene";
 
@@ -91,6 +92,16 @@ export function createHitTest(canvas: HTMLCanvasElement, getLayout: () => Layout
       ? segmentAt(namedSegments.value, toFrame(timeView.value, x, laneWidth))
       : undefined;
 
+  /** Returns the cut that a press grabs; by touch, only the selected one. */
+  const cutAt = (point: LanePoint, isTouch: boolean): number | undefined => {
+    const { x, y, laneWidth } = point;
+    if (laneAt(y)?.kind !== "segments" || isOnRuler(point)) return undefined;
+    const cut = nearestCut(cuts.value, toFrame(timeView.value, x, laneWidth));
+    if (cut === undefined || (isTouch && cut !== selectedCut.value)) return undefined;
+    const reach = isTouch ? edgeReach.touch : edgeReach.mouse;
+    return Math.abs(x - toX(timeView.value, cut, laneWidth)) <= reach ? cut : undefined;
+  };
+
   /** Returns the draggable edge of a bar; by touch, only the selected bar has draggable edges. */
   const edgeAt = (
     point: LanePoint,
@@ -130,5 +141,6 @@ export function createHitTest(canvas: HTMLCanvasElement, getLayout: () => Layout
     barAt,
     segmentAt: segmentAtPoint,
     edgeAt,
+    cutAt,
   };
 }

@@ -22,6 +22,8 @@ export interface Scene {
   namedSegments: readonly NamedSegment[];
   /** The looped segment. */
   loopedSegment: NamedSegment | undefined;
+  /** The selected cut; while it is dragged, where it would be. */
+  selectedCut: number | null;
   referenceSegments: SegmentAnnotation | null;
   /** The looped frames. */
   loop: TimeView | null;

@@ -56,6 +56,24 @@ export function paintSegments(
     const color = segment === loopedSegment ? theme.background : theme.text;
     paintSegmentText(ctx, scene, segment, lane, laneWidth, color);
   }
+  paintSelectedCut(ctx, scene, lane, laneWidth);
+}
+
+/** Draws the selected cut as a handle. */
+function paintSelectedCut(
+  ctx: CanvasRenderingContext2D,
+  { view, theme, selectedCut }: Scene,
+  lane: SegmentLane,
+  laneWidth: number,
+) {
+  if (selectedCut === null) return;
+  const x = Math.round(toX(view, selectedCut, laneWidth)) - 0.5;
+  ctx.fillStyle = theme.background;
+  ctx.fillRect(x - 4, lane.y - 2, 8, lane.height + 4);
+  ctx.fillStyle = theme.text;
+  ctx.beginPath();
+  ctx.roundRect(x - 2, lane.y - 3, 4, lane.height + 6, 2);
+  ctx.fill();
 }
 
 /** True if a frame lies inside an interval, not at its start or end. */
@@ -136,7 +154,7 @@ function paintTransitions(
   }
 }
 
-/** Draws the icon of the kind and the name or number of a segment, if they fit. */
+/** Draws the icon of the kind and the name, the action or the number of a segment, if they fit. */
 function paintSegmentText(
   ctx: CanvasRenderingContext2D,
   { view, theme, segmentation }: Scene,
@@ -160,7 +178,7 @@ function paintSegmentText(
   if (end <= x) return;
   const centerY = lane.y + lane.height / 2 + (segment.kind === "action" ? 0.5 : -1);
   ctx.fillStyle = color;
-  const text = segment.name || numberText(segment.number);
+  const text = segment.name || segment.action || numberText(segment.number);
   // The text has priority over the icon, since the line shows the kind as well.
   const wantedWidth = Math.min(textWidth(ctx, theme, text, textSize), 24);
   if (segment.kind !== "action" && end - x >= 15 + wantedWidth) {

@@ -2,6 +2,7 @@
 
 import * as Comlink from "comlink";
 import type { BatchRequest, ClipSummary, SavedFile, StoredChanges } from "../model/batch";
+import { cutEditsOf, plantEditsOf } from "../model/cut-edits";
 import { minPlantConfidence } from "../model/plants";
 import { nameSegments, segmentTitle } from "../model/segments";
 import { summarizeSlides } from "../model/slides";
@@ -67,7 +68,7 @@ const api = {
     const hash = await sha256(file);
     const changes = hash ? await changesOf(hash) : { edits: [] };
     const detected = await toResult(() => wasmClip.detect(options));
-    if (detected.ok) detected.value.edit([...changes.edits]);
+    if (detected.ok) detected.value.edit(plantEditsOf(changes.edits));
     const clip = clipToPlain(wasmClip, name);
     const detection = detected.ok ? detectionToPlain(detected.value, options) : null;
     if (detected.ok) detected.value.free();
@@ -110,7 +111,7 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
   if (detected.ok) {
     const { value } = detected;
     owned.push(value);
-    value.edit([...changes.edits]);
+    value.edit(plantEditsOf(changes.edits));
     Object.assign(summary, plantStatistics(value, frames));
     const agreement = await agreementWith(labels, clip, value, frames);
     if (agreement !== undefined) summary.agreement = agreement;
@@ -127,6 +128,7 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
   if (segmented.ok) {
     const { value } = segmented;
     owned.push(value);
+    value.editCuts(cutEditsOf(changes.edits));
     const segments = value.segments();
     summary.segments = segments.length;
     const names = nameSegments(segments, changes.names).map(segmentTitle);

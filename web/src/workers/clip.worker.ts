@@ -6,6 +6,7 @@ import type {
   CleanedClip,
   Clip,
   ClipPart,
+  CutEdit,
   CutScore,
   Detection,
   DetectionMethod,
@@ -22,6 +23,7 @@ import type {
   Part,
   Result,
   Score,
+  Segment,
   SegmentAnnotation,
   Segmentation,
   SegmentationMethod,
@@ -234,6 +236,14 @@ const api = {
     if (!open.detection) throw new Error("The clean-up requires labels.");
     open.cleaned ??= open.clip.clean(open.detection, keepSpikes, only);
     return rewriteFile(open.file, open.cleaned.rewriter());
+  },
+
+  /** Applies edits of the cuts, replacing earlier ones; returns the segments. */
+  async editCuts(edits: CutEdit[]): Promise<Segment[]> {
+    const { segmentation } = current();
+    if (!segmentation) throw new Error("There are no segments.");
+    segmentation.editCuts(edits);
+    return segmentation.segments();
   },
 
   /** Returns the agreement of the detection with the reference, part by part. */

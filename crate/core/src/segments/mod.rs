@@ -10,6 +10,7 @@
 
 mod actions;
 mod body;
+mod edit_cuts;
 mod error;
 mod grid;
 mod linkage;
@@ -24,6 +25,7 @@ mod segment;
 mod segmentation;
 
 pub use actions::{ActionMovements, common_names};
+pub use edit_cuts::{CutEdit, edit_cuts};
 pub use error::SegmentError;
 pub use methods::{Method, MethodOption};
 pub use options::{OptionError, Residual, Template};

@@ -12,7 +12,7 @@ pub use detection::{DetectOptions, EditInfo, GroundInfo, MethodInfo, NoiseInfo};
 pub use error::ArgumentError;
 pub use failure::{Failure, NoticeInfo};
 pub use format::FormatInfo;
-pub use segmentation::{SegmentInfo, SegmentMethodInfo, SegmentOptions};
+pub use segmentation::{CutEditInfo, SegmentInfo, SegmentMethodInfo, SegmentOptions};
 
 use std::fmt::Display;
 use std::str::FromStr;

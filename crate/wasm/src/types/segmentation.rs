@@ -92,6 +92,15 @@ impl From<segments::Method> for SegmentMethodInfo {
     }
 }
 
+/// A correction of a cut between segments by a person.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct CutEditInfo {
+    /// First frame of the segment that begins at the cut.
+    pub cut: usize,
+    /// True if there is a cut.
+    pub present: bool,
+}
+
 /// One segment, over half-open frames.
 #[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
 pub struct SegmentInfo {

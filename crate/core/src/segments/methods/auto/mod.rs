@@ -24,7 +24,7 @@ const MIN_DURATION: f64 = 1.2;
 pub(crate) const METHOD: MethodInfo = MethodInfo {
     name: "auto",
     title: "Gaussian segments",
-    description: "Cuts where several Gaussian distributions of poses describe the clip better than fewer.",
+    description: "Cuts where extra pose clusters improve the fit enough (penalised likelihood).",
     options: &[],
     refines_cuts: true,
     segment,
@@ -77,7 +77,7 @@ fn curve(poses: &Poses, gaussians: &Gaussians, cuts: &[usize], min_length: usize
     };
     let values: Vec<f64> = (0..count).map(&mut gain).collect();
     Curve {
-        title: "Likelihood gained by a cut",
+        title: "Cut score (log-likelihood gain)",
         frames: (0..count).map(|column| poses.position(column)).collect(),
         threshold: vec![penalty(count); count],
         values,
