@@ -253,3 +253,34 @@ test("scores clips with the labels that were dropped with them", async ({ app, p
   await expect(row(app, "bowling.bvh")).not.toContainText(/\d\d\.\d %/);
   await expect(page.getByRole("columnheader", { name: "Score" })).toBeVisible();
 });
+
+test("the row of the open clip follows its edits", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("curved-walk"), sample("bowling"));
+  await waitForBatch(app);
+  const plants = row(app, "curved-walk.bvh").getByRole("cell").nth(4);
+  await expect(plants).toHaveText("5");
+  await row(app, "curved-walk.bvh").getByRole("button").first().click();
+  await app.waitForClip("curved-walk.bvh");
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await expect(app.head.getByRole("button", { name: "edited" })).toBeVisible();
+  await page.getByRole("button", { name: "2 clips" }).click();
+  await expect(plants).toHaveText("4");
+  await expect(row(app, "curved-walk.bvh")).toContainText("edited");
+});
+
+test("Back restores the labels that were dropped with a clip", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("frog-jumps"), clip("samples/frog-jumps.json"));
+  await waitForBatch(app);
+  await row(app, "frog-jumps.bvh").getByRole("button").first().click();
+  await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
+  await page.getByRole("button", { name: "2 clips" }).click();
+  await row(app, "bowling.bvh").getByRole("button").first().click();
+  await app.waitForClip("bowling.bvh");
+  await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
+  await page.goBack();
+  await app.waitForClip("frog-jumps.bvh");
+  await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
+});

@@ -136,3 +136,32 @@ test("the list follows the selection", async ({ app, page }) => {
   await page.keyboard.press("e");
   await expect(app.panel.getByRole("button", { pressed: true })).toBeInViewport({ ratio: 0.9 });
 });
+
+test("says on the page what an edit did, or why it did nothing", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const message = page.locator(".message");
+  await page.keyboard.press("e");
+  await page.keyboard.press("a");
+  await expect(message).toHaveText("The left foot is already planted at the playhead");
+  const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+  await app.tab("Labels");
+  await last.fill("300");
+  await page.keyboard.press("Enter");
+  await expect(message).toHaveText("Frames 0 to 244, joined with 2 plants");
+  await page.keyboard.press("Control+z");
+  await expect(message).toHaveText("Undone");
+  await expect(message).toBeHidden();
+});
+
+test("steps through the plants of low confidence", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await app.tab("Labels");
+  const uncertain = app.panel.getByRole("button", { name: /review$/ });
+  await expect(uncertain).toHaveCount(2);
+  for (const i of [0, 1, 0]) {
+    await page.keyboard.press("u");
+    await expect(uncertain.nth(i)).toHaveAttribute("aria-pressed", "true");
+  }
+  await page.keyboard.press("Shift+u");
+  await expect(uncertain.nth(1)).toHaveAttribute("aria-pressed", "true");
+});

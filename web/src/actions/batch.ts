@@ -9,18 +9,18 @@ import { fileTooLarge, maxFileBytes } from "../model/limits";
 import type { Source } from "../model/source";
 import { tableCsv } from "../model/table";
 import { type BatchRow, batchRequest, batchRows, tableVisible } from "../store/batch";
-import type { ErrorReport } from "../store/errors";
+import { type ErrorReport, errorReport } from "../store/errors";
 import { runJob } from "../store/jobs";
-import { source } from "../store/session";
+import { edits, plants, segmentNames, source } from "../store/session";
 import { detectOptions, segmentOptions } from "../store/settings";
-import { announcement } from "../store/view";
+import { announcement, notify } from "../store/view";
 import { safeFileName, stemOf, uniqueNames } from "../util/file-names";
 import { compareWithAll } from "./compare";
 import { download } from "./download";
 import { addHistoryEntry } from "./history";
 import { openSource } from "./open";
 import { storedChangesOf } from "./persist";
-import { pause } from "./playback";
+import { pause, seekPlant } from "./playback";
 
 let controller = new AbortController();
 
@@ -35,6 +35,7 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
   const waiting = clips.map((source) => ({ source, status: "waiting" as const }));
   batch(() => {
     pause();
+    errorReport.value = null;
     batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
     tableVisible.value = true;
   });
@@ -129,8 +130,27 @@ export function stopBatch() {
   );
 }
 
+/** Processes the open clip again if it has edits, which may be newer than its row. */
+export async function refreshOpenRow(): Promise<void> {
+  const row = openBatchRow.value;
+  const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
+  if (row?.status !== "done" || !(row.summary?.edited || hasChanges)) return;
+  const options = batchRequest.peek() ?? {
+    detect: detectOptions.value,
+    segment: segmentOptions.value,
+  };
+  await summarizeRow(row, { ...options, save: false }, controller.signal);
+}
+
+/** Shows the table. */
+export function showTable() {
+  tableVisible.value = true;
+  void refreshOpenRow();
+}
+
 /** Opens a clip of the table. */
 export async function openRow({ source }: BatchRow): Promise<void> {
+  void refreshOpenRow();
   if (!(await openSource(source))) return;
   tableVisible.value = false;
   addHistoryEntry("");
@@ -154,8 +174,18 @@ export const uncheckedCount = computed(() => reviewQueue().length);
 /** Opens the clip that needs a review most, other than the open one. */
 export async function reviewNext(): Promise<void> {
   const next = reviewQueue().find((row) => row.source !== source.value);
-  if (next) await openRow(next);
-  else announcement.value = "All clips are checked";
+  if (next) {
+    await openRow(next);
+    goToLeastCertain();
+  } else notify("All other clips are checked");
+}
+
+/** Goes to the plant of the lowest confidence. */
+function goToLeastCertain() {
+  const [first, ...others] = plants.value.filter(({ edited }) => !edited);
+  if (!first) return;
+  pause();
+  seekPlant(others.reduce((a, b) => (b.confidence < a.confidence ? b : a), first));
 }
 
 /** Marks a clip as checked, or removes the mark. */
@@ -168,6 +198,8 @@ export function toggleChecked(row: BatchRow | undefined = openBatchRow.value) {
 
 /** Downloads labels and segments of all clips, and the table, in one archive. */
 export async function exportAll(): Promise<void> {
+  await refreshOpenRow();
+  flushUpdates();
   const done = batchRows.value.filter(({ status }) => status === "done");
   const request: BatchRequest = {
     save: true,

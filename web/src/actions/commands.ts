@@ -5,7 +5,6 @@
 
 import type { NamedSegment } from "../model/segments";
 import { batchRows } from "../store/batch";
-import { loopedSegment } from "../store/playback";
 import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected, selectedCut } from "../store/session";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
@@ -24,6 +23,7 @@ import {
   selectAtPlayhead,
   splitAtPlayhead,
   startAtPlayhead,
+  stepUncertain,
   undo,
 } from "./edit";
 import { addCutAtPlayhead, nudgeCut, removeNearestCut } from "./edit-cuts";
@@ -150,6 +150,22 @@ const list = [
     run: () => stepEdge(1),
   },
   {
+    id: "next-uncertain",
+    group: "Play",
+    label: "Next plant to review",
+    help: "Next, previous plant of low confidence",
+    keys: [{ key: "u" }],
+    run: () => stepUncertain(1),
+  },
+  {
+    id: "previous-uncertain",
+    group: "Play",
+    label: "Previous plant to review",
+    help: "Next, previous plant of low confidence",
+    keys: [{ key: "u", shift: true }],
+    run: () => stepUncertain(-1),
+  },
+  {
     id: "next-difference",
     group: "Play",
     label: "Next difference",
@@ -252,9 +268,9 @@ const list = [
     id: "name-segment",
     group: "Segments",
     label: "Name segment",
-    help: "Name the looped segment, or the one at the playhead",
+    help: "Name the segment at the playhead",
     keys: [{ key: "enter" }],
-    run: () => withSegment(loopedSegment.value ?? segmentAtPlayhead(), editSegmentName),
+    run: () => withSegment(segmentAtPlayhead(), editSegmentName),
   },
   {
     id: "add-cut",

@@ -123,5 +123,5 @@ export function stepDisagreement(direction: 1 | -1) {
   if (!next) return;
   pause();
   seek(next.start);
-  announcement.value = `${next.side} ${next.part} ${next.kind}, ${spokenRange(next)}`;
+  announcement.value = `${next.side} ${next.part} ${next.kind === "missed" ? "false negative" : "false positive"}, ${spokenRange(next)}`;
 }

@@ -4,7 +4,7 @@ import { addCut, moveCut, nearestCut, removeCut } from "../model/cut-edits";
 import type { CutEdit } from "../model/types";
 import { frame } from "../store/playback";
 import { clip, cuts, edits, selectedCut } from "../store/session";
-import { announcement } from "../store/view";
+import { notify } from "../store/view";
 import { commitEdits, select } from "./edit";
 import { pause, seek } from "./playback";
 
@@ -48,12 +48,12 @@ export function nudgeCut(by: number): Promise<void> {
 export function addCutAtPlayhead() {
   const added = addCut(cuts.value, frame.value, frames());
   if (added.length) void commit(added, `Cut added at frame ${frame.value}`, frame.value);
-  else announcement.value = "There is a cut or an end of the clip at the playhead";
+  else notify("There is a cut or an end of the clip at the playhead");
 }
 
 /** Removes the selected cut, or else the one nearest to the playhead: two segments become one. */
 export function removeNearestCut() {
   const cut = selectedCut.value ?? nearestCut(cuts.value, frame.value);
-  if (cut === undefined) announcement.value = "There is no cut";
+  if (cut === undefined) notify("There is no cut");
   else void commit(removeCut(cut), `Cut at frame ${cut} removed`, null);
 }

@@ -16,7 +16,7 @@ import {
   splitPlant,
   withoutEditsOf,
 } from "../model/edits";
-import { instantsOf, principalPart } from "../model/plants";
+import { instantsOf, minPlantConfidence, principalPart } from "../model/plants";
 import type { Detection, EditedParts, Part, Side, Track } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
 import { reportFailure } from "../store/errors";
@@ -32,8 +32,8 @@ import {
   selectedCut,
   selectedEdge,
 } from "../store/session";
-import { activeTab, announcement, sheetOpen } from "../store/view";
-import { capitalize, spokenRange } from "../util/format";
+import { activeTab, announcement, notify, sheetOpen } from "../store/view";
+import { capitalize, plural, spokenRange } from "../util/format";
 import { updateScores } from "./compare";
 import { applyCutEdits } from "./cuts";
 import { pause, seek } from "./playback";
@@ -114,7 +114,7 @@ export function commitEdits(
     clipSession.edits.value = next;
     if (range && clipSession.selected.value)
       clipSession.selected.value = { ...clipSession.selected.value, ...range };
-    announcement.value = message;
+    notify(message);
   });
   return applyEdits(clipSession);
 }
@@ -132,7 +132,7 @@ function swap(from: EditStack, to: EditStack, message: string) {
     from.value = from.value.slice(0, -1);
     to.value = [...to.value, clipSession.edits.value];
     clipSession.edits.value = next;
-    announcement.value = message;
+    notify(message);
   });
   void applyEdits(clipSession);
 }
@@ -218,6 +218,30 @@ export function selectAtPlayhead() {
     : "No foot is planted at the playhead";
 }
 
+/** Selects the next or previous plant of low confidence that is not edited. */
+export function stepUncertain(direction: 1 | -1) {
+  const part = principalPart(detection.value?.parts ?? {});
+  const uncertain = plants.value.filter(
+    ({ edited, confidence }) => !edited && confidence < minPlantConfidence,
+  );
+  const now = selection.value?.plant?.start ?? frame.value;
+  const isSelected = selection.value?.plant !== undefined;
+  const next =
+    direction > 0
+      ? (uncertain.find(({ start }) => start > now || (!isSelected && start === now)) ??
+        uncertain[0])
+      : (uncertain.findLast(({ start }) => start < now) ?? uncertain.at(-1));
+  if (!part || !next) {
+    notify("No plant has a low confidence");
+    return;
+  }
+  const { side, start, end } = next;
+  pause();
+  seek(start);
+  select({ side, part, start, end });
+  announcement.value = `Plant ${next.number}, ${side} foot, ${spokenRange(next)}, ${Math.floor(100 * next.confidence)} percent`;
+}
+
 /** Gives the selected plant another start or end. */
 export function resizeSelected(to: Partial<FrameRange>): Promise<void> | undefined {
   const current = selection.value;
@@ -226,11 +250,24 @@ export function resizeSelected(to: Partial<FrameRange>): Promise<void> | undefin
   const range = { start: to.start ?? plantRef.start, end: to.end ?? plantRef.end };
   if (range.start === plantRef.start && range.end === plantRef.end) return undefined;
   if (range.start >= range.end) {
-    announcement.value = "The end must be after the start";
+    notify("The end must be after the start");
     return undefined;
   }
-  const next = [...edits.value, ...resizePlant(track, plantRef, range)];
-  return commitEdits(next, capitalize(spokenRange(range)), range);
+  const limited = { start: Math.max(range.start, 0), end: Math.min(range.end, track.frames) };
+  const next = [...edits.value, ...resizePlant(track, plantRef, limited)];
+  const joined = joinedCount(track, plantRef, limited);
+  const details = joined ? `, joined with ${plural(joined, "plant")}` : "";
+  return commitEdits(next, capitalize(spokenRange(limited)) + details, limited);
+}
+
+/** Returns the number of other plants that a new range overlaps or touches. */
+function joinedCount({ intervals }: PartTrack, plant: PlantRef, { start, end }: FrameRange) {
+  let count = 0;
+  for (let i = 0; i < intervals.length; i += 2) {
+    const [from = 0, to = 0] = [intervals[i], intervals[i + 1]];
+    if (from !== plant.start && to >= start && from <= end) count++;
+  }
+  return count;
 }
 
 /** Makes the frame under the playhead the first or last one of the selected plant. */
@@ -252,7 +289,7 @@ let nudging = Promise.resolve();
 async function moveEdge(by: number): Promise<void> {
   const plantRef = selection.value?.plantRef ?? nearestPlant();
   if (!plantRef) {
-    announcement.value = "There is no plant near the playhead";
+    notify("There is no plant near the playhead");
     return;
   }
   const edge = selection.value && selectedEdge.value ? selectedEdge.value : nearestEdge(plantRef);
@@ -320,7 +357,7 @@ function change(
   const current = selection.value;
   const next = current && edit(current);
   if (next) void commitEdits(next, success);
-  else announcement.value = current ? failure : "Select a plant first";
+  else notify(current ? failure : "Select a plant first");
 }
 
 /** Reverts the selected plant to what was detected. */
@@ -343,7 +380,7 @@ export function addAtPlayhead(side: Side, part: Part) {
   const added = addPlant(track, frame.value, addedDuration * (clip.value?.rate ?? 1));
   const [first] = added;
   if (!first) {
-    announcement.value = `The ${side} foot is already planted at the playhead`;
+    notify(`The ${side} foot is already planted at the playhead`);
     return;
   }
   select({ side, part, start: first.start, end: first.end });

@@ -1,11 +1,13 @@
 /** Moving between the start page and the clips that were open, by the logo, Back and Forward. */
 
 import { batch } from "@preact/signals";
+import type { Source } from "../model/source";
 import { tableVisible } from "../store/batch";
 import { ClipSession, openSession } from "../store/clip-session";
 import { errorReport } from "../store/errors";
 import { source } from "../store/session";
 import { dialog } from "../store/view";
+import { compareWithAll } from "./compare";
 import { clipOfEntry } from "./history";
 import { cancelOpening, openSource } from "./open";
 import { openFromAddress, startPreview } from "./open-address";
@@ -29,6 +31,11 @@ function showStartPage() {
   void startPreview();
 }
 
+/** Opens a clip again, with the labels that were dropped with it. */
+async function reopen(clip: Source): Promise<void> {
+  if (await openSource(clip)) await compareWithAll(clip.labels ?? []);
+}
+
 /** Follows Back, Forward and changes of the address. */
 export function followHistory(signal: AbortSignal) {
   addEventListener(
@@ -37,7 +44,7 @@ export function followHistory(signal: AbortSignal) {
       const clip = clipOfEntry(state);
       if (clip) {
         tableVisible.value = false;
-        if (clip !== source.peek()) void openSource(clip);
+        if (clip !== source.peek()) void reopen(clip);
       } else if (!location.hash) showStartPage();
     },
     { signal },

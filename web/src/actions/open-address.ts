@@ -40,6 +40,7 @@ async function followLink({ origin, view: text }: Link): Promise<boolean> {
   const signal = openingSignal();
   const view = await parseLinkView(text);
   if (signal.aborted) return true;
+  tableVisible.value = false;
   return origin.kind === "url" ? openUrl(origin.url, { view }) : openSample(origin.name, { view });
 }
 

@@ -77,8 +77,11 @@ export function play() {
   requestAnimationFrame(tick);
 }
 
+/** Pauses at a whole frame. */
 export function pause() {
+  if (!playing.value) return;
   playing.value = false;
+  playhead.value = frame.value;
 }
 
 /** Plays forwards, or pauses. */
@@ -99,9 +102,9 @@ export function shuttle(to: 1 | -1) {
   play();
 }
 
-/** Moves the playhead, and scrolls the timeline to it. */
+/** Moves the playhead to a whole frame, and scrolls the timeline to it. */
 export function seek(moment: number) {
-  showMoment(Math.min(Math.max(moment, 0), lastFrame()));
+  showMoment(Math.floor(Math.min(Math.max(moment, 0), lastFrame()) + 1e-6));
 }
 
 /** Pauses and moves the playhead. */

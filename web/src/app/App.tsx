@@ -8,7 +8,7 @@ import { tableVisible } from "../store/batch";
 import { phase } from "../store/phase";
 import { panelCollapsed, panelWidth } from "../store/preferences";
 import { openClip } from "../store/session";
-import { announcement, dialog, filesDragged, sheetOpen } from "../store/view";
+import { announcement, dialog, filesDragged, message, sheetOpen } from "../store/view";
 import { Timeline } from "../timeline/Timeline";
 import { Progress } from "../ui/Progress";
 import { setSize } from "../ui/Splitter";
@@ -46,6 +46,7 @@ export function App() {
     if (!announcement.value) return;
     const timer = setTimeout(() => {
       announcement.value = "";
+      message.value = "";
     }, announcementTime);
     return () => clearTimeout(timer);
   });
@@ -85,6 +86,11 @@ export function App() {
       {tableVisible.value && <Batch />}
       <Dialogs />
       <Toasts />
+      {message.value && (
+        <p class="message" aria-hidden="true">
+          {message}
+        </p>
+      )}
       <p class="visually-hidden" role="status">
         {announcement}
       </p>

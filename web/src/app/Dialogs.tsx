@@ -48,10 +48,11 @@ function KeysDialog() {
         Former keys: L loops, K splits, comma and full stop change the speed
       </label>
       <p class="note">
-        Timeline: scroll to zoom, Shift and scroll or drag with the middle button to pan, click a
-        bar to go to its start, drag its edge to move it, double-click an empty place of a track to
-        add a plant, double-click a segment to rename it, Shift and drag on the ruler to loop a
-        range. Plots: ← and → step by frames, Enter goes to the frame.
+        View: drag to orbit, right-drag to pan, scroll to zoom. Q and W move the selected edge, or
+        the one nearest to the playhead. Timeline: scroll to zoom, Shift and scroll or drag with the
+        middle button to pan, click a bar to go to its start, drag its edge to move it, double-click
+        an empty place of a track to add a plant, double-click a segment to rename it, Shift and
+        drag on the ruler to loop a range. Plots: ← and → step by frames, Enter goes to the frame.
       </p>
       <button
         type="button"

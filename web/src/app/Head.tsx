@@ -1,4 +1,4 @@
-import { openBatchRow, uncheckedCount } from "../actions/batch";
+import { openBatchRow, showTable, uncheckedCount } from "../actions/batch";
 import { commandOf, tooltip } from "../actions/commands";
 import { goHome } from "../actions/navigation";
 import { pickFiles } from "../actions/pick-files";
@@ -43,7 +43,8 @@ export function Head() {
           class="button"
           aria-pressed={tableVisible.value}
           onClick={() => {
-            tableVisible.value = !tableVisible.value;
+            if (tableVisible.value) tableVisible.value = false;
+            else showTable();
           }}
         >
           {plural(batchRows.value.length, "clip")}
@@ -52,7 +53,7 @@ export function Head() {
       <Review />
       <button
         type="button"
-        class="button icon-only"
+        class="button icon-only theme"
         aria-label={`Theme: ${themeChoice.value}`}
         title={`Theme: ${themeChoice.value}`}
         onClick={nextTheme}

@@ -96,9 +96,11 @@ export const columns: readonly Column[] = [
   }),
   summaryColumn("left_planted", "L contact", ({ planted }) => planted?.left, percent, {
     description: "Percentage of frames in which the left foot is planted",
+    minor: true,
   }),
   summaryColumn("right_planted", "R contact", ({ planted }) => planted?.right, percent, {
     description: "Percentage of frames in which the right foot is planted",
+    minor: true,
   }),
   summaryColumn(
     "cadence_steps_per_min",
@@ -107,6 +109,7 @@ export const columns: readonly Column[] = [
     (steps) => steps.toFixed(0),
     {
       description: "Steps per minute",
+      minor: true,
     },
   ),
   summaryColumn("mean_slide_m", "Mean slide", ({ skate }) => skate?.mean, formatCentimetres, {

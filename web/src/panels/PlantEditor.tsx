@@ -10,7 +10,7 @@ import {
 import type { FrameRange } from "../model/edits";
 import type { Instant } from "../model/plants";
 import type { Part, Side } from "../model/types";
-import { addTarget, detection, plantEdits } from "../store/session";
+import { addTarget, detection, openClip, plantEdits } from "../store/session";
 import { capitalize } from "../util/format";
 import { HistoryButton } from "./HistoryButton";
 import { StorageNotices } from "./StorageNotices";
@@ -48,12 +48,10 @@ function SelectedPlant() {
         {plant && `, plant ${plant.number}`}
         {isEdited && <span class="muted"> · edited</span>}
       </p>
-      {(instants.strike || instants.off) && (
-        <p class="note plant-instants">
-          <InstantText name={`${name} strike`} instant={instants.strike} />
-          <InstantText name={`${name} off`} instant={instants.off} />
-        </p>
-      )}
+      <p class="note plant-instants">
+        <InstantText name={`${name} strike`} instant={instants.strike} />
+        <InstantText name={`${name} off`} instant={instants.off} />
+      </p>
       <div class="form-rows plant-edges">
         <EdgeField
           name="First"
@@ -119,6 +117,7 @@ function EdgeField({
           class="input"
           type="number"
           min={0}
+          max={(openClip.value?.frames ?? 1) - 1}
           step={1}
           value={value}
           onChange={(event) => {

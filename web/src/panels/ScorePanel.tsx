@@ -134,6 +134,8 @@ function delayText(seconds: number): string {
 }
 
 function Disagreements({ score: { disagreements } }: { score: Score }) {
+  const isAtPlayhead = (item: Disagreement) => frame.value >= item.start && frame.value < item.end;
+  const current = useComputed(() => disagreements.findIndex(isAtPlayhead)).value;
   const rate = openClip.value?.rate ?? 1;
   return (
     <>
@@ -167,6 +169,7 @@ function Disagreements({ score: { disagreements } }: { score: Score }) {
       </div>
       <VirtualList
         items={disagreements}
+        visibleIndex={current < 0 ? undefined : current}
         renderRow={(item) => (
           <DisagreementRow key={`${item.side} ${item.start}`} disagreement={item} rate={rate} />
         )}

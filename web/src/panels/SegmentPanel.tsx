@@ -308,6 +308,7 @@ function SegmentList() {
       <VirtualList
         items={namedSegments.value}
         visibleIndex={renamedSegment.value ? renamedSegment.value.number - 1 : undefined}
+        scrollsAtFirst
         renderRow={(segment) => <Row key={segment.start} segment={segment} rate={rate} />}
       />
       {!referenceSegments.value && (

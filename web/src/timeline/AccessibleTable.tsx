@@ -1,5 +1,6 @@
 import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { plural } from "../util/format";
 import { useDebounced } from "./use-debounced";
 
 /** Longer tables are impractical with a screen reader; the side panel lists all items. */
@@ -7,7 +8,7 @@ const maxRows = 100;
 
 interface Props<T> {
   items: ReadonlySignal<readonly T[]>;
-  /** Plural noun of the items, for the caption. */
+  /** Singular noun of the items, for the caption. */
   noun: string;
   columns: readonly string[];
   /** Returns the cells of the row of an item, without those for start and duration. */
@@ -37,7 +38,7 @@ export function AccessibleTable<T extends { number: number; start: number; end: 
   return (
     <table>
       <caption>
-        {all.length} {noun}
+        {plural(all.length, noun)}
         {all.length > maxRows ? `, the first ${maxRows} listed` : ""}
       </caption>
       <thead>

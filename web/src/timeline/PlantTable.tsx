@@ -7,7 +7,7 @@ export function PlantTable() {
   return (
     <AccessibleTable
       items={plants}
-      noun="plants"
+      noun="plant"
       columns={["Plant", "Foot"]}
       cells={({ side, edited }) => [edited ? `${side}, edited` : side]}
       buttonLabel={({ number }) => `Go to plant ${number}`}

@@ -8,7 +8,7 @@ export function SegmentTable() {
   return (
     <AccessibleTable
       items={namedSegments}
-      noun="segments"
+      noun="segment"
       columns={["Segment", "Name", "Kind"]}
       cells={(segment) => [segmentTitle(segment), segmentKind(segment)]}
       buttonLabel={({ number }) => `Go to segment ${number}`}

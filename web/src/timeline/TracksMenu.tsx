@@ -11,11 +11,12 @@ const groupNames: Record<TrackGroup, string> = {
 const legend = [
   ["contact", "Contact: any part of the foot is on the ground"],
   ["heel", "Heel contact"],
+  ["toe", "Toe contact"],
   ["uncertain", "Low confidence: review these frames"],
   ["whisker", "Foot strike or foot off ± one standard deviation"],
   ["edited", "Edited by hand"],
   ["reference", "Reference labels"],
-  ["difference", "Frames that differ from the reference"],
+  ["difference", "False negatives and false positives"],
 ] as const;
 
 /** Chooses the tracks that the timeline shows, and explains its marks. */

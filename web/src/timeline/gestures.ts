@@ -103,6 +103,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
       return;
     }
     origin = { x: event.clientX, y: event.clientY };
+    hovered.value = null;
     moved = false;
     drag = dragAt(event);
     const point = hitTest.toLanePoint(event);
@@ -260,6 +261,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
     else if (drag === "cut") endCutDrag(event);
     else if (drag === "scrub" && !moved && event.type === "pointerup") click(event);
     if (!pointers.size) drag = null;
+    if (event.pointerType === "mouse") hover(event, hitTest.toLanePoint(event));
   };
 
   /** Applies the dragged edge. The preview is shown until the edit is done. */

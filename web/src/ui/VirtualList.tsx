@@ -9,15 +9,23 @@ export function VirtualList<T>({
   items,
   renderRow,
   visibleIndex,
+  scrollsAtFirst = false,
 }: {
   items: readonly T[];
   renderRow: (item: T) => ComponentChildren;
   /** Index of an item to scroll to. */
   visibleIndex?: number | undefined;
+  /** True if the list scrolls to that item when it appears, too. Default false. */
+  scrollsAtFirst?: boolean;
 }) {
   const container = useRef<HTMLDivElement>(null);
   const { from, to } = useVisibleRows(container, rowHeight, items.length);
+  const isMounted = useRef(false);
   useEffect(() => {
+    // The panel opens at its top.
+    const isFirst = !isMounted.current;
+    isMounted.current = true;
+    if (isFirst && !scrollsAtFirst) return;
     const scroller = container.current?.closest("[data-scrolls]");
     if (visibleIndex === undefined || !scroller || !container.current) return;
     const listTop =

@@ -32,8 +32,8 @@ const palette: Palette = {
 };
 
 /** Returns the glow of the brightest bone at a moment, in frames. */
-function brightest(figure: Figure, moment: number): number {
-  figure.update(moment, 0, detection);
+function brightest(figure: Figure, moment: number, labels = detection): number {
+  figure.update(moment, 0, labels);
   const meshes: InstancedMesh[] = [];
   figure.addTo({
     add: (...objects: { children: unknown[] }[]) => {
@@ -54,4 +54,19 @@ it("lights a foot in exactly the frames in which it is planted", () => {
     // Between two frames, the state is that of the earlier one.
     expect(brightest(figure, frame + 0.9), `frame ${frame + 0.9}`).toBe(isPlanted);
   }
+});
+
+it("lights both ends of a foot in a contact without heel and toe", () => {
+  const none = { ...left, planted: new Uint8Array(clip.frames) };
+  const labels = {
+    ...detection,
+    parts: {
+      ...detection.parts,
+      heel: { left: none, right: none },
+      toe: { left: none, right: none },
+    },
+  };
+  const figure = new Figure(clip, 1.75, palette);
+  for (let frame = 0; frame < clip.frames; frame++)
+    expect(brightest(figure, frame, labels), `frame ${frame}`).toBe(left.planted[frame]);
 });

@@ -67,6 +67,14 @@ export class Figure {
       weights[2] = toe.left.planted[index] ?? 0;
       weights[4] = toe.right.planted[index] ?? 0;
     }
+    // A contact that was added by hand may have neither heel nor toe.
+    for (const [side, first] of [
+      ["left", 1],
+      ["right", 3],
+    ] as const) {
+      if (!parts.contact?.[side].planted[index] || weights[first] || weights[first + 1]) continue;
+      weights.fill(1, first, first + 2);
+    }
   }
 
   /** Coordinates of all joints in the pose that is shown, as x, y, z per joint, in metres. */
