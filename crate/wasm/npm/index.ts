@@ -321,16 +321,15 @@ export class Segmentation {
   }
 
   /**
-   * Returns the segments as the text of a file.
+   * Returns the segments as a file.
    *
    * @param format Name of one of the `segmentFormats()`.
    * @param name File name of the clip.
    * @param labels Labels of the segments in order. Default: those of the method.
    */
-  save(format: string, name: string, labels?: string[]): string {
+  save(format: string, name: string, labels?: string[]): Uint8Array {
     const given = labels ?? this.segments.map(({ label }) => label);
-    const file = rethrow(() => this.clip.saveSegments(this.inner, given, format, name));
-    return new TextDecoder().decode(file);
+    return rethrow(() => this.clip.saveSegments(this.inner, given, format, name));
   }
 
   free(): void {

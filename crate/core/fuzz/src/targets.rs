@@ -198,6 +198,9 @@ fn segment(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8) {
     let export = SegmentExport { documents: vec![document], as_array: false };
     for &format in SegmentFormat::ALL {
         let file = format.write(&export);
+        if format == SegmentFormat::Npz {
+            continue;
+        }
         let text = std::str::from_utf8(&file).expect("text");
         let read = formats::read_segments(text, "clip", clip.frame_count(), clip.rate());
         assert_cover(

@@ -6,8 +6,10 @@
 mod csv;
 mod document;
 mod format_info;
+mod npy;
 mod plants;
 mod segments;
+mod zip;
 
 pub use document::{FrameRange, Header, Origin, ReadError, Source, VERSION, to_json};
 pub use plants::{

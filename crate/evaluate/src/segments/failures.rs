@@ -75,9 +75,8 @@ fn cuts_inside_actions(generated: &Generated) -> String {
 const CAUSES: &str = "\
 - *Pauses.* A person who walks and then jumps stands still in between. Most methods detect the change of poses at the
   beginning or the end of the pause. The true cut is its middle, so many cuts are slightly more than 1 s off but at the
-  edge of the range; the last column of the first table counts them as correct. `lsd` searches for the most likely
-  transition within the pause. It is more accurate than `auto` if the middle counts. If the whole range counts, `auto`
-  is far more accurate, because `lsd` also has more cuts inside actions.
+  edge of the range; the last column of the first table counts them as correct. `auto` and `lsd` search for the most
+  likely instant within the transition. `lsd` also has more cuts inside actions.
 - *Actions of several parts.* `auto` models actions as pose distributions, and an action may have several. It has
   {cuts_inside_actions}.
   Stretching, for example, consists of leaning with raised arms and twisting with spread arms; all methods treat these

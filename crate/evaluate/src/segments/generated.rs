@@ -6,7 +6,7 @@ use plantigrade_synth::actions::Action;
 use plantigrade_synth::{ActionClip, action_sequences, decimate, generate_sequence};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use super::{Case, Variant, all_cuts, pooled, two_decimals, variants};
+use super::{Case, Variant, all_cuts, classes, pooled, two_decimals, variants};
 use crate::plants::trial::SEEDS;
 use crate::report::Report;
 
@@ -82,6 +82,7 @@ pub fn write(report: &mut Report) -> Generated {
     ));
     table(report, &generated);
     frame_rates(report, &generated);
+    classes::write_generated(report, &generated.clips);
     generated
 }
 

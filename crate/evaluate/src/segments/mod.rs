@@ -1,5 +1,7 @@
 //! Sections about segmentation into actions.
 
+mod class_references;
+pub mod classes;
 pub mod failures;
 pub mod generated;
 pub mod recorded;

@@ -5,6 +5,7 @@ use std::path::Path;
 use plantigrade::score::{Tolerance, TrueCut};
 use plantigrade::segments::Method;
 
+use super::classes::{self, ClassCase};
 use super::recorded_figures as figures;
 use super::recorded_trials::Recorded;
 use super::{
@@ -44,6 +45,7 @@ pub fn write(report: &mut Report, corpus: &Path) -> anyhow::Result<()> {
     first_trial(report, &recorded, &cuts);
     second_trial(report, &recorded, &cuts);
     cut_list(report, &recorded, &cuts);
+    classes(report, &recorded);
     report.text(CLAIMS);
     figures::residuals(report, &recorded)?;
     figures::distances(report, &recorded)?;
@@ -150,6 +152,24 @@ fn cut_list(report: &mut Report, recorded: &Recorded, cuts: &[VariantCuts]) {
     }));
     report.text("Cuts of 86_01, in seconds:");
     report.text(&lines.join("\n"));
+}
+
+/// Adds the agreement of the actions with the annotated ones.
+fn classes(report: &mut Report, recorded: &Recorded) {
+    let cases: Vec<ClassCase> = recorded
+        .cases
+        .iter()
+        .zip(&recorded.actions)
+        .map(|(case, actions)| ClassCase::recorded(&case.clip, actions))
+        .collect();
+    report.text(
+        "Classes of the actions of both trials, as for generated clips. Two trials are few. The durations and \
+         thresholds of the refined cuts and of the grouping were chosen on generated clips, but with these \
+         trials in sight.",
+    );
+    classes::table(report, &cases, &["86_01", "13_30"]);
+    report.text("Annotated actions of 86_01 and the actions of `auto`:");
+    classes::confusion(report, &cases[0], Method::Auto);
 }
 
 /// Adds the distribution of the amplitudes of the `lsd` curve.

@@ -53,8 +53,11 @@ pub fn distances(report: &mut Report, recorded: &Recorded) -> anyhow::Result<()>
         "Classes of the motifs between turning points: `{}`. The resulting actions:",
         classes.join(" ")
     ));
-    let rows: Vec<Vec<String>> =
-        segmentation.segments.iter().map(|segment| segment_row(case, segment, &recorded.actions)).collect();
+    let rows: Vec<Vec<String>> = segmentation
+        .segments
+        .iter()
+        .map(|segment| segment_row(case, segment, &recorded.actions[0]))
+        .collect();
     report.table(&["main annotated action", "start in s", "end in s", "kind", "motifs"], &rows);
     Ok(())
 }

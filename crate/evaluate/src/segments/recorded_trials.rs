@@ -13,8 +13,8 @@ use super::Case;
 pub struct Recorded {
     /// 86_01 and 13_30.
     pub cases: Vec<Case>,
-    /// The actions of 86_01 by the first annotator.
-    pub actions: Vec<Segment>,
+    /// The annotated actions of both; those of 86_01 by the first annotator.
+    pub actions: [Vec<Segment>; 2],
     /// The cuts of 86_01 by the second annotator.
     pub second: Case,
 }
@@ -31,8 +31,11 @@ impl Recorded {
             anyhow::Ok((Case { clip, truth }, text))
         };
         let (walk, text) = case("86_01", "segmentation.json")?;
-        let actions = formats::read_segments(&text, "86_01", walk.clip.frame_count(), walk.clip.rate())?;
-        let (exercise, _) = case("13_30", "segmentation_mocap6.json")?;
+        let (exercise, exercise_text) = case("13_30", "segmentation_mocap6.json")?;
+        let actions = |name: &str, case: &Case, text: &str| {
+            formats::read_segments(text, name, case.clip.frame_count(), case.clip.rate())
+        };
+        let actions = [actions("86_01", &walk, &text)?, actions("13_30", &exercise, &exercise_text)?];
         let (second, _) = case("86_01", "segmentation_second_annotator.json")?;
         Ok(Recorded { cases: vec![walk, exercise], actions, second })
     }

@@ -36,7 +36,7 @@ impl FileSegment {
 
 /// Actions with times.
 pub(crate) struct TimedActions {
-    /// Duration of the clip, in seconds.
+    /// Duration of the clip, in seconds, if the file has it.
     pub duration: Option<f64>,
     pub actions: Vec<TimedAction>,
 }
@@ -91,6 +91,10 @@ fn timed_parts(file: TimedActions, frames: usize, rate: f64) -> Result<Vec<FileS
     {
         return Err(ReadError::Length { found: frame(seconds), frames });
     }
+    let end = file.actions.iter().map(|action| action.end).fold(0.0, f64::max);
+    if file.duration.is_none() && end - frames as f64 / rate > MAX_GAP {
+        return Err(ReadError::Length { found: frame(end), frames });
+    }
     let parts = file.actions.into_iter().map(|TimedAction { start, end, label, action }| {
         let mut part =
             FileSegment::new(frame(start).min(frames)..frame(end).min(frames), Kind::Action, label);
@@ -132,6 +136,23 @@ fn annotated_parts(
         part
     });
     Ok(complete(parts.collect(), frames, rate))
+}
+
+/// True if the first line of a text has tabs.
+pub(crate) fn is_tab_delimited(text: &str) -> bool {
+    text.lines().next().is_some_and(|line| line.contains('\t'))
+}
+
+/// Returns a text without tabs and line ends, as a field of a tab-delimited file.
+pub(crate) fn tab_field(text: &str) -> String {
+    text.replace(['\t', '\n', '\r'], " ")
+}
+
+/// Returns the time of a row of a tab-delimited file, in seconds.
+pub(crate) fn parse_seconds(text: &str, line: usize) -> Result<f64, ReadError> {
+    let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite());
+    seconds
+        .ok_or_else(|| ReadError::Invalid(format!("line {line}: expected a time in seconds, found {text:?}")))
 }
 
 /// Checks that the parts cover the clip without gaps.

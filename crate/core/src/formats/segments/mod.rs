@@ -1,10 +1,13 @@
 //! Formats of segments.
 
+mod audacity;
 mod babel;
 mod document;
+mod elan;
 mod export;
 mod file;
 mod json;
+mod npz;
 mod table;
 
 pub use document::{DocumentMotif, DocumentSegment, SegmentsDocument, SegmentsMethod};
@@ -28,6 +31,12 @@ registry! {
         Csv => table::FORMAT_INFO,
         /// BABEL file.
         Babel => babel::FORMAT_INFO,
+        /// Label track for Audacity.
+        Audacity => audacity::FORMAT_INFO,
+        /// Tab-delimited tiers for ELAN.
+        Elan => elan::FORMAT_INFO,
+        /// NumPy archive.
+        Npz => npz::FORMAT_INFO,
     }
 }
 
@@ -45,7 +54,7 @@ impl SegmentFormat {
     /// Returns segments as the bytes of a file.
     ///
     /// # Panics
-    /// If there is no document.
+    /// If there is no document, or a NumPy archive would exceed 4 GiB.
     pub fn write(self, export: &SegmentExport) -> Vec<u8> {
         (self.entry().write)(export)
     }
@@ -144,11 +153,12 @@ mod tests {
         assert_eq!(serde_json::from_str::<SegmentsDocument>(&to_json(&document)).unwrap(), document);
         let (frames, rate) = (document.header.frames, document.header.rate);
         let export = SegmentExport { documents: vec![document], as_array: false };
-        for format in SegmentFormat::ALL {
+        for format in SegmentFormat::ALL.iter().filter(|format| **format != SegmentFormat::Npz) {
             let text = String::from_utf8(format.write(&export)).unwrap();
             let read = read_segments(&text, "86_01", frames, rate).unwrap();
             assert_eq!(ranges(&read), [(0..40, "walk"), (40..41, ""), (41..500, "kick, \"high\"")], "{text}");
-            assert!(read.iter().map(|segment| segment.action.as_str()).eq(["A", "", "AB"]), "{text}");
+            let actions = if *format == SegmentFormat::Audacity { ["", "", ""] } else { ["A", "", "AB"] };
+            assert!(read.iter().map(|segment| segment.action.as_str()).eq(actions), "{text}");
             let cycles = Some(Cycles { period_s: 1.125, count: 2.5 });
             let has_cycles = matches!(format, SegmentFormat::Json | SegmentFormat::Csv);
             assert_eq!(read[0].cycles, cycles.filter(|_| has_cycles), "{text}");
@@ -174,6 +184,8 @@ mod tests {
             "root,start_frame,end_frame,start_s,end_s,kind,label,action,period_s,cycles\nA:Hips,0,40,0,"
         ));
         assert!(write(SegmentFormat::Babel).contains("\"86_01 B:Hips\""));
+        assert!(write(SegmentFormat::Audacity).contains("\tB:Hips: walk\n"));
+        assert!(write(SegmentFormat::Elan).contains("\nB:Hips action\t"));
         for text in [table, write(SegmentFormat::Json)] {
             assert!(matches!(read_cuts(&text, "86_01", 500, 120.0), Err(ReadError::Invalid(_))));
         }

@@ -7,7 +7,7 @@ use crate::formats::document::ReadError;
 use crate::formats::format_info::FormatInfo;
 use crate::formats::segments::document::{self, SegmentsDocument};
 use crate::formats::segments::export::{Reader, Writer};
-use crate::formats::segments::file::{FileSegment, SegmentFile};
+use crate::formats::segments::file::{FileSegment, SegmentFile, is_tab_delimited};
 use crate::segments::Kind;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
@@ -17,7 +17,7 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     extension: "segments.csv",
     media_type: "text/csv",
     write: |export| segments_csv(&export.documents).into_bytes(),
-    read: Some(Reader { recognises: |text| !text.starts_with(['{', '[']), read }),
+    read: Some(Reader { recognises: |text| !text.starts_with(['{', '[']) && !is_tab_delimited(text), read }),
 };
 
 /// Columns after the name of the root.

@@ -4,9 +4,7 @@
 //! compresses downloads anyway. The reader accepts archives with or without compression, as
 //! `numpy.savez` and `numpy.savez_compressed` write them.
 
-mod npy;
 mod read;
-mod zip;
 
 #[cfg(test)]
 mod tests;
@@ -15,6 +13,7 @@ use crate::foot::{Part, Side};
 use crate::formats::format_info::FormatInfo;
 use crate::formats::plants::events::{GaitEvent, events, part_events};
 use crate::formats::plants::export::{DetectionRef, Reader, Writer};
+use crate::formats::{npy, zip};
 use crate::plants::{Detection, FootLabels};
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {

@@ -2,7 +2,7 @@
 
 use crate::foot::{Part, Side};
 use crate::formats::document::ReadError;
-use crate::formats::plants::npz::{npy, zip};
+use crate::formats::{npy, zip};
 use crate::plants::Annotation;
 
 /// Maximum size of an array per frame, in bytes: eight columns of the widest numbers.
