@@ -7,10 +7,11 @@
 
 import load, {
   type ClipInfo,
-  type DetectOptions,
   type CutEditInfo,
+  type DetectOptions,
   type EditInfo,
   type Failure,
+  type FootFrames,
   type FormatInfo,
   type GaitInfo,
   type GroundInfo,
@@ -25,7 +26,6 @@ import load, {
   type SegmentInfo,
   type SegmentMethodInfo,
   type SegmentOptions,
-  type FootFrames,
   type SlideInfo,
   type WasmClip,
   type WasmDetection,
@@ -35,9 +35,10 @@ import load, {
 
 export type {
   ClipInfo,
-  DetectOptions,
   CutEditInfo,
+  DetectOptions,
   EditInfo,
+  FootFrames,
   FormatInfo,
   GaitInfo,
   GroundInfo,
@@ -48,7 +49,6 @@ export type {
   SegmentInfo,
   SegmentMethodInfo,
   SegmentOptions,
-  FootFrames,
   SlideInfo,
 };
 
