@@ -1,7 +1,9 @@
 import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
 import { type App, expect, test } from "./app";
 import { bad, clip, file, good, sample } from "./clips";
 import { storeRecord } from "./stored-records";
+import { eachViewport } from "./viewports";
 
 /** States of the page, and functions that reach them. */
 const states: Record<string, (app: App) => Promise<void>> = {
@@ -101,6 +103,25 @@ const states: Record<string, (app: App) => Promise<void>> = {
   "the notices of third-party software": async (app) => {
     await app.page.goto(`${app.site.home}third-party.html`);
   },
+  "the legend and a selected plant": async (app) => {
+    await app.openSample("bowling");
+    await app.tab("Labels");
+    await app.page.keyboard.press("e");
+    await app.timeline.getByRole("button", { name: "Tracks" }).click();
+  },
+  "a selected cut": async (app) => {
+    await app.openSample("limp-to-run");
+    await app.tab("Segment");
+    for (let i = 0; i < 9; i++) await app.page.keyboard.press("ArrowRight");
+    await app.page.keyboard.press("x");
+    await expect(app.panel.getByRole("spinbutton", { name: "Cut at frame" })).toHaveValue("9");
+  },
+  "a cleaned clip": async (app) => {
+    await app.openSample("limp-to-run");
+    await app.tab("Clip");
+    await app.panel.getByRole("button", { name: "Fix foot skate" }).click();
+    await expect(app.panel.getByRole("button", { name: "Discard" })).toBeVisible();
+  },
   "a skeleton without motion": (app) => app.openFile(good("no-motion")),
 };
 
@@ -109,11 +130,25 @@ for (const colorScheme of ["dark", "light"] as const) {
     test(`${name} is accessible in the ${colorScheme} theme`, async ({ app, page }) => {
       await page.emulateMedia({ colorScheme });
       await reach(app);
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      const found = violations.flatMap(({ id, nodes }) =>
-        nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")} ${failureSummary}`),
-      );
-      expect(found).toEqual([]);
+      await expectAccessible(page);
     });
   }
+}
+
+for (const [name, viewport] of eachViewport) {
+  test(`the Labels tab is accessible on a page of the size ${name}`, async ({ app, page }) => {
+    await page.setViewportSize(viewport);
+    await app.openSample("bowling");
+    await page.getByRole("tab", { name: "Labels" }).click();
+    await page.keyboard.press("e");
+    await expectAccessible(page);
+  });
+}
+
+async function expectAccessible(page: Page) {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  const found = violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")} ${failureSummary}`),
+  );
+  expect(found).toEqual([]);
 }

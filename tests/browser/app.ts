@@ -232,12 +232,17 @@ export class App {
     await this.tab("Segment");
     const rows = this.panel.getByRole("listitem").filter({ has: this.page.getByRole("textbox") });
     await expect(rows.first()).toBeVisible();
-    const segments: ListedSegment[] = [];
-    for (const row of await rows.all()) {
-      const label = (await row.getByRole("button").getAttribute("aria-label")) ?? "";
+    // Read at once, since edits replace the rows.
+    const texts = await rows.evaluateAll((items) =>
+      items.map((item) => ({
+        label: item.querySelector("button")?.getAttribute("aria-label") ?? "",
+        name: item.querySelector("input")?.value ?? "",
+      })),
+    );
+    const segments = texts.map(({ label, name }) => {
       const [number = 0, start = 0, length = 0] = (label.match(/[\d.]+/g) ?? []).map(Number);
-      segments.push({ number, start, length, name: await row.getByRole("textbox").inputValue() });
-    }
+      return { number, start, length, name };
+    });
     return segments;
   }
 

@@ -203,6 +203,30 @@ test("loops a segment by tap and renames it by double tap", async ({ app, page }
   await expectNoHorizontalScroll(app);
 });
 
+test("selects and moves a cut by touch", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
+  await page.getByRole("tab", { name: "Segment" }).tap();
+  const field = app.panel.getByRole("spinbutton", { name: "Cut at frame" });
+  await page.getByRole("tab", { name: "Segment" }).tap();
+  await expect(app.panel).toBeHidden();
+  const tall = await app.tracks.boundingBox();
+  if (!tall) throw new Error("The timeline has no canvas.");
+  const frames = (await app.lastFrame()) + 1;
+  const cut = await page.evaluate(() => {
+    const rows = [...document.querySelectorAll("table")].at(-1)?.querySelectorAll("tr");
+    return Number.parseFloat(rows?.[2]?.cells[3]?.textContent ?? "");
+  });
+  const x = tall.x + 100 + ((cut * 24) / frames) * (tall.width - 100 - 14);
+  // The segments are above the overview of the clip.
+  await page.touchscreen.tap(x, tall.y + tall.height - 58);
+  expect(await app.frame()).toBe(Math.round(cut * 24));
+  await page.getByRole("tab", { name: "Segment" }).tap();
+  await expect(field).toHaveValue(String(Math.round(cut * 24)));
+  await field.fill("300");
+  await page.keyboard.press("Enter");
+  await expect(field).toHaveValue("300");
+});
+
 test("fits all six tabs", async ({ app, page }) => {
   await app.openSample("frog-jumps");
   await app.drop(clip("samples/frog-jumps.json"));

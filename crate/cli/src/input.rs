@@ -177,7 +177,7 @@ pub fn sha256(input: &Input) -> Option<String> {
 }
 
 /// Returns bytes in hexadecimal.
-fn hexadecimal(bytes: &[u8]) -> String {
+pub fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

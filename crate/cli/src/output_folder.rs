@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::file;
+use crate::input::hexadecimal;
 
 /// Name of the record: one line of JSON per result. Lines are appended when results are finished, the last
 /// line about a result holds, and damaged lines are ignored. The last process that uses a folder sorts the
@@ -166,5 +167,5 @@ impl Origin<'_> {
 
 /// Returns the SHA-256 of bytes in hexadecimal.
 pub fn hex_digest(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+    hexadecimal(&Sha256::digest(bytes))
 }

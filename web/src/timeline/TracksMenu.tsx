@@ -43,7 +43,7 @@ export function TracksMenu() {
           </label>
         ))}
       </fieldset>
-      <h3>Legend</h3>
+      <h2>Legend</h2>
       <dl class="legend">
         {legend.map(([name, text]) => (
           <div key={name}>

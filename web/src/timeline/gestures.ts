@@ -291,6 +291,13 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
       lastClick = { target: "", time: 0 };
       return;
     }
+    const tappedCut = event.pointerType === "touch" ? hitTest.cutNear(point, true) : undefined;
+    if (tappedCut !== undefined && tappedCut !== selectedCut.value) {
+      selectCut(tappedCut);
+      pause();
+      seek(tappedCut);
+      return;
+    }
     const segment = hitTest.segmentAt(point);
     if (segment) {
       if (isDoubleClick(event, `segment ${segment.number}`)) {

@@ -92,14 +92,20 @@ export function createHitTest(canvas: HTMLCanvasElement, getLayout: () => Layout
       ? segmentAt(namedSegments.value, toFrame(timeView.value, x, laneWidth))
       : undefined;
 
-  /** Returns the cut that a press grabs; by touch, only the selected one. */
-  const cutAt = (point: LanePoint, isTouch: boolean): number | undefined => {
+  /** Returns the cut near a position on the segments. */
+  const cutNear = (point: LanePoint, isTouch: boolean): number | undefined => {
     const { x, y, laneWidth } = point;
     if (laneAt(y)?.kind !== "segments" || isOnRuler(point)) return undefined;
     const cut = nearestCut(cuts.value, toFrame(timeView.value, x, laneWidth));
-    if (cut === undefined || (isTouch && cut !== selectedCut.value)) return undefined;
     const reach = isTouch ? edgeReach.touch : edgeReach.mouse;
+    if (cut === undefined) return undefined;
     return Math.abs(x - toX(timeView.value, cut, laneWidth)) <= reach ? cut : undefined;
+  };
+
+  /** Returns the cut that a press grabs; by touch, only the selected one, which a tap selects. */
+  const cutAt = (point: LanePoint, isTouch: boolean): number | undefined => {
+    const cut = cutNear(point, isTouch);
+    return isTouch && cut !== selectedCut.value ? undefined : cut;
   };
 
   /** Returns the draggable edge of a bar; by touch, only the selected bar has draggable edges. */
@@ -142,5 +148,6 @@ export function createHitTest(canvas: HTMLCanvasElement, getLayout: () => Layout
     segmentAt: segmentAtPoint,
     edgeAt,
     cutAt,
+    cutNear,
   };
 }
