@@ -7,7 +7,8 @@ use plantigrade::bvh::Clip;
 use plantigrade::kinematics::Kinematics;
 use plantigrade::skeleton::{Overrides, Role, Skeleton};
 
-use super::classes::Classes;
+/// Frame ranges with the names of their classes.
+pub type Classes = Vec<(Range<usize>, String)>;
 
 /// Rate of the poses, in Hz.
 const RATE: f64 = 5.0;

@@ -9,7 +9,7 @@ use plantigrade::skeleton::{Overrides, Skeleton};
 use plantigrade_synth::ActionClip;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-use super::class_references::{kmeans_of_segment_means, spectral_clusters_of_frames};
+use super::class_references::{Classes, kmeans_of_segment_means, spectral_clusters_of_frames};
 use super::{params_of, two_decimals};
 use crate::report::Report;
 
@@ -20,9 +20,6 @@ pub struct ClassCase<'a> {
     /// Frame ranges with the names of their actions.
     pub truth: Vec<(Range<usize>, &'a str)>,
 }
-
-/// Frame ranges with the names of their classes.
-pub type Classes = Vec<(Range<usize>, String)>;
 
 impl<'a> ClassCase<'a> {
     /// Creates the case of a generated clip; actions change in the middle of each transition.
