@@ -93,7 +93,7 @@ test("marks the hovered frame of the timeline in the plots", async ({ app, page 
   await app.tab("Detect");
   await page.mouse.move(x + 20, y + 40);
   // Other tabs have the values under the pointer only.
-  await expect(app.timeline.locator(".pointed-frame")).toContainText("% sure");
+  await expect(app.timeline.locator(".pointed-frame")).toContainText("confidence");
   await page.mouse.move(x, 5);
   await expect(app.timeline.locator(".pointed-frame")).toBeHidden();
 });

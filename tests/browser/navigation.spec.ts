@@ -29,7 +29,7 @@ test("Back leads from the first clip to the start page", async ({ app, page }) =
   await expect(page.getByRole("button", { name: "Open a file" })).toBeVisible();
 });
 
-test("says that stored edits were applied", async ({ app, page }) => {
+test("reports that stored edits were applied", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await expect(app.head.getByRole("button", { name: "edited" })).toBeHidden();
   await page.keyboard.press("e");

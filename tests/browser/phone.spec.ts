@@ -106,7 +106,7 @@ test("has timeline bars that are large enough for touch", async ({ app, page }) 
   expect(hit).toBeGreaterThanOrEqual(28);
 });
 
-test("keeps the timeline in sight while the panel is expanded", async ({ app, page }) => {
+test("leaves the timeline visible while the panel is expanded", async ({ app, page }) => {
   await app.openSample("frog-jumps");
   await page.getByRole("tab", { name: "Labels" }).tap();
   await expect(page.getByRole("button", { name: "Undo" })).toBeInViewport({ ratio: 1 });

@@ -5,7 +5,7 @@ import { cutEditsOf } from "../model/cut-edits";
 import type { ClipSession } from "../store/clip-session";
 import { updateCutScores } from "./compare";
 
-/** Number of edits of cuts when they were last applied, by segmentation. */
+/** The edits that were applied to a segmentation, as text. */
 const applied = new WeakMap<object, string>();
 
 /** Applies the edits of the cuts to the segmentation, if there is one and they have changed. */

@@ -123,7 +123,7 @@ class StoredSession {
       );
   }
 
-  /** Says that edits of an earlier visit were applied. */
+  /** Reports that edits of an earlier visit were applied. */
   private reportRestored(initial: StoredChanges) {
     const { clipSession } = this;
     const changes = changesOf(clipSession);

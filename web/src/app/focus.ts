@@ -9,7 +9,7 @@ export function focusTimeline() {
 
 /**
  * Returns the focus to the timeline when it or the view is pressed, and after a button or a menu was used
- * with the pointer. A control that received the focus by keyboard keeps it.
+ * with the pointer. A control that received the focus by keyboard retains it.
  */
 export function returnFocus(signal: AbortSignal) {
   let usesPointer = false;

@@ -67,7 +67,7 @@ export const announcement = signal("");
 /** What the last edit did, or why it did nothing; shown for a short time. */
 export const message = signal("");
 
-/** Says what an edit did, on the page and to screen readers. */
+/** Reports what an edit did, on the page and to screen readers. */
 export function notify(text: string) {
   message.value = text;
   announcement.value = text;

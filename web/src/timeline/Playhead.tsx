@@ -1,9 +1,8 @@
-import { effect, useComputed } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useComputed } from "@preact/signals";
 import { pause, seek, segmentAtPlayhead } from "../actions/playback";
 import { plantAt } from "../model/plants";
 import { segmentTitle } from "../model/segments";
-import { toFrame, toX } from "../model/time-view";
+import { toFrame } from "../model/time-view";
 import { frame, playhead, timeView } from "../store/playback";
 import { clip, detection, plants } from "../store/session";
 import { margin } from "./scene";
@@ -62,20 +61,7 @@ export function Playhead(area: MarkerArea) {
 }
 
 /** The playhead in the overview of the clip. */
-export function MinimapPlayhead({ layout, width }: MarkerArea) {
-  const element = useRef<HTMLDivElement>(null);
-  useEffect(
-    () =>
-      effect(() => {
-        const { labelWidth, minimap } = layout.value;
-        const laneWidth = width.value - labelWidth - margin;
-        const whole = { start: 0, end: clip.value?.frames ?? 1 };
-        if (!element.current) return;
-        const { style } = element.current;
-        style.transform = `translate(${labelWidth + toX(whole, playhead.value, laneWidth)}px, ${minimap.y}px)`;
-        style.height = `${minimap.height}px`;
-      }),
-    [layout, width],
-  );
+export function MinimapPlayhead(area: MarkerArea) {
+  const element = useMarker(area, () => playhead.value, "overview");
   return <div class="minimap-playhead" ref={element} aria-hidden="true" />;
 }

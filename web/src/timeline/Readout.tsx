@@ -47,7 +47,7 @@ function laneDetails(lane: Lane, frame: number): string {
   if (!isBars(lane)) return "";
   const { side, track, isPrincipal } = lane;
   const plant = isPrincipal && plantAt(plants.value, frame, side);
-  const confidence = `${Math.floor(100 * (track.confidence[frame] ?? 0))} % sure`;
+  const confidence = `confidence ${Math.floor(100 * (track.confidence[frame] ?? 0))} %`;
   return [plant && `plant ${plant.number}`, confidence].filter(Boolean).join(", ");
 }
 

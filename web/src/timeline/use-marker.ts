@@ -3,6 +3,7 @@ import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { toX } from "../model/time-view";
 import { timeView } from "../store/playback";
+import { clip } from "../store/session";
 import type { Layout } from "./layout";
 import { margin } from "./scene";
 
@@ -14,12 +15,13 @@ export interface MarkerArea {
 }
 
 /**
- * Places an element over all lanes at a frame, and hides it outside the visible range. Moving it does
- * not redraw the canvas.
+ * Places an element at a frame, and hides it outside the visible range: over all lanes, or in the overview
+ * of the clip. Moving it does not redraw the canvas.
  */
 export function useMarker(
   { layout, width }: MarkerArea,
   frame: () => number | undefined,
+  place: "lanes" | "overview" = "lanes",
 ): RefObject<HTMLDivElement | null> {
   const element = useRef<HTMLDivElement>(null);
   useEffect(
@@ -28,15 +30,18 @@ export function useMarker(
         const { labelWidth, minimap } = layout.value;
         const laneWidth = width.value - labelWidth - margin;
         const current = frame();
-        const x = current === undefined ? -9 : toX(timeView.value, current, laneWidth);
+        const isInOverview = place === "overview";
+        const view = isInOverview ? { start: 0, end: clip.value?.frames ?? 1 } : timeView.value;
+        const x = current === undefined ? -9 : toX(view, current, laneWidth);
         if (!element.current) return;
         const { style, dataset } = element.current;
         style.visibility = x < -1 || x > laneWidth + 1 ? "hidden" : "visible";
-        style.transform = `translateX(${labelWidth + x}px)`;
-        style.height = `${minimap.y - 4}px`;
+        const [top, height] = isInOverview ? [minimap.y, minimap.height] : [0, minimap.y - 4];
+        style.transform = `translate(${labelWidth + x}px, ${top}px)`;
+        style.height = `${height}px`;
         dataset.frame = current === undefined ? "" : String(current);
       }),
-    [layout, width],
+    [layout, width, place],
   );
   return element;
 }

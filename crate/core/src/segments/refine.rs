@@ -53,11 +53,16 @@ fn best_split(between: &[Row], before: &[Row], after: &[Row]) -> usize {
         let distances = action.iter().step_by(STRIDE).map(|other| squared_distance(row, other));
         f64::from(distances.fold(f32::INFINITY, f32::min))
     };
-    let (mut cost, mut best) = (0.0, (0.0, 0));
-    for (index, row) in between.iter().enumerate() {
-        cost += nearest(row, before) - nearest(row, after);
-        if cost < best.0 {
-            best = (cost, index + 1);
+    least_prefix(between.iter().map(|row| nearest(row, before) - nearest(row, after)))
+}
+
+/// Returns the length of the prefix with the least sum; the shortest one, if several have it.
+pub(crate) fn least_prefix(values: impl Iterator<Item = f64>) -> usize {
+    let (mut sum, mut best) = (0.0, (0.0, 0));
+    for (index, value) in values.enumerate() {
+        sum += value;
+        if sum < best.0 {
+            best = (sum, index + 1);
         }
     }
     best.1

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::segments::methods::lsd::align::Shape;
 use crate::segments::methods::lsd::pose_shapes::PoseShapes;
+use crate::segments::refine::least_prefix;
 
 /// Duration of the end or beginning of an action that represents its poses, in seconds.
 const REFERENCE_DURATION: f64 = 1.0;
@@ -38,14 +39,7 @@ fn best_split(between: &[Shape], before: &[Shape], after: &[Shape]) -> usize {
     let nearest = |shape: &Shape, side: &[Shape]| {
         side.iter().map(|other| shape.distance(other)).fold(f64::INFINITY, f64::min)
     };
-    let (mut cost, mut best) = (0.0, (0.0, 0));
-    for (index, shape) in between.iter().enumerate() {
-        cost += nearest(shape, before) - nearest(shape, after);
-        if cost < best.0 {
-            best = (cost, index + 1);
-        }
-    }
-    best.1
+    least_prefix(between.iter().map(|shape| nearest(shape, before) - nearest(shape, after)))
 }
 
 #[cfg(test)]

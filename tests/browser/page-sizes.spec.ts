@@ -1,4 +1,4 @@
-/** Room for the view, the timeline and the panel on pages of every size. */
+/** Space for the view, the timeline and the panel on pages of every size. */
 
 import { type App, expect, test } from "./app";
 import { eachViewport } from "./viewports";
@@ -50,7 +50,7 @@ test("resizes the timeline by drag and by keys, and remembers it", async ({ app,
   await page.reload();
   await app.waitForClip("curved-walk.bvh");
   await expect.poll(height).toBeCloseTo(before + 76, -1);
-  // The view keeps its minimum.
+  // The view retains its minimum height.
   await splitter.focus();
   for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowUp");
   expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(200);
