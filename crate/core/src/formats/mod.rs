@@ -14,7 +14,7 @@ mod zip;
 pub use document::{FrameRange, Header, Origin, ReadError, Source, VERSION, to_json};
 pub use plants::{
     Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantExport,
-    PlantFormat, PlantsDocument, read_plants,
+    PlantFormat, PlantsDocument, read_edits, read_plants,
 };
 pub use segments::{
     DocumentMotif, DocumentSegment, SegmentExport, SegmentFormat, SegmentsDocument, SegmentsMethod,
