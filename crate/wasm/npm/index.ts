@@ -26,6 +26,7 @@ import load, {
   type SegmentInfo,
   type SegmentMethodInfo,
   type SegmentOptions,
+  type SimilarInfo,
   type SlideInfo,
   type WasmClip,
   type WasmDetection,
@@ -49,6 +50,7 @@ export type {
   SegmentInfo,
   SegmentMethodInfo,
   SegmentOptions,
+  SimilarInfo,
   SlideInfo,
 };
 
@@ -229,6 +231,14 @@ export class Plants {
   /** Applies edits, replacing earlier ones; later entries take precedence. */
   edit(edits: EditInfo[]): void {
     rethrow(() => this.inner.edit(edits));
+  }
+
+  /**
+   * Returns the changes by which edits apply to similar motion, and the number of plants that they change. Add
+   * the changes to the edits, and pass all to `edit`, to accept them.
+   */
+  similar(edits: EditInfo[]): SimilarInfo {
+    return rethrow(() => this.clip.similar(this.inner, edits));
   }
 
   /** Returns gait measures: cadence, times, lengths, symmetry. */

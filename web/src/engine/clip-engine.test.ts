@@ -67,6 +67,7 @@ function fakeCalls(log: string[]) {
     },
     gait: async () => undefined,
     skate: async () => [],
+    similar: async () => undefined,
     clean: async () => ({ positions: new Float32Array(), plants: [], notices: [] }),
     saveCleaned: async () => new Blob(),
     score: async () => [],

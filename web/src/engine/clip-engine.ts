@@ -69,6 +69,7 @@ const simpleCalls: {
   hash: ["clip", 0],
   evidence: ["clip", 2],
   referenceEdits: ["clip", 0],
+  similar: ["clip", 0],
   gait: ["clip", 0],
   skate: ["clip", 0],
   clean: ["clip", 2],

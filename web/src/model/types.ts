@@ -35,6 +35,7 @@ export type {
   ScoreInfo as Score,
   SegmentInfo as Segment,
   SegmentMethodInfo as SegmentationMethod,
+  SimilarInfo as Similar,
   SlideInfo as Slide,
 } from "../wasm/plantigrade";
 

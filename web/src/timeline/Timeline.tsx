@@ -21,6 +21,7 @@ import {
   selected,
   selectedCut,
   selectedEdge,
+  similar,
 } from "../store/session";
 import { theme } from "../store/theme";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
@@ -33,6 +34,7 @@ import { MinimapPlayhead, Playhead } from "./Playhead";
 import { paintTimeline } from "./paint";
 import { Readout } from "./Readout";
 import { SegmentTable } from "./SegmentTable";
+import { SimilarOffer } from "./SimilarOffer";
 import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 
@@ -107,6 +109,7 @@ export function Timeline() {
         loop: loopedRange.peek(),
         selected: selectedBar.peek(),
         selectedEdge: selectedEdge.peek(),
+        similar: similar.peek()?.changes ?? [],
       });
     };
     const requestDraw = () => {
@@ -126,6 +129,7 @@ export function Timeline() {
           plants.value,
           namedSegments.value,
           loopedRange.value,
+          similar.value,
         ];
         void [selectedBar.value, selectedEdge.value, selectedCut.value, cutPreview.value];
         requestDraw();
@@ -154,6 +158,7 @@ export function Timeline() {
         measure={() => container.current?.clientHeight ?? 0}
       />
       <StorageStatus />
+      <SimilarOffer />
       <Transport />
       <div
         class="tracks"

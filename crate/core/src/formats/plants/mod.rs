@@ -2,6 +2,7 @@
 
 mod blender;
 mod document;
+mod engines;
 mod events;
 mod export;
 mod json;
@@ -37,6 +38,10 @@ registry! {
         Npz => npz::FORMAT_INFO,
         /// Blender script.
         Blender => blender::FORMAT_INFO,
+        /// Script for Unreal Engine.
+        Unreal => engines::UNREAL,
+        /// Script for Unity.
+        Unity => engines::UNITY,
     }
 }
 
