@@ -203,10 +203,7 @@ fn unity_script() {
 
 fn several_skeletons() {
     let script = detect("../tests/files/good/two-skeletons.bvh", "unreal", "30");
-    assert!(
-        script.contains("\"Hips_Contact_L\"") && script.contains("\"B_3aHips_Contact_R\""),
-        "{script}"
-    );
+    assert!(script.contains("\"Hips_Contact_L\"") && script.contains("\"B_3aHips_Contact_R\""), "{script}");
     let script = detect("../tests/files/good/two-skeletons.bvh", "unity", "30");
     assert!(script.contains("static class FootEvents_two_2dskeletons_2ebvh"), "{script}");
 }
