@@ -32,7 +32,7 @@ const STYLE: &str = include_str!("report.css");
 /// Maximum number of actions that fit; those with the most strides are shown.
 const MAX_PARTS: usize = 3;
 /// Maximum number of steps that fit on the second sheet.
-const MAX_STEPS: usize = 30;
+const MAX_STEPS: usize = 24;
 
 /// Returns the report as HTML.
 fn report(export: &GaitExport) -> String {
@@ -82,9 +82,10 @@ fn sheet(page: &mut String, export: &GaitExport, gait: &SkeletonGait) {
         left_out(page, gait, &shown);
         angles_heading(page);
         page.push_str("<div class=\"plots\">\n");
+        let size = PlotSize { width: 218.0, height: if shown.len() == 2 { 92.0 } else { 68.0 } };
         for part in &shown {
             let _ = writeln!(page, "<h3>{}</h3>", escape(&action_title(part)));
-            for plot in angle_plots(part, PlotSize { width: 218.0, height: 96.0 }) {
+            for plot in angle_plots(part, size) {
                 let _ = writeln!(page, "<figure>{plot}</figure>");
             }
         }
@@ -140,7 +141,7 @@ fn head(page: &mut String, export: &GaitExport, gait: &SkeletonGait) {
     let _ = write!(
         page,
         "</div>\n<ul>\n<li>{} frames, {duration:.2} s at {} Hz</li>\n\
-         <li>Contacts: {} (r {}, w {}), {edits}</li>\n<li>Unit {unit}{leg}</li>\n\
+         <li>Contacts: {} (r {}, w {}), {edits}</li>\n<li>Unit: {unit}{leg}</li>\n\
          <li>Plantigrade {}</li>\n</ul>\n</header>\n",
         clip.frame_count(),
         (clip.rate() * 100.0).round() / 100.0,
@@ -203,16 +204,23 @@ const FIGURES: [BothRow; 4] = [
 ];
 
 const SYMMETRY: [BothRow; 4] = [
-    ("Stance time", "%", |gait| gait.symmetry.stance_percent.map(signed)),
-    ("Swing time", "%", |gait| gait.symmetry.swing_percent.map(signed)),
-    ("Step time", "%", |gait| gait.symmetry.step_time_percent.map(signed)),
-    ("Step length", "%", |gait| gait.symmetry.step_length_percent.map(signed)),
+    ("stance time", "%", |gait| gait.symmetry.stance_percent.map(signed)),
+    ("swing time", "%", |gait| gait.symmetry.swing_percent.map(signed)),
+    ("step time", "%", |gait| gait.symmetry.step_time_percent.map(signed)),
+    ("step length", "%", |gait| gait.symmetry.step_length_percent.map(signed)),
 ];
 
 /// Appends the table of measures, with two columns per part.
 fn measures(page: &mut String, parts: &[&ActionGait]) {
     let is_single = parts.len() == 1;
-    page.push_str("<h2>Measures <small>mean ± standard deviation</small></h2>\n<div class=\"scroll\"><table>\n<thead>\n");
+    let class = if is_single { "" } else { " class=\"compact\"" };
+    let _ = write!(
+        page,
+        "<h2>Measures <small>mean ± standard deviation</small></h2>
+<div class=\"scroll\"><table{class}>
+<thead>
+"
+    );
     if !is_single {
         page.push_str("<tr><td></td>");
         for part in parts {

@@ -17,8 +17,8 @@ pub(super) struct PlotSize {
 }
 
 /// Space at the left, top, right and bottom of the axes, in pixels.
-const MARGINS: [f64; 4] = [24.0, 16.0, 4.0, 14.0];
-/// Steps between ticks, in degrees; the smallest that needs at most [`MAX_TICKS`] is used.
+const MARGINS: [f64; 4] = [24.0, 18.0, 4.0, 14.0];
+/// Steps between ticks, in degrees; the smallest that needs at most [`MAX_TICKS`] of them is used.
 const TICK_STEPS: [f64; 4] = [10.0, 20.0, 30.0, 60.0];
 const MAX_TICKS: f64 = 5.0;
 
