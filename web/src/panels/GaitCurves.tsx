@@ -4,6 +4,7 @@ import { percentOfCycle, valueAtPercent } from "../model/gait-cycle";
 import type { AngleCurve, Gait, Side } from "../model/types";
 import { playhead } from "../store/playback";
 import { openClip } from "../store/session";
+import { formatNumber } from "../util/format";
 import { createGaitPlot, type Percents } from "./gait-plot";
 
 const titles: Record<string, string> = {
@@ -99,4 +100,4 @@ function description(title: string, curve: AngleCurve): string {
   return `${title} over the gait cycle: ${ranges.join(", ")}`;
 }
 
-const degrees = (angle: number) => `${angle.toFixed(0).replace("-", "−")}°`;
+const degrees = (angle: number) => `${formatNumber(angle, 0)}°`;

@@ -9,7 +9,7 @@ import { FormatButton } from "../ui/FormatButton";
 import { ListHead } from "../ui/ListHead";
 import { PropertyList } from "../ui/PropertyList";
 import { VirtualList } from "../ui/VirtualList";
-import { formatRange } from "../util/format";
+import { formatNumber, formatRange } from "../util/format";
 import { GaitCurves } from "./GaitCurves";
 
 /** Displayed measures: name, title, unit, factor to that unit, decimals. */
@@ -164,14 +164,11 @@ function MeanSd({
   const { mean, sd } = statistics;
   return (
     <>
-      {minus((factor * mean).toFixed(decimals))}
+      {formatNumber(factor * mean, decimals)}
       {sd !== undefined && <small> ± {(factor * sd).toFixed(decimals)}</small>}
     </>
   );
 }
-
-/** Replaces the hyphen of a negative number by a minus sign. */
-const minus = (number: string) => number.replace("-", "−");
 
 /** Returns the numbers of strides that were left out, by reason. */
 function leftOutText({ cutOff, missingEvent, pause, onTheSpot }: Gait["leftOut"]) {
@@ -248,7 +245,7 @@ function StepRow({ step, end }: { step: Step; end: number }) {
       </span>
       <Cell name="foot strike" text={strike.toFixed(2)} />
       <Cell name="step time" text={stepTime?.toFixed(2)} />
-      <Cell name="step length" text={stepLength && minus((100 * stepLength).toFixed(0))} />
+      <Cell name="step length" text={stepLength && formatNumber(100 * stepLength, 0)} />
       <Cell name="stance" text={stride?.stancePercent.toFixed(0)} />
     </button>
   );

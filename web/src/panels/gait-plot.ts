@@ -5,6 +5,7 @@ import type { AngleCurve, Side } from "../model/types";
 import { theme } from "../store/theme";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
 import { drawPath } from "../util/draw-path";
+import { formatNumber } from "../util/format";
 
 /** Position in the gait cycle of each foot, in percent; undefined outside of strides. */
 export type Percents = Record<Side, number | undefined>;
@@ -30,7 +31,7 @@ export function createGaitPlot(
     {
       width: width(),
       height,
-      padding: [8, 8, 0, 0],
+      padding: [8, 14, 0, 0],
       legend: { show: false },
       cursor: { show: false },
       scales: { x: { time: false, range: [0, 100] }, y: { range: rangeOf(curve) } },
@@ -64,7 +65,7 @@ export function createGaitPlot(
   };
 }
 
-const degrees = (value: number) => `${value.toFixed(0).replace("-", "−")}°`;
+const degrees = (value: number) => `${formatNumber(value, 0)}°`;
 
 /** Returns mean, mean − sd and mean + sd of one side. */
 function valuesOf(curve: AngleCurve, side: Side): (number | null)[][] {

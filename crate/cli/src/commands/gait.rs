@@ -249,7 +249,7 @@ fn gait_text(gait: &Gait) -> String {
     };
     let left_out = left_out_text(&gait.left_out);
     if gait.strides == 0 {
-        line("strides", format!("no complete strides{left_out}"));
+        let _ = writeln!(text, "  no complete strides{left_out}");
         return text;
     }
     line("strides", format!("{}{left_out}", gait.strides));

@@ -62,3 +62,21 @@ impl GaitAnalysis {
         GaitAnalysis::new(feet, legs, contacts, ranges)
     }
 }
+
+impl Gait {
+    /// Returns the measures of a detection, by its principal part, with edits applied.
+    ///
+    /// Cadence, lengths and widths depend little on the exact frames of foot strike and foot off.
+    /// Stance, swing, double support and flight do: they are as accurate as the labels.
+    pub fn from_detection(feet: &Feet, detection: &Detection) -> Gait {
+        GaitAnalysis::from_detection(feet, None, detection, None).gait
+    }
+
+    /// Returns the measures of labels per frame, the left foot's and the right's.
+    ///
+    /// # Panics
+    /// If the number of labels of a foot differs from the number of frames.
+    pub fn measure(feet: &Feet, planted: [&[bool]; 2]) -> Gait {
+        GaitAnalysis::new(feet, None, planted.map(Contact::from_frames), None).gait
+    }
+}

@@ -4,8 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::foot::Side;
 use crate::gait::step::{Candidate, Stride};
-use crate::gait::{Contact, GaitAnalysis, Omission, PerSide, Spread, Step, Symmetry};
-use crate::plants::{Detection, Feet};
+use crate::gait::{Omission, PerSide, Spread, Step, Symmetry};
 
 /// Gait measures of one skeleton of a clip.
 ///
@@ -97,22 +96,6 @@ impl LeftOut {
 }
 
 impl Gait {
-    /// Returns the measures of a detection, by its principal part, with edits applied.
-    ///
-    /// Cadence, lengths and widths depend little on the exact frames of foot strike and foot off.
-    /// Stance, swing, double support and flight do: they are as accurate as the labels.
-    pub fn from_detection(feet: &Feet, detection: &Detection) -> Gait {
-        GaitAnalysis::from_detection(feet, None, detection, None).gait
-    }
-
-    /// Returns the measures of labels per frame, the left foot's and the right's.
-    ///
-    /// # Panics
-    /// If the number of labels of a foot differs from the number of frames.
-    pub fn measure(feet: &Feet, planted: [&[bool]; 2]) -> Gait {
-        GaitAnalysis::new(feet, None, planted.map(Contact::from_frames), None).gait
-    }
-
     /// Returns the means of steps. `belt_m_per_s` is the speed of the belt of a treadmill.
     pub(crate) fn from_steps(steps: &[Step], left_out: LeftOut, belt_m_per_s: Option<f64>) -> Gait {
         let of_steps = |value: fn(&Step) -> Option<f64>| {
