@@ -7,6 +7,7 @@ import { createHash } from "node:crypto";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { build, type Plugin } from "vite";
+import { reportStyleSource } from "./report-style.ts";
 import { blockIds, noticesId } from "./src/model/player-html.ts";
 import { checkNotices, noticesText } from "./third-party.ts";
 
@@ -113,7 +114,7 @@ function toHtml(code: string, style: string): string {
   const policy = [
     "default-src 'none'",
     `script-src ${cspHash(script)} 'wasm-unsafe-eval'`,
-    `style-src ${cspHash(css)}`,
+    `style-src ${cspHash(css)} ${reportStyleSource}`,
     "worker-src blob:",
     "img-src data: blob:",
     "font-src data:",

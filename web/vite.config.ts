@@ -2,13 +2,14 @@ import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
 import { offline } from "./offline.ts";
 import { player } from "./player.ts";
+import { reportStyleSource } from "./report-style.ts";
 import { checkNotices, noticesPage } from "./third-party.ts";
 
 /** Content security policy of the built page. `https:` allows clips of `#url=` links. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
-  "style-src 'self'",
+  `style-src 'self' ${reportStyleSource}`,
   "worker-src 'self' blob:",
   "connect-src 'self' https:",
   "img-src 'self' data: blob:",

@@ -261,6 +261,15 @@ export class App {
     );
   }
 
+  /** Saves the gait by a button of the Clip tab. */
+  async saveGait(button: "Report" | "Steps" | "Joint angles"): Promise<SavedFile> {
+    await this.tab("Clip");
+    await this.expandSaveMenu();
+    return this.download(() =>
+      this.panel.getByRole("button", { name: new RegExp(`^${button} (CSV|HTML)`) }).click(),
+    );
+  }
+
   /** Returns the file that the page downloads after an action. */
   async download(action: () => Promise<void>): Promise<SavedFile> {
     const downloading = this.page.waitForEvent("download");

@@ -61,6 +61,9 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
         hasNoise: plants.noise.position < 0.001 && plants.noise.speed > 0.01,
         left: plants.intervals("contact", "left").length / 2,
         cadence: plants.gait().cadence,
+        steps: plants.gait().steps.length,
+        curves: plants.gait().curves.map(({ left }) => left.mean.length).join(),
+        report: plants.gaitReport("walk.bvh", [{ name: "all", frames: [0, 245] }]).includes(">walk.bvh</h1>"),
         rows: table.trim().split("\\n").length,
         cleaned: cleaned.info().frames,
         worst,
@@ -72,6 +75,8 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
   assert.equal(result.methods, registeredMethods("plants"));
   assert.equal(result.segmentMethods, registeredMethods("segments"));
   assert.equal(result.intervals, result.sameIntervals);
+  assert.ok(result.steps > 2 && result.report);
+  assert.equal(result.curves, "101,101,101");
   assert.equal(result.frames, 245);
   assert.deepEqual(result.parts, ["contact", "toe", "heel"]);
   assert.ok(result.hasNoise);

@@ -18,6 +18,7 @@ import "./styles/segment.css";
 import "./styles/share.css";
 import "uplot/dist/uPlot.min.css";
 import "./styles/evidence.css";
+import "./styles/gait.css";
 
 start();
 const root = document.getElementById("app");

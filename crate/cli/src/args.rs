@@ -125,9 +125,28 @@ pub struct GaitArgs {
     /// Detection method and parameters.
     #[command(flatten)]
     pub detection: DetectionArgs,
+    /// Labels to use: a document or table of detect, for a single clip [default: detected]
+    #[arg(long, value_name = "LABELS")]
+    pub labels: Option<PathBuf>,
+    /// Measure each action separately; actions are those of segment
+    #[arg(long)]
+    pub per_action: bool,
+    /// Measure each action of a segments file separately, for a single clip
+    #[arg(long, value_name = "SEGMENTS")]
+    pub segments: Option<PathBuf>,
     /// Output format
     #[arg(long, value_enum, default_value_t = GaitFormat::Text)]
     pub format: GaitFormat,
+    /// Write a printable report with figures, plots, steps and definitions
+    #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "format")]
+    pub report: Option<ReportFormat>,
+    /// File, or folder with one file per input, for reports, steps and angles [default: standard
+    /// output, for a single input]
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub out: Option<PathBuf>,
+    /// Recompute results that are up to date
+    #[arg(long, requires = "out")]
+    pub force: bool,
     /// Number of clips processed in parallel [default: one per processor]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
@@ -335,6 +354,17 @@ pub enum GaitFormat {
     Json,
     /// One row per clip; column names include units
     Csv,
+    /// Table with one row per step, of one clip
+    Steps,
+    /// Table of joint angles with one row per percent of the gait cycle, of one clip
+    Angles,
+}
+
+/// Formats of the report of `gait`.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// Self-contained page for the browser, on at most two sheets of A4 or Letter
+    Html,
 }
 
 /// Parses a role and the name of its joint, which may be empty.

@@ -41,6 +41,12 @@ pub enum UsageError {
     /// Several inputs without an output folder.
     #[error("found {0} inputs: name a folder for the results with --out")]
     MissingOut(usize),
+    /// `gait --labels` or `gait --segments` with several inputs.
+    #[error("found {0} inputs: --labels and --segments apply to exactly one clip")]
+    LabelsOfSeveral(usize),
+    /// `gait --out` with a format that is printed.
+    #[error("--out applies to --report, --format steps and --format angles; redirect the other formats")]
+    OutOfPrinted,
     /// No clip of a folder has truth.
     #[error("no clip in {folder} has a truth file ({expected})", folder = display_name(.folder))]
     NoTruth {

@@ -27,6 +27,7 @@ fn main() {
         test("blender_script_adds_markers_and_keyframes", blender_script_adds_markers_and_keyframes, python),
         test("blender_script_escapes_file_names", blender_script_escapes_file_names, python),
         test("gait_writes_all_formats", gait_writes_all_formats, true),
+        test("gait_writes_steps_angles_and_reports", gait_writes_steps_angles_and_reports, true),
         test(
             "gait_fails_only_for_clips_without_feet_or_motion",
             gait_fails_only_for_clips_without_feet_or_motion,
@@ -229,6 +230,62 @@ fn gait_writes_all_formats() {
     let still = stdout(&plantigrade(&["gait", "frog-jumps.bvh", "--format", "json"]));
     let still: Value = serde_json::from_str(&still).expect("JSON");
     assert!(still["gait"]["cadence_steps_per_min"].is_null());
+}
+
+fn gait_writes_steps_angles_and_reports() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lines = |format: &str| {
+        let text = stdout(&plantigrade(&["gait", "limp-to-run.bvh", "--format", format]));
+        text.lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let steps = lines("steps");
+    assert!(steps[0].starts_with("foot,strike_frame,strike_s,") && steps.len() > 60, "{}", steps[0]);
+    let angles = lines("angles");
+    assert!(angles[0].starts_with("percent,left_hip_flexion_deg,") && angles.len() == 102, "{}", angles[0]);
+
+    let json = stdout(&plantigrade(&["gait", "limp-to-run.bvh", "--per-action", "--format", "json"]));
+    let json: Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["steps"].as_array().map(Vec::len), Some(steps.len() - 1));
+    assert_eq!(json["curves"]["knee_flexion"]["left"]["mean"].as_array().map(Vec::len), Some(101));
+    let cadence = |gait: &Value| gait["gait"]["cadence_steps_per_min"].as_f64().expect("a cadence");
+    let actions = json["actions"].as_array().expect("actions");
+    assert_eq!(actions[0]["name"], "A");
+    assert!(cadence(&actions[0]) + 20.0 < cadence(&json) && cadence(&json) + 20.0 < cadence(&actions[1]));
+
+    // A file, which has its name, or a folder with a file per clip.
+    let file = folder.path().join("report.html");
+    let out = file.to_str().expect("a name");
+    stdout(&plantigrade(&["gait", "limp-to-run.bvh", "--report", "html", "-o", out]));
+    let report = fs::read_to_string(&file).expect("a report");
+    assert!(report.contains("<h1>limp-to-run.bvh</h1>") && report.contains("Knee flexion"), "{report}");
+    let pages = folder.path().join("reports");
+    let out = pages.to_str().expect("a name");
+    let args = ["gait", "limp-to-run.bvh", "curved-walk.bvh", "--per-action", "--report", "html", "-o", out];
+    stdout(&plantigrade(&args));
+    let report = fs::read_to_string(pages.join("limp-to-run.gait.html")).expect("a report");
+    assert!(report.contains(">Action B</th>"), "{report}");
+    assert!(pages.join("curved-walk.gait.html").is_file());
+
+    // Corrected labels and segments of a person replace those of the methods.
+    let labels = folder.path().join("labels.json");
+    let segments = folder.path().join("segments.json");
+    fs::write(&labels, stdout(&plantigrade(&["detect", "limp-to-run.bvh"]))).expect("labels");
+    fs::write(&segments, r#"{"segments": [{"start": 1, "end": 300, "label": "slow"}, {"start": 301, "end": 744, "label": "rest"}]}"#)
+        .expect("segments");
+    let with_labels =
+        ["gait", "limp-to-run.bvh", "--labels", labels.to_str().expect("a name"), "--format", "steps"];
+    assert_eq!(stdout(&plantigrade(&with_labels)).lines().collect::<Vec<_>>(), steps);
+    let with_segments = ["gait", "limp-to-run.bvh", "--segments", segments.to_str().expect("a name")];
+    let text = stdout(&plantigrade(&with_segments));
+    assert!(text.contains("action slow, frames 0-299\n"), "{text}");
+    for args in [
+        &["gait", "limp-to-run.bvh", "-o", "x.txt"][..],
+        &["gait", "limp-to-run.bvh", "curved-walk.bvh", "--format", "steps"],
+        &["gait", "limp-to-run.bvh", "curved-walk.bvh", "--labels", "labels.json"],
+        &["gait", "limp-to-run.bvh", "--report", "html", "--format", "csv"],
+    ] {
+        assert_eq!(plantigrade(args).status.code(), Some(2), "{args:?}");
+    }
 }
 
 fn gait_fails_only_for_clips_without_feet_or_motion() {

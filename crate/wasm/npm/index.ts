@@ -6,7 +6,9 @@
  */
 
 import load, {
+  type ActionInfo,
   type ClipInfo,
+  type CurveInfo,
   type CutEditInfo,
   type DetectOptions,
   type EditInfo,
@@ -15,6 +17,7 @@ import load, {
   type FormatInfo,
   type GaitInfo,
   type GroundInfo,
+  gaitFormats as listGaitFormats,
   methods as listMethods,
   plantFormats as listPlantFormats,
   segmentFormats as listSegmentFormats,
@@ -28,6 +31,7 @@ import load, {
   type SegmentOptions,
   type SimilarInfo,
   type SlideInfo,
+  type StepInfo,
   type WasmClip,
   type WasmDetection,
   WasmReader,
@@ -35,7 +39,9 @@ import load, {
 } from "./plantigrade.js";
 
 export type {
+  ActionInfo,
   ClipInfo,
+  CurveInfo,
   CutEditInfo,
   DetectOptions,
   EditInfo,
@@ -52,6 +58,7 @@ export type {
   SegmentOptions,
   SimilarInfo,
   SlideInfo,
+  StepInfo,
 };
 
 export type Side = "left" | "right";
@@ -98,6 +105,9 @@ export const plantFormats = (): FormatInfo[] => rethrow(listPlantFormats);
 
 /** Returns all file formats of segments, the default first. */
 export const segmentFormats = (): FormatInfo[] => rethrow(listSegmentFormats);
+
+/** Returns all file formats of gait, the default first. */
+export const gaitFormats = (): FormatInfo[] => rethrow(listGaitFormats);
 
 /** A clip of motion capture. */
 export class Clip {
@@ -241,9 +251,35 @@ export class Plants {
     return rethrow(() => this.clip.similar(this.inner, edits));
   }
 
-  /** Returns gait measures: cadence, times, lengths, symmetry. */
-  gait(): GaitInfo {
-    return rethrow(() => this.clip.gait(this.inner));
+  /**
+   * Returns gait measures with edits applied: cadence, times, lengths, symmetry, `steps`, and `curves` of
+   * joint angles over the gait cycle.
+   *
+   * @param frames Ranges of frames to which the measures are limited: start, end, start, end, …. Default:
+   *   the whole clip.
+   */
+  gait(frames?: number[]): GaitInfo {
+    return rethrow(() => this.clip.gait(this.inner, frames));
+  }
+
+  /**
+   * Returns the gait as a file.
+   *
+   * @param format Name of one of the `gaitFormats()`.
+   * @param name File name of the clip.
+   * @param actions Actions to measure separately. Default: none, for the whole clip.
+   * @param sha256 Hash of the bytes of the clip, if known.
+   */
+  saveGait(format: string, name: string, actions: ActionInfo[] = [], sha256?: string): string {
+    return rethrow(() => this.clip.saveGait(this.inner, actions, format, name, sha256));
+  }
+
+  /**
+   * Returns a printable page in HTML with figures, plots, steps and definitions; see `saveGait`. It contains
+   * neither scripts nor references to other files.
+   */
+  gaitReport(name: string, actions: ActionInfo[] = [], sha256?: string): string {
+    return this.saveGait("report", name, actions, sha256);
   }
 
   /** Returns the slide of each plant: those of the left foot, then those of the right. */

@@ -18,7 +18,10 @@ pub use clip::{WasmClip, WasmReader, WasmRewriter};
 pub use compare::{DisagreementInfo, EventScoreInfo, ScoreInfo, ScoreRow, WasmAnnotation};
 pub use detection::WasmDetection;
 pub use evidence::{EvidenceInfo, ThresholdInfo};
-pub use gait::{BilateralMeasure, GaitInfo, MeanSd, SymmetryInfo};
+pub use gait::{
+    ActionInfo, BilateralMeasure, CurveInfo, GaitInfo, LeftOutInfo, MeanSd, SideCurveInfo, StepInfo,
+    StrideInfo, SymmetryInfo, gait_formats,
+};
 pub use segmentation::{
     CutScore, WasmSegmentAnnotation, WasmSegmentation, has_segments, segment_formats, segment_methods,
 };

@@ -4,10 +4,20 @@ import { engine } from "../engine";
 import { segmentFileNames, segmentTitle } from "../model/segments";
 import type { FileFormat } from "../model/types";
 import { runJob } from "../store/jobs";
-import { clip, detection, namedSegments, openClip } from "../store/session";
-import { plantFormats } from "../store/settings";
+import {
+  clip,
+  detection,
+  gaitActions,
+  measuredAction,
+  namedSegments,
+  openClip,
+} from "../store/session";
+import { gaitFormats, plantFormats } from "../store/settings";
 import { stemOf } from "../util/file-names";
 import { download } from "./download";
+
+/** Time for which the report can be reloaded. */
+const reportLifetimeMs = 600_000;
 
 /** Downloads the labels, by default in the first format. */
 export async function exportLabels(format = plantFormats.value[0]): Promise<void> {
@@ -28,6 +38,34 @@ function downloadAs(
 ): Promise<void> {
   const fileName = `${stem()}.${extension}`;
   return download(fileName, async () => new Blob([await save()], { type: mediaType }));
+}
+
+/** The actions of files of gait: the measured action, or none for the whole clip. */
+const fileActions = () => (measuredAction.value ? [measuredAction.value] : []);
+
+/** Downloads the gait of the measured action or of the whole clip. */
+export async function exportGait({ name, extension, mediaType }: FileFormat): Promise<void> {
+  await download(`${stem()}.${extension}`, async () => {
+    const text = await engine.saveGait(fileActions(), name);
+    return new Blob([text], { type: mediaType });
+  });
+}
+
+/**
+ * Opens the report of the gait in a new window and prints it; with several actions and none chosen, the
+ * report compares them. Where windows are blocked, the report is downloaded.
+ */
+export async function printGaitReport(): Promise<void> {
+  const format = gaitFormats.value[0];
+  if (!format) return;
+  const actions = measuredAction.value ? fileActions() : gaitActions.value;
+  const report = await engine.saveGait(actions, format.name);
+  const blob = new Blob([report], { type: format.mediaType });
+  const url = URL.createObjectURL(blob);
+  const page = window.open(url);
+  page?.addEventListener("load", () => page.print());
+  if (!page) await download(`${stem()}.${format.extension}`, async () => blob);
+  setTimeout(() => URL.revokeObjectURL(url), reportLifetimeMs);
 }
 
 /** Downloads an archive with each segment as a BVH file. */

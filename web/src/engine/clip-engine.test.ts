@@ -66,6 +66,8 @@ function fakeCalls(log: string[]) {
       return { ok: true, annotation: {} as Annotation };
     },
     gait: async () => undefined,
+    gaitFormats: async () => [],
+    saveGait: async () => "",
     skate: async () => [],
     similar: async () => undefined,
     clean: async () => ({ positions: new Float32Array(), plants: [], notices: [] }),

@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
 import {
+  actionsOf,
   cutsOf,
   nameSegments,
   renameSegment,
@@ -73,4 +74,23 @@ it("makes file names that are valid on any system", () => {
     "walk-01.bvh",
     "walk-02-a-b-turn.bvh",
   ]);
+});
+
+it("joins the segments of an action and names actions apart", () => {
+  const segments = segmentsEndingAt(100, 180, 300, 400, 500).map((segment, i) => ({
+    ...segment,
+    action: "ABAC"[i] ?? "",
+  }));
+  expect(actionsOf(nameSegments(segments, []))).toEqual([
+    { name: "A", frames: [0, 100, 180, 300] },
+    { name: "B", frames: [100, 180] },
+    { name: "C", frames: [300, 400] },
+    { name: "5", frames: [400, 500] },
+  ]);
+  const names = [
+    { start: 0, end: 100, name: "limp" },
+    { start: 100, end: 180, name: "limp" },
+  ];
+  const named = actionsOf(nameSegments(segments, names)).map(({ name }) => name);
+  expect(named).toEqual(["limp", "limp (B)", "C", "5"]);
 });

@@ -1,7 +1,7 @@
 import { firstIndexWhere } from "../util/binary-search";
 import { safeFileName } from "../util/file-names";
 import type { FrameRange } from "./edits";
-import type { Segment } from "./types";
+import type { GaitAction, Segment } from "./types";
 
 /** A segment as displayed. */
 export interface NamedSegment extends Segment {
@@ -118,4 +118,28 @@ export function segmentFileNames(segments: readonly NamedSegment[], clip: string
     const parts = [safeFileName(clip), String(segment.number).padStart(digits, "0"), suffix];
     return `${parts.filter(Boolean).join("-")}.bvh`;
   });
+}
+
+/**
+ * Returns the actions of segments in order of first appearance. Segments with the same action are one action;
+ * its name is that of its first segment with a name, or else that of the action.
+ */
+export function actionsOf(segments: readonly NamedSegment[]): GaitAction[] {
+  const byAction = new Map<string, NamedSegment[]>();
+  for (const segment of segments) {
+    const key = segment.action || segment.label || String(segment.number);
+    byAction.set(key, [...(byAction.get(key) ?? []), segment]);
+  }
+  const actions = [...byAction].map(([key, members]) => ({
+    name: members.find(({ name }) => name)?.name ?? key,
+    frames: members.flatMap(({ start, end }) => [start, end]),
+  }));
+  // Two actions may have been given the same name.
+  const isTaken = (name: string, i: number) =>
+    actions.slice(0, i).some((earlier) => earlier.name === name);
+  const keys = [...byAction.keys()];
+  return actions.map(({ name, frames }, i) => ({
+    name: isTaken(name, i) ? `${name} (${keys[i]})` : name,
+    frames,
+  }));
 }

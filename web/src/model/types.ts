@@ -19,7 +19,9 @@ import type {
 } from "../wasm/plantigrade";
 
 export type {
+  ActionInfo as GaitAction,
   CleanedPlantInfo as CleanedPlant,
+  CurveInfo as AngleCurve,
   CutEditInfo as CutEdit,
   CutScore,
   DisagreementInfo as Disagreement,
@@ -37,6 +39,7 @@ export type {
   SegmentMethodInfo as SegmentationMethod,
   SimilarInfo as Similar,
   SlideInfo as Slide,
+  StepInfo as Step,
 } from "../wasm/plantigrade";
 
 /** The reason why something failed, for display. */

@@ -132,6 +132,8 @@ export class ClipSession {
   readonly slides = signal<readonly Slide[]>([]);
   /** Gait measures; undefined until measured. */
   readonly gait = signal<Gait | undefined>(undefined);
+  /** Name of the action whose gait is measured; null for the whole clip. */
+  readonly gaitAction = signal<string | null>(null);
 
   /** Evidence for the labels of one part; null until the evidence tab is open. */
   readonly evidence = signal<Evidence | null>(null);

@@ -3,7 +3,7 @@
 import { computed } from "@preact/signals";
 import { plantEditsOf } from "../model/cut-edits";
 import { plantEdges, plantsOf } from "../model/plants";
-import { cutsOf, nameSegments } from "../model/segments";
+import { actionsOf, cutsOf, nameSegments } from "../model/segments";
 import { session, sessionField } from "./clip-session";
 
 export const source = computed(() => session.value.source);
@@ -38,6 +38,7 @@ export const cutScores = sessionField((clipSession) => clipSession.cutScores);
 export const cleaning = sessionField((clipSession) => clipSession.cleaning);
 export const slides = sessionField((clipSession) => clipSession.slides);
 export const gait = sessionField((clipSession) => clipSession.gait);
+export const gaitAction = sessionField((clipSession) => clipSession.gaitAction);
 
 /** The clip that the user opened; null on the start page. */
 export const openClip = computed(() => (isPreview.value ? null : clip.value));
@@ -58,6 +59,17 @@ export const edges = computed(() => plantEdges(plants.value));
 /** The segments with the names that the user gave them. */
 export const namedSegments = computed(() =>
   nameSegments(segmentation.value?.segments ?? [], segmentNames.value),
+);
+
+/** The actions whose gait can be measured separately; empty if all of the clip is one action. */
+export const gaitActions = computed(() => {
+  const actions = actionsOf(namedSegments.value);
+  return actions.length > 1 ? actions : [];
+});
+
+/** The action whose gait is measured; undefined for the whole clip. */
+export const measuredAction = computed(() =>
+  gaitActions.value.find(({ name }) => name === gaitAction.value),
 );
 
 /** The first frame of each segment except the first. */

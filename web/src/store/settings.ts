@@ -29,5 +29,8 @@ export const segmentMethods = signal<readonly SegmentationMethod[]>([]);
 /** All file formats of plants, the default first; empty until the worker has listed them. */
 export const plantFormats = signal<readonly FileFormat[]>([]);
 
+/** All file formats of gait, the default first; empty until the worker has listed them. */
+export const gaitFormats = signal<readonly FileFormat[]>([]);
+
 /** All file formats of segments, the default first; empty until the worker has listed them. */
 export const segmentFormats = signal<readonly FileFormat[]>([]);

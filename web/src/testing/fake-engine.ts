@@ -165,6 +165,8 @@ export function createFakeEngine(): ClipEngine {
       return { ok: true, annotation };
     },
     gait: async () => undefined,
+    gaitFormats: async () => [],
+    saveGait: async () => "",
     skate: async () => [],
     clean: async () => ({
       positions: clip?.positions ?? new Float32Array(),

@@ -1,5 +1,12 @@
 import { describe, expect, it } from "vitest";
-import { formatBytes, formatClock, formatCount, formatDuration, formatRate } from "./format";
+import {
+  formatBytes,
+  formatClock,
+  formatCount,
+  formatDuration,
+  formatNumber,
+  formatRate,
+} from "./format";
 
 describe("formatClock", () => {
   it("shows minutes, seconds and milliseconds", () => {
@@ -15,6 +22,12 @@ it("formats durations in seconds or minutes", () => {
   expect(formatDuration(0.417)).toBe("0.42 s");
   expect(formatDuration(31)).toBe("31.0 s");
   expect(formatDuration(725)).toBe("12 min 5 s");
+});
+
+it("formats negative numbers with a minus sign and zero without sign", () => {
+  expect(formatNumber(-12.34, 1)).toBe("−12.3");
+  expect(formatNumber(-0.04, 1)).toBe("0.0");
+  expect(formatNumber(7, 0)).toBe("7");
 });
 
 it("formats rates without trailing zeros", () => {

@@ -35,6 +35,12 @@ export function spokenRange({ start, end }: { start: number; end: number }): str
   return end - start > 1 ? `frames ${start} to ${end - 1}` : `frame ${start}`;
 }
 
+/** Formats a number with a fixed number of decimals and a minus sign: `−0.5`; never `−0`. */
+export function formatNumber(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return Number(text) < 0 ? text.replace("-", "−") : text.replace("-", "");
+}
+
 /** Returns a text with a capital first letter. */
 export const capitalize = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 

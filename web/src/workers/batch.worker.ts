@@ -115,7 +115,7 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
     Object.assign(summary, plantStatistics(value, frames));
     const agreement = await agreementWith(labels, clip, value, frames);
     if (agreement !== undefined) summary.agreement = agreement;
-    const { cadence } = clip.gait(value);
+    const { cadence } = clip.gait(value, undefined);
     if (cadence !== undefined) summary.cadence = cadence;
     const skate = summarizeSlides(clip.skate(value).map(({ maxDistance }) => maxDistance));
     if (skate) summary.skate = skate;

@@ -17,6 +17,7 @@ import type {
   FileFormat,
   FootFrames,
   Gait,
+  GaitAction,
   HeightSpeed,
   OnProgress,
   Overrides,
@@ -32,6 +33,7 @@ import type {
   Slide,
 } from "../model/types";
 import {
+  gaitFormats,
   hasSegments,
   methods,
   plantFormats,
@@ -187,6 +189,12 @@ const api = {
     return segmentFormats();
   },
 
+  /** Returns all file formats of gait, the default first. */
+  async gaitFormats(): Promise<FileFormat[]> {
+    await wasmReady;
+    return gaitFormats();
+  },
+
   /** Returns all detection methods, the default first. */
   async methods(): Promise<DetectionMethod[]> {
     await wasmReady;
@@ -213,10 +221,22 @@ const api = {
     return { ok: true, annotation: annotationToPlain(read.value, name) };
   },
 
-  /** Returns gait measures from the edited labels; undefined without labels. */
-  async gait(): Promise<Gait | undefined> {
+  /**
+   * Returns gait measures from the edited labels, of the whole clip or of ranges of frames (start, end,
+   * start, end, …); undefined without labels.
+   */
+  async gait(frames: number[] | undefined): Promise<Gait | undefined> {
     const { clip, detection } = current();
-    return detection && clip.gait(detection);
+    return detection && clip.gait(detection, frames);
+  },
+
+  /** Returns the gait of the whole clip, or of each action if there are any, as a file. */
+  async saveGait(actions: GaitAction[], format: string): Promise<string> {
+    const open = current();
+    const hash = await hashOf(open);
+    const { name, clip, detection } = open;
+    if (!detection) throw new Error("There are no labels to measure.");
+    return clip.saveGait(detection, actions, format, name, hash);
   },
 
   /** Returns the slide of every plant: those of the left foot, then those of the right. */

@@ -1,17 +1,19 @@
-//! File formats of plants and segments: the only place that writes and reads them.
+//! File formats of plants, segments and gait: the only place that writes and reads them.
 //!
-//! [`PlantFormat`] and [`SegmentFormat`] list the formats with their name, file extension, media
+//! [`PlantFormat`], [`SegmentFormat`] and [`GaitFormat`] list the formats with their name, file extension, media
 //! type, writer and reader. The command line, the bindings and the app offer what they list.
 
 mod csv;
 mod document;
 mod format_info;
+mod gait;
 mod npy;
 mod plants;
 mod segments;
 mod zip;
 
 pub use document::{FrameRange, Header, Origin, ReadError, Source, VERSION, to_json};
+pub use gait::{GaitExport, GaitFormat, SkeletonGait};
 pub use plants::{
     Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantExport,
     PlantFormat, PlantsDocument, read_edits, read_plants,

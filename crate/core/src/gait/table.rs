@@ -1,6 +1,6 @@
 //! Gait measures as columns of a table.
 
-use crate::gait::{Gait, PerSide, Spread};
+use crate::gait::{Gait, PerSide, Spread, Step, Stride};
 
 impl Gait {
     /// Returns the measures as columns whose names state the unit: the mean and, with suffix `_sd`
@@ -50,4 +50,68 @@ impl Gait {
             ("step_width_m", self.step_width_m),
         ]
     }
+
+    /// Returns the parts of the gait cycle for each foot, in percent, by name.
+    pub fn percent_by_side(&self) -> [(&'static str, PerSide); 4] {
+        [
+            ("stance_percent", self.stance_percent),
+            ("swing_percent", self.swing_percent),
+            ("single_support_percent", self.single_support_percent),
+            ("double_support_percent", self.double_support_percent),
+        ]
+    }
+}
+
+impl Step {
+    /// Names of the [`Step::columns`], with their units.
+    pub const COLUMNS: [&'static str; 17] = [
+        "foot",
+        "strike_frame",
+        "strike_s",
+        "off_frame",
+        "off_s",
+        "step_time_s",
+        "step_length_m",
+        "step_width_m",
+        "stride_time_s",
+        "stride_length_m",
+        "stance_s",
+        "swing_s",
+        "stance_percent",
+        "swing_percent",
+        "single_support_percent",
+        "double_support_percent",
+        "left_out",
+    ];
+
+    /// Returns the step as the fields of a table, in the order of [`Step::COLUMNS`]; unknown values are
+    /// empty. Numbers are rounded to six decimals.
+    pub fn columns(&self) -> [String; 17] {
+        let number = |value: Option<f64>| value.map_or_else(String::new, |value| rounded(value).to_string());
+        let stride = |value: fn(&Stride) -> f64| number(self.stride.as_ref().map(value));
+        [
+            self.side.name().into(),
+            self.strike_frame.to_string(),
+            number(Some(self.strike_s)),
+            self.off_frame.map_or_else(String::new, |frame| frame.to_string()),
+            number(self.off_s),
+            number(self.step_time_s),
+            number(self.step_length_m),
+            number(self.step_width_m),
+            stride(|stride| stride.time_s),
+            stride(|stride| stride.length_m),
+            stride(|stride| stride.stance_s),
+            stride(|stride| stride.swing_s),
+            stride(|stride| stride.stance_percent),
+            stride(|stride| stride.swing_percent),
+            stride(|stride| stride.single_support_percent),
+            stride(|stride| stride.double_support_percent),
+            self.left_out.map_or_else(String::new, |omission| omission.description().into()),
+        ]
+    }
+}
+
+/// Rounds to six decimals, which is beyond the accuracy of any clip.
+fn rounded(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
 }

@@ -1,8 +1,9 @@
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
 use super::*;
 use crate::bvh::Axis;
-use crate::plants::FootTracks;
+use crate::foot::Side;
+use crate::plants::{Edge, Feet, FootTracks};
 use crate::skeleton::Up;
 
 /// A walk along a line or a circle, known to the frame: each foot is in stance for `stance` of
@@ -141,19 +142,23 @@ fn a_run_has_flight_and_no_double_support() {
 #[test]
 fn other_motion_has_no_measures() {
     let on_the_spot = Walk { length: 0.3, ..SYMMETRIC }.gait(8.0);
-    assert_eq!(on_the_spot, Gait::default());
+    assert_eq!((on_the_spot.strides, on_the_spot.cadence_steps_per_min), (0, None));
+    assert!(on_the_spot.left_out.on_the_spot > 10, "{on_the_spot:?}");
     // Each end cuts off one stride.
     assert_eq!(SYMMETRIC.gait(0.9).strides, 0);
     let (feet, mut planted) = SYMMETRIC.feet(8.0, Up::Y, 1.0);
     for down in [true, false] {
         planted.iter_mut().for_each(|labels| labels.fill(down));
-        assert_eq!(Gait::measure(&feet, planted.each_ref().map(Vec::as_slice)), Gait::default());
+        assert_eq!(Gait::measure(&feet, planted.each_ref().map(Vec::as_slice)).strides, 0);
     }
     // One foot alone hops; two feet that land together jump.
     let (feet, [hops, _]) = SYMMETRIC.feet(8.0, Up::Y, 1.0);
     let never_planted = vec![false; hops.len()];
-    assert_eq!(Gait::measure(&feet, [&hops, &never_planted]), Gait::default());
-    assert_eq!(Gait::measure(&feet, [&hops, &hops]), Gait::default());
+    for other in [&never_planted, &hops] {
+        let gait = Gait::measure(&feet, [&hops, other]);
+        assert_eq!((gait.strides, gait.step_time_s, gait.step_length_m), Default::default());
+        assert!(gait.left_out.missing_event >= 6, "{gait:?}");
+    }
     let (empty, _) = SYMMETRIC.feet(0.0, Up::Y, 1.0);
     assert_eq!(Gait::measure(&empty, [&[], &[]]), Gait::default());
 }
@@ -211,4 +216,188 @@ fn lengths_are_measured_along_the_slope() {
     }
     let gait = Gait::measure(&feet, planted.each_ref().map(Vec::as_slice));
     assert_near(gait.speed_m_per_s, 1.4 / 12_f64.to_radians().cos(), 1e-3);
+}
+
+#[test]
+fn percentages_of_the_gait_cycle_add_up() {
+    let gait = Walk { rate: 1000.0, ..SYMMETRIC }.gait(8.0);
+    assert_both_near(gait.stance_percent, 60.0, 0.2);
+    assert_both_near(gait.swing_percent, 40.0, 0.2);
+    // In a walk, one foot's single support is the swing of the other.
+    assert_both_near(gait.single_support_percent, 40.0, 0.2);
+    assert_both_near(gait.double_support_percent, 20.0, 0.2);
+    let run = Walk { stance: [0.35, 0.35], ..SYMMETRIC }.gait(5.0);
+    assert_both_near(run.single_support_percent, 35.0, 1e-9);
+    assert_both_near(run.double_support_percent, 0.0, 0.0);
+}
+
+#[test]
+fn instants_between_frames_are_used() {
+    // Feet at 30 Hz whose edges are known exactly; the frame rate alone is too coarse for 1 ms.
+    let walk = Walk { rate: 30.0, stance: [0.617, 0.583], phase: 0.473, ..SYMMETRIC };
+    let (feet, planted) = walk.feet(8.0, Up::Y, 1.0);
+    let edges = Side::BOTH.map(|side| {
+        let index = side as usize;
+        let labels = &planted[index];
+        let changes = (1..labels.len()).filter(|&frame| labels[frame] != labels[frame - 1]);
+        let exact = |frame: usize| {
+            let phase = if side == Side::Left { 0.0 } else { walk.phase } + 0.2;
+            let strikes = (0..10).map(|n| f64::from(n) + phase - 1.0);
+            let instants = strikes.flat_map(|strike| [strike, strike + walk.stance[index]]);
+            let nearest = |time: &f64| (time + 0.5 / walk.rate - frame as f64 / walk.rate).abs();
+            let instant = instants.min_by(|a, b| nearest(a).total_cmp(&nearest(b))).unwrap();
+            Edge { frame, time: instant, uncertainty: 0.001 }
+        };
+        changes.map(exact).collect::<Vec<_>>()
+    });
+    let contacts = [0, 1].map(|index| Contact { planted: &planted[index], edges: &edges[index] });
+    let gait = GaitAnalysis::new(&feet, None, contacts, None).gait;
+    for (measure, left, right) in [
+        (gait.stance_s, 0.617, 0.583),
+        (gait.swing_s, 0.383, 0.417),
+        (gait.step_time_s, 0.527, 0.473),
+        (gait.stride_time_s, 1.0, 1.0),
+    ] {
+        assert_near(measure.left.map(|spread| spread.mean), left, 1e-9);
+        assert_near(measure.right.map(|spread| spread.mean), right, 1e-9);
+    }
+}
+
+#[test]
+fn strides_with_a_missing_event_are_left_out_and_counted() {
+    let complete = SYMMETRIC.gait(10.0);
+    let (feet, mut planted) = SYMMETRIC.feet(10.0, Up::Y, 1.0);
+    // The contact of the right foot around 5 s was not detected.
+    let labels = &mut planted[1];
+    let middle = (450..600).find(|&frame| labels[frame] && !labels[frame - 1]).unwrap();
+    labels[middle..middle + 70].fill(false);
+    let contacts = planted.each_ref().map(|labels| Contact::from_frames(labels));
+    let GaitAnalysis { gait, steps, .. } = GaitAnalysis::new(&feet, None, contacts, None);
+    // Two strides of the right foot become one of 2 s, in which the left foot strikes twice; one stride of
+    // the left foot has no strike of the right foot.
+    assert_eq!(gait.strides, complete.strides - 3);
+    assert_eq!((gait.left_out.missing_event, complete.left_out.missing_event), (2, 0));
+    assert_eq!(steps.iter().filter(|step| step.left_out == Some(Omission::MissingEvent)).count(), 2);
+    assert_both_near(gait.stance_s, 0.6, 0.01);
+    assert_eq!(
+        steps.len() + 1,
+        GaitAnalysis::new(
+            &feet,
+            None,
+            SYMMETRIC.feet(10.0, Up::Y, 1.0).1.each_ref().map(|labels| Contact::from_frames(labels)),
+            None
+        )
+        .steps
+        .len()
+    );
+}
+
+#[test]
+fn ranges_separate_a_walk_from_a_run() {
+    let (feet, planted) = SYMMETRIC.feet(10.0, Up::Y, 1.0);
+    let contacts = planted.each_ref().map(|labels| Contact::from_frames(labels));
+    let whole = GaitAnalysis::new(&feet, None, contacts, None);
+    let ranges = [0..500, 500..1000];
+    let parts = ranges.clone().map(|range| GaitAnalysis::new(&feet, None, contacts, Some(&[range])));
+    for (part, range) in parts.iter().zip(&ranges) {
+        assert!(part.steps.iter().all(|step| range.contains(&step.strike_frame)));
+        assert_both_near(part.gait.step_length_m, 0.7, 1e-9);
+        assert!(part.gait.left_out.cut_off >= 2, "{part:?}");
+    }
+    let count = |analysis: &GaitAnalysis| analysis.gait.strides;
+    assert_eq!(count(&parts[0]) + count(&parts[1]), count(&whole) - 2, "two strides cross the boundary");
+    let both = GaitAnalysis::new(&feet, None, contacts, Some(&ranges));
+    assert_eq!(count(&both), count(&whole) - 2);
+}
+
+#[test]
+fn the_belt_distinguishes_treadmill_and_ground() {
+    assert_eq!(SYMMETRIC.gait(10.0).belt_m_per_s, None);
+    let (mut feet, planted) = SYMMETRIC.feet(10.0, Up::Y, 1.0);
+    for tracks in &mut feet.tracks {
+        for track in [&mut tracks.ankle, &mut tracks.toe] {
+            for (frame, position) in track.iter_mut().enumerate() {
+                position.z -= 1.4 * frame as f64 / SYMMETRIC.rate;
+            }
+        }
+    }
+    let gait = Gait::measure(&feet, planted.each_ref().map(Vec::as_slice));
+    assert_near(gait.belt_m_per_s, 1.4, 0.01);
+}
+
+/// Legs that walk along Z with known angles in degrees over the gait cycle.
+fn legs_with_angles(walk: &Walk, feet: &Feet, angles: impl Fn(f64) -> [f64; 3]) -> Legs {
+    let forward = Vector3::z();
+    let sloping_foot = 20_f64.to_radians();
+    let legs = Side::BOTH.map(|side| {
+        let phase = if side == Side::Left { 0.0 } else { walk.phase };
+        let [mut hip, mut knee, mut ankle, mut toe] = [const { Vec::new() }; 4];
+        for frame in 0..feet.frame_count() {
+            let time = (frame as f64 + 0.5) / walk.rate / STRIDE - phase - 0.2;
+            let [hip_angle, knee_angle, ankle_angle] = angles(time - time.floor()).map(f64::to_radians);
+            let line =
+                |angle: f64, length: f64| length * (angle.sin() * forward - angle.cos() * Vector3::y());
+            let shank = hip_angle - knee_angle;
+            // The foot is at a right angle to the shank at 0 and slopes down from the ankle.
+            let pitch = shank + ankle_angle - sloping_foot;
+            let foot = 0.15 * (pitch.cos() * forward + pitch.sin() * Vector3::y());
+            let hips = Vector3::new(0.0, 0.9, 0.0);
+            let points = [hips, hips + line(hip_angle, 0.4), hips + line(hip_angle, 0.4) + line(shank, 0.4)];
+            hip.push(from_y_up(feet.up, points[0]));
+            knee.push(from_y_up(feet.up, points[1]));
+            ankle.push(from_y_up(feet.up, points[2]));
+            toe.push(from_y_up(feet.up, points[2] + foot));
+        }
+        legs::LegTracks { hip, knee, ankle, toe: Some(toe) }
+    });
+    Legs { legs }
+}
+
+#[test]
+fn curves_are_the_joint_angles_over_the_gait_cycle() {
+    let angles = |cycle: f64| {
+        let wave = (std::f64::consts::TAU * cycle).cos();
+        // The sole stays flat in stance: the ankle makes up for the shank.
+        let (hip, knee) = (20.0 * wave, 30.0 - 25.0 * wave);
+        let shank = hip - knee;
+        [hip, knee, if cycle < 0.6 { -shank } else { -shank - 300.0 * (cycle - 0.6) * (1.0 - cycle) }]
+    };
+    for (up, rate) in [(Up::Y, 100.0), (Up { axis: Axis::Z, negative: false }, 30.0)] {
+        let walk = Walk { rate, ..SYMMETRIC };
+        let (feet, planted) = walk.feet(8.0, up, 1.0);
+        let legs = legs_with_angles(&walk, &feet, angles);
+        let contacts = planted.each_ref().map(|labels| Contact::from_frames(labels));
+        let analysis = GaitAnalysis::new(&feet, Some(&legs), contacts, None);
+        let curves = analysis.curves.unwrap();
+        for (joint, (name, sides)) in curves.by_joint().into_iter().enumerate() {
+            for curve in [&sides.left, &sides.right] {
+                let curve = curve.as_ref().unwrap();
+                assert_eq!(curve.mean.len(), CYCLE_POINTS);
+                let sd = curve.sd.as_ref().unwrap();
+                for (percent, (mean, sd)) in curve.mean.iter().zip(sd).enumerate() {
+                    // Strikes of labels alone are known to half a frame.
+                    let near = [-0.5, 0.0, 0.5].map(|frames| {
+                        let cycle = percent as f64 / 100.0 + frames / rate / STRIDE;
+                        angles(cycle - cycle.floor())[joint]
+                    });
+                    let (low, high) = near
+                        .iter()
+                        .fold((f64::MAX, f64::MIN), |(low, high), angle| (low.min(*angle), high.max(*angle)));
+                    let is_near = *mean > low - 0.3 && *mean < high + 0.3;
+                    assert!(is_near, "{name} {percent} %: {mean} not in {low}..{high}");
+                    assert!(*sd < 1e-3, "{name} {percent} %: {sd}");
+                }
+            }
+        }
+        assert_eq!(curves.knee_flexion.left.unwrap().strides, 7);
+    }
+}
+
+#[test]
+fn there_are_no_curves_without_strides() {
+    let walk = Walk { length: 0.3, ..SYMMETRIC };
+    let (feet, planted) = walk.feet(8.0, Up::Y, 1.0);
+    let legs = legs_with_angles(&walk, &feet, |_| [0.0; 3]);
+    let contacts = planted.each_ref().map(|labels| Contact::from_frames(labels));
+    assert_eq!(GaitAnalysis::new(&feet, Some(&legs), contacts, None).curves, None);
 }

@@ -1,6 +1,6 @@
 //! File formats.
 
-use plantigrade::formats::{PlantFormat, SegmentFormat};
+use plantigrade::formats::{GaitFormat, PlantFormat, SegmentFormat};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
@@ -8,7 +8,7 @@ use tsify::Tsify;
 #[derive(Debug, Serialize, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct FormatInfo {
-    /// Name for `save` or `saveSegments`.
+    /// Name for `save`, `saveSegments` or `saveGait`.
     pub name: String,
     /// Display name.
     pub title: String,
@@ -45,4 +45,4 @@ macro_rules! impl_from_format {
     )+};
 }
 
-impl_from_format!(PlantFormat, SegmentFormat);
+impl_from_format!(PlantFormat, SegmentFormat, GaitFormat);

@@ -214,9 +214,10 @@ fn clean_up_removes_slides() {
 fn gait_of_a_walk_is_plausible() {
     let mut clip = walk();
     let detection = clip.detect(options("robust")).unwrap();
-    let gait = clip.gait(&detection).unwrap().to_rust().unwrap();
+    let gait = clip.gait(&detection, None).unwrap().to_rust().unwrap();
     assert!((100.0..125.0).contains(&gait.cadence.unwrap()), "{gait:?}");
-    assert_eq!(gait.sides.len(), 7);
+    assert_eq!(gait.sides.len(), 11);
+    assert!(gait.steps.len() >= gait.strides && gait.curves.len() == 3, "{gait:?}");
     assert!(gait.double_support_share.unwrap().mean > 0.1);
 }
 
