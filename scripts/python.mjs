@@ -1,6 +1,6 @@
 /**
  * The Python package: its wheel, its virtual environments and its tests. Run as a script, builds the
- * wheel in `target/wheels`.
+ * wheel in `target/wheels`; arguments are passed to maturin.
  */
 
 import {
@@ -83,8 +83,11 @@ export function requirements() {
   return text.split("\n").filter((line) => line && !line.startsWith("#"));
 }
 
-/** Builds the wheel with an interpreter that has maturin. Returns its path. */
-export async function buildWheel(interpreter) {
+/** Returns the requirement of the tool that builds the wheel. */
+const maturin = () => requirements().filter((line) => line.startsWith("maturin"))[0];
+
+/** Builds the wheel with an interpreter that has maturin, and options of it. Returns its path. */
+export async function buildWheel(interpreter, options = []) {
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) {
     copyFileSync(join(root, name), join(folder, name));
   }
@@ -95,7 +98,7 @@ export async function buildWheel(interpreter) {
   mkdirSync(wheels, { recursive: true });
   const manifest = join(folder, "Cargo.toml");
   const build = ["-m", "maturin", "build", "--release", "--locked", "--manifest-path", manifest];
-  await run(interpreter, [...build, "--out", wheels, "--interpreter", interpreter], {
+  await run(interpreter, [...build, "--out", wheels, "--interpreter", interpreter, ...options], {
     source: CRATES,
     env: { RUSTFLAGS: [process.env.RUSTFLAGS, ...pathFlags()].filter(Boolean).join(" ") },
   });
@@ -169,7 +172,10 @@ if (process.argv[1] === import.meta.filename) {
     if ("message" in found) throw new Stop(found.message);
     await toolchain();
     await run("cargo", ["fetch", "--locked"], { source: CRATES });
-    const wheel = await buildWheel(await environment(found.python, "test", requirements()));
+    const options = process.argv.slice(2);
+    const zig = options.includes("--zig") ? ["ziglang"] : [];
+    const interpreter = await environment(found.python, "build", [maturin(), ...zig]);
+    const wheel = await buildWheel(interpreter, options);
     console.log(`\nThe wheel is ${wheel}.`);
   });
 }

@@ -87,9 +87,9 @@ class Clip:
     --------
     >>> clip = plantigrade.Clip.read("walk.bvh")
     >>> clip.positions.shape
-    (245, 31, 3)
-    >>> clip.fps, clip.skeleton.up, clip.skeleton.unit_name
-    (120.0, 'y', 'cm')
+    (245, 26, 3)
+    >>> round(clip.fps), clip.skeleton.up, clip.skeleton.unit_name
+    (120, 'y', 'in')
     """
 
     __slots__ = ("_raw",)

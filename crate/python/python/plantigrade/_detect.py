@@ -447,7 +447,7 @@ def detect(
     >>> detection.contact[60]
     array([ True,  True])
     >>> detection.events[0].kind, detection.events[0].side
-    ('off', 'right')
+    ('strike', 'right')
     """
     clip = as_clip(
         source,

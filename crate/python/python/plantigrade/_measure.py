@@ -104,7 +104,7 @@ def gait(source: Source | Detection, **options: Any) -> Gait:  # noqa: ANN401
     --------
     >>> measures = plantigrade.gait("walk.bvh")
     >>> round(measures["cadence_steps_per_min"])
-    110
+    114
     """
     detection = source if isinstance(source, Detection) else detect(source, **options)
     return Gait(detection._raw.gait())
