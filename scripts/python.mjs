@@ -23,6 +23,8 @@ const isWindows = process.platform === "win32";
 
 /** Oldest version of Python that the package supports. */
 const OLDEST = [3, 10];
+/** Packages of the tests of clusters and estimators, in an environment of their own because they are large. */
+const CLUSTER = ["ray[data]==2.60.0", "scikit-learn==1.9.1", "tqdm", "pytest==9.2.0"];
 /** Maximum size of the wheel, in bytes. */
 const MAX_WHEEL = 3_000_000;
 
@@ -135,7 +137,19 @@ export async function pythonTests() {
   await tool("mypy", "--strict", ...cache, join(folder, "tests/typing/user.py"));
   const pytest = (python, ...args) =>
     run(python, ["-m", "pytest", "-p", "no:cacheprovider", "-c", config, ...args], { env });
-  let output = await pytest(interpreter, join(folder, "tests"));
+  const others = ["test_ray.py", "test_sklearn.py"].flatMap((file) => [
+    "--ignore",
+    join(folder, "tests", file),
+  ]);
+  let output = await pytest(interpreter, join(folder, "tests"), ...others);
+  const cluster = await optional(() =>
+    environment(found.python, "cluster", [...CLUSTER, "--only-binary=:all:"]),
+  );
+  if (cluster) {
+    await installWheel(cluster, wheel);
+    const files = ["test_ray.py", "test_sklearn.py", "test_batch.py"];
+    output += await pytest(cluster, ...files.map((file) => join(folder, "tests", file)));
+  }
   const oldest = await optional(() =>
     environment(found.python, "numpy-1.26", [
       "numpy==1.26.4",
@@ -145,7 +159,8 @@ export async function pythonTests() {
   );
   if (oldest) {
     await installWheel(oldest, wheel);
-    output += await pytest(oldest, join(folder, "tests"), "-k", "not parity and not documentation");
+    const selection = ["-k", "not parity and not documentation"];
+    output += await pytest(oldest, join(folder, "tests"), ...others, ...selection);
   }
   return output;
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import pickle
 import threading
 from pathlib import Path
 
@@ -199,6 +200,21 @@ def test_defaults_are_those_of_the_core() -> None:
         parameters = inspect.signature(function).parameters
         for name, value in defaults[function.__name__].items():
             assert parameters[name].default == value, name
+
+
+def test_objects_can_be_pickled(walk: Clip) -> None:
+    changed = walk.override(fps=60, roles={"left_toe": None})
+    points = Clip.from_positions(walk.positions, fps=120, roles=walk.skeleton.roles, up="y")
+    for clip in (walk, changed, points, plantigrade.clean(walk, only=[("left", 0, 10)])):
+        restored = pickle.loads(pickle.dumps(clip))
+        assert np.array_equal(restored.positions, clip.positions)
+        assert (restored.skeleton, restored.fps, restored.cleaned) == (clip.skeleton, clip.fps, clip.cleaned)
+        edited = plantigrade.detect(clip, r=0.002).edit([("left", "contact", 0, 9, False)])
+        again = pickle.loads(pickle.dumps(edited.edit([("left", "contact", 3, 5, True)])))
+        assert list(again.contact[:9, 0]) == [False] * 3 + [True] * 2 + [False] * 4
+        assert np.array_equal(again.toe[9:], edited.toe[9:])
+    segmentation = plantigrade.segment(walk, method="lsd")
+    assert pickle.loads(pickle.dumps(segmentation)).segments == segmentation.segments
 
 
 def test_threads_share_clips(walk: Clip) -> None:

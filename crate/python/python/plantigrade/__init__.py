@@ -14,6 +14,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from . import _plantigrade, presets
+from ._batch import BatchRecord, BatchResult, batch
 from ._clip import CleanedPlant, Clip, Skeleton
 from ._detect import Detection, Edit, Event, Ground, Interval, Noise, Slide, detect
 from ._errors import PlantigradeError
@@ -24,6 +25,8 @@ from ._segment import Motif, Segment, Segmentation, segment
 __version__ = _plantigrade.VERSION
 
 __all__ = [
+    "BatchRecord",
+    "BatchResult",
     "CleanedPlant",
     "Clip",
     "Detection",
@@ -41,6 +44,7 @@ __all__ = [
     "Segmentation",
     "Skeleton",
     "Slide",
+    "batch",
     "clean",
     "detect",
     "gait",

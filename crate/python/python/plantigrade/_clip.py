@@ -11,8 +11,8 @@ from ._notice import Notice
 from .presets import Preset
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import TypeAlias
+    from collections.abc import Callable, Mapping, Sequence
+    from typing import Any, TypeAlias
 
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     Roles = Mapping[str, Joint | None]
     Path = str | os.PathLike[str]
     Names = Sequence[str] | Preset
+    #: How a clip was made: a function and its arguments, for pickle.
+    Recipe = tuple[Callable[..., "Clip"], tuple[Any, ...]]
     Source: TypeAlias = "Clip | Path | ArrayLike"
 
 
@@ -92,10 +94,11 @@ class Clip:
     (120, 'y', 'in')
     """
 
-    __slots__ = ("_raw",)
+    __slots__ = ("_raw", "_recipe")
 
-    def __init__(self, raw: _plantigrade.RawClip) -> None:
+    def __init__(self, raw: _plantigrade.RawClip, recipe: Recipe) -> None:
         self._raw = raw
+        self._recipe = recipe
 
     @classmethod
     def read(
@@ -150,7 +153,7 @@ class Clip:
                 f"{type(source).__name__} is not a clip",
                 hint="Pass a path, the bytes of a BVH file, or a file that is open in binary mode",
             )
-        clip = cls(_plantigrade.RawClip.read(data, name, lenient))
+        clip = _read(data, name, bool(lenient))
         return clip.override(fps=fps, roles=roles, up=up, unit=unit)
 
     @classmethod
@@ -224,10 +227,8 @@ class Clip:
         if names is None and roles is not None:
             listed = {role for role, _ in pairs}
             pairs += [(role, None) for role in _plantigrade.role_names() if role not in listed]
-        raw = _plantigrade.RawClip.from_points(
-            array, name_list, given or [], fps, pairs, up, None if unit is None else float(unit)
-        )
-        return cls(raw)
+        metres = None if unit is None else float(unit)
+        return _from_points(array, name_list, given or [], fps, pairs, up, metres)
 
     def override(
         self,
@@ -245,7 +246,7 @@ class Clip:
             return self
         rate = None if fps is None else _rate(fps)
         pairs = _role_indices(roles, self.names, has_names=True)
-        return Clip(self._raw.overridden(rate, pairs, up, None if unit is None else float(unit)))
+        return _overridden(self, rate, pairs, up, None if unit is None else float(unit))
 
     @property
     def positions(self) -> NDArray[np.float64]:
@@ -333,9 +334,53 @@ class Clip:
         """Return the number of frames; 0 if the clip is a rest pose."""
         return self._raw.frames()
 
+    def __reduce__(self) -> tuple[Callable[..., Clip], tuple[Any, ...]]:
+        function, arguments = self._recipe
+        # Positions are not part of the recipe, so that they are in memory once.
+        return function, (self.positions, *arguments) if function is _from_points else arguments
+
     def __repr__(self) -> str:
         name = f"{self.name!r}, " if self.name else ""
         return f"Clip({name}{len(self)} frames, {len(self._raw.names())} joints, {self.fps:g} Hz)"
+
+
+def _read(data: bytes, name: str, lenient: bool) -> Clip:
+    return Clip(_plantigrade.RawClip.read(data, name, lenient), (_read, (data, name, lenient)))
+
+
+def _from_points(
+    positions: NDArray[np.float64],
+    names: list[str],
+    parents: list[int],
+    fps: float,
+    roles: list[tuple[str, int | None]],
+    up: str | None,
+    unit: float | None,
+) -> Clip:
+    raw = _plantigrade.RawClip.from_points(positions, names, parents, fps, roles, up, unit)
+    return Clip(raw, (_from_points, (names, parents, fps, roles, up, unit)))
+
+
+def _overridden(
+    clip: Clip,
+    fps: float | None,
+    roles: list[tuple[str, int | None]],
+    up: str | None,
+    unit: float | None,
+) -> Clip:
+    raw = clip._raw.overridden(fps, roles, up, unit)
+    return Clip(raw, (_overridden, (clip, fps, roles, up, unit)))
+
+
+def cleaned_clip(
+    clip: Clip,
+    labels: list[tuple[str, list[int], list[int]]],
+    keep_spikes: bool,
+    only: list[tuple[str, int, int]],
+) -> Clip:
+    """Return a clip without foot skate; see :func:`plantigrade.clean`."""
+    raw = clip._raw.clean(labels, keep_spikes, only)
+    return Clip(raw, (cleaned_clip, (clip, labels, keep_spikes, only)))
 
 
 def as_clip(

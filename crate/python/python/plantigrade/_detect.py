@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from ._arrays import LabelsLike
     from ._clip import Names, Path, Roles, Source
 
+    Params = tuple[str, float, int, float | None, float, float, bool]
+    EditTuple = tuple[str, str, int, int, bool]
     Part = Literal["contact", "heel", "toe"]
     Side = Literal["left", "right"]
 
@@ -171,11 +173,22 @@ class Detection:
     call and may be changed.
     """
 
-    __slots__ = ("_clip", "_raw")
+    __slots__ = ("_clip", "_detected", "_edits", "_params", "_raw", "_still")
 
-    def __init__(self, raw: _plantigrade.RawDetection, clip: Clip) -> None:
-        self._raw = raw
+    def __init__(
+        self,
+        clip: Clip,
+        params: Params,
+        still: Clip | None,
+        edits: tuple[EditTuple, ...] = (),
+        detected: _plantigrade.RawDetection | None = None,
+    ) -> None:
         self._clip = clip
+        self._params = params
+        self._still = still
+        self._edits = edits
+        self._detected = detected or clip._raw.detect(params, None if still is None else still._raw)
+        self._raw = self._detected.edited(list(edits)) if edits else self._detected
 
     @property
     def clip(self) -> Clip:
@@ -297,13 +310,14 @@ class Detection:
         Parameters
         ----------
         edits : iterable of Edit
-            Frame ranges with their label; later ones take precedence.
+            Frame ranges with their label; later ones take precedence, also over those of earlier calls.
         """
         checked = [
             (str(side), str(part), _frame(start), _frame(end), bool(planted))
             for side, part, start, end, planted in edits
         ]
-        return Detection(self._raw.edited(checked), self._clip)
+        all_edits = (*self._edits, *checked)
+        return Detection(self._clip, self._params, self._still, all_edits, self._detected)
 
     def slides(self) -> tuple[Slide, ...]:
         """Return the slide of each plant: those of the left foot, then those of the right."""
@@ -370,6 +384,9 @@ class Detection:
         """
         name = format or format_of(path, _plantigrade.plant_formats())
         write(path, self._raw.to_bytes(name))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Detection, (self._clip, self._params, self._still, self._edits)
 
     def __repr__(self) -> str:
         plants = sum(interval.part == self.parts[0] for interval in self.intervals)
@@ -471,7 +488,7 @@ def detect(
             up=up,
             unit=unit,
             lenient=lenient,
-        )._raw
+        )
     params = (
         str(method),
         float(r),
@@ -481,7 +498,7 @@ def detect(
         float(speed),
         bool(exact),
     )
-    return Detection(clip._raw.detect(params, standing), clip)
+    return Detection(clip, params, standing)
 
 
 def _frame(value: int) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from ._clip import Clip
+from ._clip import cleaned_clip
 from ._detect import Detection, detect, labels_of
 from ._errors import PlantigradeError
 from ._segment import Segmentation
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from ._arrays import LabelsLike
-    from ._clip import Path, Source
+    from ._clip import Clip, Path, Source
 
     Labels = Detection | LabelsLike | Path | bytes
 
@@ -67,7 +67,7 @@ def clean(
     clip = detection.clip
     ranges = [(str(side), int(start), int(end)) for side, start, end in only]
     lists = labels_of(detection if labels is None else labels, detection)
-    return Clip(clip._raw.clean(lists, bool(keep_spikes), ranges))
+    return cleaned_clip(clip, lists, bool(keep_spikes), ranges)
 
 
 class Gait(dict[str, "float | None"]):

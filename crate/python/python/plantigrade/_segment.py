@@ -68,11 +68,12 @@ class Motif(NamedTuple):
 class Segmentation:
     """Segments of a clip: the result of :func:`segment`."""
 
-    __slots__ = ("_clip", "_raw")
+    __slots__ = ("_clip", "_params", "_raw")
 
-    def __init__(self, raw: _plantigrade.RawSegmentation, clip: Clip) -> None:
-        self._raw = raw
+    def __init__(self, clip: Clip, params: tuple[str, int | None, str, str, bool]) -> None:
+        self._raw = clip._raw.segment(params)
         self._clip = clip
+        self._params = params
 
     @property
     def clip(self) -> Clip:
@@ -161,6 +162,9 @@ class Segmentation:
         name = format or format_of(path, _plantigrade.segment_formats())
         write(path, self._raw.to_bytes(name))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Segmentation, (self._clip, self._params)
+
     def __repr__(self) -> str:
         count = len(self._raw.segments())
         return f"Segmentation({self._raw.frames()} frames, {count} segments, method {self.method!r})"
@@ -226,4 +230,4 @@ def segment(
         lenient=lenient,
     )
     params = (str(method), dims, str(residual), str(template), bool(published))
-    return Segmentation(clip._raw.segment(params), clip)
+    return Segmentation(clip, params)
