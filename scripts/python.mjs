@@ -130,8 +130,8 @@ export async function pythonTests() {
   const env = { PLANTIGRADE_PROGRAM: program, PYTHONDONTWRITEBYTECODE: "1" };
   const tool = (...args) => run(interpreter, ["-m", ...args], { env });
   const config = join(folder, "pyproject.toml");
-  await tool("ruff", "check", "--config", config, "--no-cache", folder);
-  await tool("ruff", "format", "--check", "--config", config, "--no-cache", folder);
+  await tool("ruff", "check", "--no-cache", folder);
+  await tool("ruff", "format", "--check", "--no-cache", folder);
   const cache = ["--cache-dir", join(targetFolder(), "python/mypy")];
   await tool("mypy", "--config-file", config, ...cache, "-p", "plantigrade");
   await tool("mypy", "--strict", ...cache, join(folder, "tests/typing/user.py"));
