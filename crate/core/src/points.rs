@@ -158,7 +158,8 @@ impl Points<'_> {
                 }
             }
         }
-        let mut clip = Clip::new(joints, 1.0 / self.rate, values).with_position_rule(PositionRule::Global);
+        let mut clip =
+            Clip::new(joints, frame_time(self.rate), values).with_position_rule(PositionRule::Global);
         let mut joint_of = vec![0; self.names.len()];
         for (joint, place) in order.iter().enumerate() {
             if let Some(point) = place.point {
@@ -301,8 +302,36 @@ fn assume_leg(skeleton: &mut Skeleton, overrides: &Overrides) {
     skeleton.notices.push(Notice::new(Code::MissingJoints, text));
 }
 
+/// Returns the time between frames at `rate` Hz, in seconds.
+///
+/// Several numbers have the same rate after rounding. If one of them is a short decimal, as files have it, the
+/// rate is that of a file, whose frame time is returned exactly.
+fn frame_time(rate: f64) -> f64 {
+    let time = 1.0 / rate;
+    let digits = |time: f64| time.to_string().len();
+    let is_decimal = |other: &f64| 1.0 / other == rate && digits(*other) + 3 <= digits(time);
+    [time.next_down(), time.next_up()].into_iter().find(is_decimal).unwrap_or(time)
+}
+
 /// Returns the mean of positions.
 fn mean<'a>(positions: impl ExactSizeIterator<Item = &'a [f64]>) -> Vector3<f64> {
     let count = positions.len() as f64;
     positions.map(Vector3::from_column_slice).sum::<Vector3<f64>>() / count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frame_times_of_files_are_exact() {
+        for time in
+            [0.006667, 0.0083333, 0.008333, 0.0333333, 0.04, 0.016667, 0.03336670003336670, 1.0 / 30.0]
+        {
+            assert_eq!(frame_time(1.0 / time), time);
+        }
+        for rate in [24.0, 30.0, 60.0, 120.0, 29.97, 59.94] {
+            assert_eq!(frame_time(rate), 1.0 / rate);
+        }
+    }
 }

@@ -66,9 +66,7 @@ def compare(files: list[Path], program: str, out: Path) -> int:
         )
         for part in detection.parts:
             assert np.array_equal(points.planted(part), detection.planted(part)), (path, part)
-            # The frame time differs by rounding, which changes estimates slightly.
-            confidences = points.confidence_of(part), detection.confidence_of(part)
-            assert np.allclose(*confidences, atol=1e-3), path
+            assert np.array_equal(points.confidence_of(part), detection.confidence_of(part)), path
     return len(expected)
 
 
