@@ -12,6 +12,7 @@ mod tables;
 pub use document::{
     Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantsDocument,
 };
+pub use events::{EventKind, GaitEvent, events, part_events};
 pub use export::PlantExport;
 
 use crate::formats::document::ReadError;
