@@ -123,8 +123,11 @@ pub(super) fn learn(example: &Example, profile: &Arc<Profile>) -> Vec<EdgeExampl
     let Example { part, before, after, stated, .. } = example;
     let frame_time = profile.frame_time;
     let is_inside = |frame: usize| frame > 0 && frame < stated.len();
-    let is_stated =
-        |edge: &Match| is_inside(edge.old) && is_inside(edge.new) && stated[edge.new - 1] && stated[edge.new];
+    // A boundary that moved was moved by an edit; one that stayed is confirmed if both sides are stated.
+    let is_stated = |edge: &Match| {
+        let is_confirmed = || stated[edge.new - 1] && stated[edge.new];
+        is_inside(edge.old) && is_inside(edge.new) && (edge.old != edge.new || is_confirmed())
+    };
     let edges = matches(&before.planted, &after.planted).into_iter().filter(is_stated);
     let examples = edges.map(|Match { old, new, is_strike }| {
         let (detected, deviation) = instant(before, old, frame_time);
