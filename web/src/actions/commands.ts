@@ -48,6 +48,7 @@ import {
   zoomTimeline,
 } from "./playback";
 import { editSegmentName } from "./segment";
+import { pickVideo } from "./video";
 
 export const groups = ["Play", "Segments", "Edit", "View", "File"] as const;
 
@@ -464,6 +465,15 @@ const list = [
     run: () => {
       trailsVisible.value = !trailsVisible.value;
     },
+  },
+  {
+    id: "video",
+    group: "View",
+    label: "Video beside the view",
+    help: "Choose a video to show beside the view",
+    keys: [{ key: "v" }],
+    enabled: () => Boolean(openClip.value?.frames),
+    run: pickVideo,
   },
   {
     id: "panel",

@@ -23,6 +23,7 @@ import {
   selectedEdge,
 } from "../store/session";
 import { theme } from "../store/theme";
+import { video } from "../store/video";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
 import { Splitter, setSize } from "../ui/Splitter";
 import { attachGestures } from "./gestures";
@@ -35,6 +36,7 @@ import { Readout } from "./Readout";
 import { SegmentTable } from "./SegmentTable";
 import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
+import { VideoLane } from "./VideoLane";
 
 export function Timeline() {
   const container = useRef<HTMLDivElement | null>(null);
@@ -155,6 +157,7 @@ export function Timeline() {
       />
       <StorageStatus />
       <Transport />
+      {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div
         class="tracks"
         ref={(element) => {
