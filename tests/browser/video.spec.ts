@@ -2,7 +2,7 @@
 
 import AxeBuilder from "@axe-core/playwright";
 import { type App, expect, test } from "./app";
-import { file } from "./clips";
+import { file, sample } from "./clips";
 import { encodeVideo, type Shown, shownDuring, shownNow } from "./videos";
 import { viewports } from "./viewports";
 
@@ -59,7 +59,7 @@ for (const speed of ["1", "0.25", "4"]) {
     await app.timeline.getByRole("combobox", { name: "Speed" }).selectOption(speed);
     await page.keyboard.press("Space");
     const shown = await shownDuring(page, { until: speed === "0.25" ? 20 : 150 });
-    expect(shown.length).toBeGreaterThan(15);
+    expect(shown.length).toBeGreaterThan(10);
     const differences = shown.map(difference);
     expect(Math.min(...differences)).toBeGreaterThanOrEqual(-1);
     expect(Math.max(...differences)).toBeLessThanOrEqual(1);
@@ -75,21 +75,22 @@ test("stays within a frame when playback jumps, loops and changes its speed", as
   await openWithVideo(app);
   await page.keyboard.press("Space");
   const all = await shownDuring(page, { until: 24 });
-  await app.pressRuler(0.6);
+  // A press on the ruler pauses.
+  await expectPicture(app, await app.pressRuler(0.6));
+  await page.keyboard.press("Space");
   all.push(...(await shownDuring(page, { until: 470 })));
   await page.keyboard.press(">");
   all.push(...(await shownDuring(page, { until: 500 })));
+  expect(all.filter((shown) => Math.abs(difference(shown)) > 1)).toEqual([]);
   await app.pressRuler(0.97);
+  await page.keyboard.press("Space");
   // The clip loops.
   await expect.poll(() => app.frame()).toBeLessThan(100);
-  all.push(...(await shownDuring(page, { until: 30 })));
+  await expect.poll(async () => Math.abs(difference(await shownNow(page)))).toBeLessThanOrEqual(1);
+  const after = await shownDuring(page, { until: 150 });
+  expect(after.filter((shown) => Math.abs(difference(shown)) > 1)).toEqual([]);
   await page.keyboard.press("Space");
   await expectPicture(app, await app.frame());
-  // Only while a seek is in progress, the earlier picture is still on show.
-  const strays = all.filter((shown) => Math.abs(difference(shown)) > 1);
-  expect(strays.length).toBeLessThan(0.2 * all.length);
-  const isSettled = all.slice(-10).every((shown) => Math.abs(difference(shown)) <= 1);
-  expect(isSettled).toBe(true);
 });
 
 test("plays beyond the end of a shorter video", async ({ app, page }) => {
@@ -200,8 +201,7 @@ test("opens with a clip of the same drop, by key, and not without a clip", async
   const video = await encodeVideo(page, "walk.webm", 24, rate);
   await app.drop(video);
   await expect(app.toast).toContainText("Open a clip with motion first");
-  const bvh = await page.evaluate(async () => (await fetch("samples/bowling.bvh")).text());
-  await app.drop(file("bowling.bvh", bvh), video);
+  await app.drop(sample("bowling"), video);
   await app.waitForClip("bowling.bvh");
   await expect(pane(app)).toBeVisible();
   const chosen = page.waitForEvent("filechooser");

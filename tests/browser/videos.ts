@@ -63,36 +63,49 @@ export interface Shown {
   picture: number;
 }
 
-/** Returns the frame under the playhead and the picture on show in the next animation frame. */
+/** Returns the frame under the playhead and the picture on show after the next animation frame. */
 export async function shownNow(page: Page): Promise<Shown> {
   const [shown] = await shownDuring(page, { until: 0 });
   if (!shown) throw new Error("Nothing is shown.");
   return shown;
 }
 
-/** Returns frame and picture in every animation frame until the playhead has reached a frame. */
+/**
+ * Returns frame and picture each time the playhead has moved, until it has reached a frame: both are then as the
+ * browser shows them together.
+ */
 export function shownDuring(page: Page, { until }: { until: number }): Promise<Shown[]> {
   return page.evaluate(
     async ({ until, bits, barWidth, size }) => {
-      const video = document.querySelector("video");
+      const canvas = document.querySelector<HTMLCanvasElement>(".video-picture canvas");
       const playhead = document.querySelector("[role=slider][aria-label=Playhead]");
-      const canvas = new OffscreenCanvas(size.width, size.height);
-      const ctx = canvas.getContext("2d", { willReadFrequently: true });
-      if (!video || !playhead || !ctx) throw new Error("There is no video.");
-      const shown: Shown[] = [];
-      let frame: number;
-      do {
-        await new Promise(requestAnimationFrame);
-        ctx.drawImage(video, 0, 0, size.width, size.height);
+      const ctx = new OffscreenCanvas(size.width, size.height).getContext("2d", {
+        willReadFrequently: true,
+      });
+      if (!canvas || !playhead || !ctx) throw new Error("There is no video.");
+      const read = (): Shown => {
+        ctx.drawImage(canvas, 0, 0, size.width, size.height);
         const { data } = ctx.getImageData(0, size.height / 2, size.width, 1);
         let picture = 0;
         for (let bit = 0; bit < bits; bit++) {
           const isWhite = (data[4 * Math.floor((bit + 0.5) * barWidth)] ?? 0) > 127;
           picture = 2 * picture + Number(isWhite);
         }
-        frame = Number(playhead.getAttribute("aria-valuenow"));
-        shown.push({ frame, picture });
-      } while (frame < until);
+        return { frame: Number(playhead.getAttribute("aria-valuenow")), picture };
+      };
+      await new Promise(requestAnimationFrame);
+      const shown = [read()];
+      if ((shown[0]?.frame ?? 0) >= until) return shown;
+      await new Promise<void>((resolve) => {
+        const observer = new MutationObserver(() => {
+          const now = read();
+          shown.push(now);
+          if (now.frame < until) return;
+          observer.disconnect();
+          resolve();
+        });
+        observer.observe(playhead, { attributeFilter: ["aria-valuenow"] });
+      });
       return shown;
     },
     { until, bits, barWidth, size },

@@ -81,10 +81,11 @@ export function VideoPane() {
 /** The picture, or why there is none. */
 function Picture({ shown: { name, size, url, problem } }: { shown: Video }) {
   const element = useRef<HTMLVideoElement>(null);
-  useEffect(
-    () => (url && !problem && element.current ? synchronizeVideo(element.current, url) : undefined),
-    [url, problem],
-  );
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    if (!url || problem || !element.current || !canvas.current) return undefined;
+    return synchronizeVideo(element.current, canvas.current, url);
+  }, [url, problem]);
   if (problem) {
     return (
       <div class="video-message" role="alert">
@@ -110,7 +111,12 @@ function Picture({ shown: { name, size, url, problem } }: { shown: Video }) {
       </div>
     );
   }
-  return <video ref={element} aria-label={`Video ${name}`} muted playsInline preload="auto" />;
+  return (
+    <div class="video-picture">
+      <video ref={element} aria-label={`Video ${name}`} muted playsInline preload="auto" />
+      <canvas ref={canvas} />
+    </div>
+  );
 }
 
 /** Number fields for offset and rate. */

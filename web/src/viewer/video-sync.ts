@@ -1,6 +1,9 @@
 /**
  * Keeps a video element in step with the playhead.
  *
+ * Browsers show the pictures of a video element on their own, also while the page draws the 3D view. The pictures
+ * are therefore drawn onto a canvas over the element, each with the moment to which it belongs.
+ *
  * While paused, the element seeks to the moment of the playhead. During playback, the element is the clock: the
  * playhead follows the picture on show, because a decoder starts late and drops pictures. Where the video cannot
  * play (backwards, before its beginning and after its end, or at speeds that the browser does not support), the
@@ -14,6 +17,7 @@ import { toMoment, toVideoTime } from "../model/video";
 import { direction, playhead, playing, speed } from "../store/playback";
 import { openClip } from "../store/session";
 import { mediaClock, video, videoDuration, videoMuted } from "../store/video";
+import { stageHandle } from "../store/view";
 
 /**
  * Time by which seeking goes beyond the target, in seconds: formats round the times of pictures, WebM to
@@ -27,17 +31,28 @@ const playableRates = { min: 0.0625, max: 16 };
 /** Assumed duration of a picture, in seconds, before two pictures were shown. */
 const defaultPictureTime = 0.05;
 
+/** Times between pictures after which the shortest is their duration: not all of them were dropped. */
+const minPictureTimes = 8;
+
 /** Time for which playback waits for a picture, in milliseconds; then the clock of the page applies. */
 const maxWait = 2000;
 
-/** Shows the video at `url` in an element, in step with the playhead. Returns a function that ends it. */
-export function synchronizeVideo(element: HTMLVideoElement, url: string): () => void {
+/**
+ * Shows the video at `url` in an element and on the canvas over it, in step with the playhead. Returns a function
+ * that ends it.
+ */
+export function synchronizeVideo(
+  element: HTMLVideoElement,
+  canvas: HTMLCanvasElement,
+  url: string,
+): () => void {
   const controller = new AbortController();
   const { signal } = controller;
   /** Time of the last picture on show, and when it was shown by the clock of the page, in milliseconds. */
   let picture: { time: number; shownAt: number } | undefined;
-  /** Duration of a picture, in seconds, as far as it is known. */
+  /** Shortest time between pictures, in seconds, and the number of times from which it is known. */
   let pictureTime = Number.POSITIVE_INFINITY;
+  let pictureTimes = 0;
   /** Moment that the clock returned last; the user moved the playhead if it has another one. */
   let lastMoment: number | undefined;
   /** Start of the wait for a picture, in milliseconds. */
@@ -63,15 +78,49 @@ export function synchronizeVideo(element: HTMLVideoElement, url: string): () => 
     const target = nextSeek;
     nextSeek = undefined;
     if (target !== undefined) element.currentTime = target;
+    else drawPicture();
   };
 
   const hasCallbacks: boolean = "requestVideoFrameCallback" in HTMLVideoElement.prototype;
+  const ctx = canvas.getContext("2d", { alpha: false });
+  canvas.hidden = !hasCallbacks;
+  /**
+   * Draws the current picture. Returns its time in seconds if the browser tells it: the video may have advanced
+   * since the callback for the picture was requested.
+   */
+  const drawPicture = (): number | undefined => {
+    const { videoWidth, videoHeight } = element;
+    if (!ctx || !videoWidth) return undefined;
+    const scale = Math.min(1, (element.clientWidth * devicePixelRatio) / videoWidth || 1);
+    const [width, height] = [Math.ceil(videoWidth * scale), Math.ceil(videoHeight * scale)];
+    if (canvas.width !== width || canvas.height !== height)
+      Object.assign(canvas, { width, height });
+    if (typeof VideoFrame === "function") {
+      try {
+        const current = new VideoFrame(element);
+        ctx.drawImage(current, 0, 0, width, height);
+        const time = current.timestamp / 1e6;
+        current.close();
+        return time;
+      } catch {
+        // The element has no picture at the moment.
+        return undefined;
+      }
+    }
+    ctx.drawImage(element, 0, 0, width, height);
+    return undefined;
+  };
   const onPicture = (_: number, metadata: VideoFrameCallbackMetadata) => {
+    const time = drawPicture() ?? metadata.mediaTime;
     // During a seek, the picture before it may still be shown.
     if (!element.seeking) {
-      const step = picture && metadata.mediaTime - picture.time;
-      if (step && step > 0) pictureTime = Math.min(pictureTime, step);
-      picture = { time: metadata.mediaTime, shownAt: metadata.expectedDisplayTime };
+      const step = picture && time - picture.time;
+      // A faster video skips pictures.
+      if (step && step > 0 && element.playbackRate <= 1) {
+        pictureTime = Math.min(pictureTime, step);
+        pictureTimes++;
+      }
+      picture = { time, shownAt: metadata.expectedDisplayTime };
     }
     element.requestVideoFrameCallback(onPicture);
   };
@@ -82,8 +131,10 @@ export function synchronizeVideo(element: HTMLVideoElement, url: string): () => 
     if (!hasCallbacks) return element.currentTime;
     if (!picture) return undefined;
     const since = Math.max(0, (performance.now() - picture.shownAt) / 1000) * element.playbackRate;
-    const limit = Number.isFinite(pictureTime) ? 0.99 * pictureTime : 0;
-    return picture.time + Math.min(since, limit);
+    const rate = video.peek()?.rate ?? 1;
+    // Until the duration of a picture is known, the picture on show may be the next one at most.
+    const limit = pictureTimes >= minPictureTimes ? pictureTime : rate / clipRate();
+    return picture.time + Math.min(since, 0.99 * limit);
   };
 
   /** Returns the time at which the last picture begins, in seconds, as far as it is known. */
@@ -153,7 +204,11 @@ export function synchronizeVideo(element: HTMLVideoElement, url: string): () => 
     const moment = playhead.value;
     void video.value;
     void openClip.value;
-    if (isPlaying) return;
+    if (isPlaying) {
+      // The view would otherwise be drawn in the next animation frame, with the next picture.
+      if (lastMoment !== undefined) queueMicrotask(() => stageHandle.peek()?.flush());
+      return;
+    }
     if (!element.paused) element.pause();
     lastMoment = undefined;
     seek(targetTime(moment));
