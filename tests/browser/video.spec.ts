@@ -108,8 +108,8 @@ test("plays beyond the end of a shorter video", async ({ app, page }) => {
 test("is aligned by numbers, keys and drag", async ({ app, page }) => {
   await openWithVideo(app, 240);
   await pane(app).getByRole("button", { name: "Align" }).click();
-  const seconds = pane(app).getByRole("spinbutton", { name: "Begins at, s" });
-  const frames = pane(app).getByRole("spinbutton", { name: "Begins at, frame" });
+  const seconds = pane(app).getByRole("spinbutton", { name: "Offset, s" });
+  const frames = pane(app).getByRole("spinbutton", { name: "Offset, frames" });
   await app.page.keyboard.press("Escape");
   await frames.fill("-30");
   await frames.press("Enter");

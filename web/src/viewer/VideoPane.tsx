@@ -125,8 +125,8 @@ function Alignment({ shown: { offset, rate } }: { shown: Video }) {
   const rounded = (value: number, decimals: number) => String(Number(value.toFixed(decimals)));
   return (
     <div class="video-alignment" id="video-alignment">
-      <label>
-        <span>Begins at, s</span>
+      <label title="Time of the clip at which the video begins">
+        <span>Offset, s</span>
         <input
           class="input"
           type="number"
@@ -135,8 +135,8 @@ function Alignment({ shown: { offset, rate } }: { shown: Video }) {
           onChange={(event) => setVideoOffset(event.currentTarget.valueAsNumber)}
         />
       </label>
-      <label>
-        <span>Begins at, frame</span>
+      <label title="Frame of the clip at which the video begins">
+        <span>Offset, frames</span>
         <input
           class="input"
           type="number"
