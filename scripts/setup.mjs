@@ -75,16 +75,18 @@ export async function toolchain() {
 
 /**
  * Returns the compiler flags of the module. Less inlining makes it 3 % smaller without making it
- * slower; panic messages contain no paths of this machine.
+ * slower.
  */
 function moduleFlags() {
+  return ["-Cllvm-args=-inline-threshold=40", ...pathFlags()];
+}
+
+/** Returns compiler flags with which panic messages contain no paths of this machine. */
+export function pathFlags() {
   const registry = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry/src");
   const folders = existsSync(registry) ? readdirSync(registry) : [];
   const prefixes = [...folders.map((name) => join(registry, name)), "crate/core/src"];
-  return [
-    "-Cllvm-args=-inline-threshold=40",
-    ...prefixes.map((prefix) => `--remap-path-prefix=${prefix}=`),
-  ];
+  return prefixes.map((prefix) => `--remap-path-prefix=${prefix}=`);
 }
 
 /** Compiles the core to wasm and generates its JavaScript bindings and types. */

@@ -6,6 +6,7 @@ import { browser } from "./browser.mjs";
 import { buildSite } from "./build.mjs";
 import { countTests } from "./counts.mjs";
 import { buildPackage } from "./package.mjs";
+import { pythonTests } from "./python.mjs";
 import { main, root, run, Stop, step } from "./run.mjs";
 import { bindgen, CRATES, setup, tool } from "./setup.mjs";
 
@@ -44,11 +45,18 @@ const checks = {
   core: [
     "Core, samples and command line",
     () =>
-      cargo(["test", "--locked", "--no-fail-fast", "--workspace", ...without("wasm", "bindgen")]),
+      cargo([
+        "test",
+        "--locked",
+        "--no-fail-fast",
+        "--workspace",
+        ...without("wasm", "bindgen", "python"),
+      ]),
   ],
   wasm: ["WebAssembly in a page and in a worker", wasm],
   web: ["Web units", () => node("vitest/vitest.mjs", "run", "--root", "web")],
   package: ["The npm package", packageTests],
+  python: ["The Python package", pythonTests],
   browser: ["The app in a browser", browserTests],
 };
 
@@ -133,7 +141,7 @@ await main(async () => {
   for (const failure of failures) console.error(`✖ ${failure}`);
   if (total.skipped > 0) {
     console.log(
-      "Skipped tests need recorded motion (PLANTIGRADE_CORPUS), Firefox, or NumPy and pandas.",
+      "Skipped tests need recorded motion (PLANTIGRADE_CORPUS), Firefox, or Python and its packages.",
     );
   }
   console.log(`${total.passed} passed, ${total.failed} failed, ${total.skipped} skipped`);

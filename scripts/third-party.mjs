@@ -1,6 +1,6 @@
 /**
  * Notices of third-party software: names, versions, licences and licence texts of what is part of
- * the site, the npm package and the binary. Run as a script, writes them to target/third-party.
+ * the site, the npm package, the Python package and the binary. Run as a script, writes them to target/third-party.
  */
 
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -35,10 +35,15 @@ export const wasmPackages = () => [
 ];
 
 /** Returns the crates of the binary for this system. */
-export function binaryPackages() {
+export const binaryPackages = () => nativePackages("plantigrade-cli");
+
+/** Returns the crates of the Python package for this system. */
+export const wheelPackages = () => nativePackages("plantigrade-python");
+
+function nativePackages(crate) {
   const host = /^host: (.+)$/m.exec(ask("rustc", ["-vV"]) ?? "")?.[1];
   if (!host) throw new Stop("rustc was not found. Run npm run build first.");
-  return [...cratesOf("plantigrade-cli", host), rustLibrary()];
+  return [...cratesOf(crate, host), rustLibrary()];
 }
 
 /** Returns the npm packages on which the site depends, and tools whose code it contains. */
@@ -242,6 +247,7 @@ if (process.argv[1] === import.meta.filename) {
     for (const [name, packages] of [
       ["site", sitePackages()],
       ["npm", wasmPackages()],
+      ["python", wheelPackages()],
       ["binary", binaryPackages()],
     ]) {
       writeFileSync(join(folder, `${name}.txt`), noticesText(packages, "Plantigrade"));

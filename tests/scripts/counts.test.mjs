@@ -31,6 +31,15 @@ test("counts tests of Node's test runner", () => {
   assert.deepEqual(countTests(output), { passed: 3, failed: 1, skipped: 1 });
 });
 
+test("counts tests of pytest", () => {
+  const output = `
+=========== 1 failed, 12 passed, 3 skipped, 2 warnings in 3.88s ===========
+10 passed, 1 error in 61.02s (0:01:01)
+1 skipped in 0s
+`;
+  assert.deepEqual(countTests(output), { passed: 22, failed: 2, skipped: 4 });
+});
+
 test("counts nothing in other output", () => {
   assert.deepEqual(countTests("Checked 300 files. No fixes applied.\n"), {
     passed: 0,

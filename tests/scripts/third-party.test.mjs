@@ -10,6 +10,7 @@ import {
   noticesText,
   sitePackages,
   wasmPackages,
+  wheelPackages,
 } from "../../scripts/third-party.mjs";
 
 const mit = (copyright) =>
@@ -54,7 +55,7 @@ test("the notices of the site contain all its packages and crates", () => {
 });
 
 test("every package has a licence text", () => {
-  for (const list of [sitePackages(), wasmPackages(), binaryPackages()]) {
+  for (const list of [sitePackages(), wasmPackages(), wheelPackages(), binaryPackages()]) {
     assert.ok(list.length > 20);
     for (const { name, version, licence, texts } of list) {
       assert.ok(version && licence && texts.every((text) => text.length > 100), name);

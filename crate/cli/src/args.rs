@@ -101,6 +101,13 @@ pub struct DetectArgs {
     /// toe methods)
     #[arg(long, value_name = "CLIP")]
     pub still: Option<PathBuf>,
+    /// Corrected labels, applied to similar motion as well: a labels document with edits, or
+    /// annotated contact with -1 for unknown frames
+    #[arg(long, value_name = "LABELS")]
+    pub constraints: Option<PathBuf>,
+    /// Clip that the corrected labels belong to, of the same character [default: the input]
+    #[arg(long, value_name = "CLIP", requires = "constraints")]
+    pub constraints_clip: Option<PathBuf>,
     /// Output format
     #[arg(long, default_value_t, value_parser = one_of(PlantFormat::ALL, PlantFormat::name, PlantFormat::description))]
     pub format: PlantFormat,

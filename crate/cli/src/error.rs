@@ -26,6 +26,12 @@ pub enum UsageError {
     /// The clip named by `--still` cannot be used.
     #[error(transparent)]
     Still(InputError),
+    /// The constraints, or their clip, cannot be used.
+    #[error(transparent)]
+    Constraints(InputError),
+    /// Constraints without their clip are given for several inputs.
+    #[error("--constraints belong to one clip: name it with --constraints-clip to label {0} clips")]
+    ConstraintsClip(usize),
     /// `clean` was given more than one clip.
     #[error("found {0} inputs: clean takes exactly one clip")]
     NotOneClip(usize),

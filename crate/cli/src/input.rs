@@ -186,6 +186,17 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<LoadedClip, InputError> {
     load_chunks(input, args, |_| {})
 }
 
+/// Reads a file, or standard input for `-`.
+pub fn read_file(path: &Path) -> Result<Vec<u8>, InputError> {
+    let mut bytes = Vec::new();
+    let read = if path == Path::new("-") {
+        io::stdin().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        fs::read(path)
+    };
+    read.map_err(|error| InputError::Read { path: path.into(), error })
+}
+
 /// Reads one file and returns its bytes, too.
 pub fn load_with_bytes(input: &Input, args: &ReadArgs) -> Result<(LoadedClip, Vec<u8>), InputError> {
     let mut bytes = Vec::new();

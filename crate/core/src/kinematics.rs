@@ -69,10 +69,11 @@ impl<'a> Kinematics<'a> {
     /// # Panics
     /// If `frame` is not a frame of the clip.
     pub fn pose(&mut self, frame: usize) -> &[Vector3<f64>] {
+        let rule = self.clip.position_rule();
         let row = if frame == 0 && self.clip.frame_count() == 0 { &[][..] } else { self.clip.row(frame) };
         for &index in &self.needed {
             let joint = &self.clip.joints()[index];
-            let is_added = joint.parent.is_some() && self.clip.position_rule() == PositionRule::Add;
+            let is_added = joint.parent.is_some() && rule == PositionRule::Add;
             let mut position = joint.offset;
             let mut rotation = Matrix3::identity();
             // A rest pose has no values: its joints have their offset and the identity rotation.
@@ -85,7 +86,7 @@ impl<'a> Kinematics<'a> {
                     Channel::Scale(_) => {}
                 }
             }
-            if let Some(parent) = joint.parent {
+            if let Some(parent) = joint.parent.filter(|_| rule != PositionRule::Global) {
                 let (at, parent) = (index - self.first, parent - self.first);
                 self.positions[at] = self.positions[parent] + self.rotations[parent] * position;
                 self.rotations[at] = self.rotations[parent] * rotation;
@@ -192,6 +193,13 @@ mod tests {
         let moved = arm(vec![Channel::Position(Axis::X)], vec![0.5]);
         assert_eq!(tracks(&moved, &[1])[0][0].x, 9.5);
         assert_eq!(tracks(&moved.with_position_rule(PositionRule::Add), &[1])[0][0].x, 10.5);
+    }
+
+    #[test]
+    fn global_positions_are_the_values_of_the_channels() {
+        let channels = Axis::ALL.map(Channel::Position).to_vec();
+        let clip = arm(channels, vec![5.0, 0.1, 0.3]).with_position_rule(PositionRule::Global);
+        assert_eq!(tracks(&clip, &[1])[0][0], Vector3::new(5.0, 0.1, 0.3));
     }
 
     #[test]

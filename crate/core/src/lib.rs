@@ -10,6 +10,7 @@ pub mod kinematics;
 pub mod notice;
 mod numeric;
 pub mod plants;
+pub mod points;
 pub mod registry;
 pub mod score;
 pub mod segments;

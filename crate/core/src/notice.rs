@@ -98,6 +98,8 @@ pub enum Code {
     ImplausibleAirborne,
     /// The hips jump to another place and back; they are interpolated there.
     Spike,
+    /// Corrections of a person were applied to similar motion.
+    Corrections,
     /// Clean-up left some plants unchanged.
     Unconstrained,
     /// Clean-up cannot move the hips because their joint has no position channels.

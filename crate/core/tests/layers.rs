@@ -16,7 +16,7 @@ const LAYERS: [&[&str]; 7] = [
     &["bvh"],
     &["kinematics"],
     &["skeleton"],
-    &["plants", "segments"],
+    &["plants", "points", "segments"],
     &["gait", "score", "skate"],
     &["formats"],
 ];

@@ -13,7 +13,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::plants::{
-    confidence, force_plates, frame_rates, hard_cases, methods, paper, timing_tables, video_noise,
+    confidence, corrections, force_plates, frame_rates, hard_cases, methods, paper, timing_tables,
+    video_noise,
 };
 use crate::report::Report;
 use crate::segments::{failures, generated, recorded};
@@ -41,6 +42,7 @@ fn main() -> anyhow::Result<()> {
         Some(corpus) => video_noise::write(&mut report, corpus)?,
         None => report.copy_section(&previous, video_noise::MARK),
     }
+    corrections::write(&mut report, corpus.as_deref(), &previous)?;
     let clips = generated::write(&mut report);
     match &corpus {
         Some(corpus) => recorded::write(&mut report, corpus)?,

@@ -5,9 +5,12 @@ use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use plantigrade_synth::{ClipSpec, clip_files, full_set, gallery_index, hard_cases, long_mix, samples};
+use plantigrade_synth::{
+    ClipSpec, clip_files, full_set, gallery_index, generate, hard_cases, long_mix, samples,
+};
 
-const USAGE: &str = "usage: plantigrade-synth [--set SET] [--frames N] [--seed N] [--noise LEVEL] [--out DIR]
+const USAGE: &str =
+    "usage: plantigrade-synth [--set SET] [--frames N] [--seed N] [--clips N] [--noise LEVEL] [--out DIR]
 
 Writes NAME.bvh, NAME.json (truth) and NAME.svg (thumbnail) of each clip of a set,
 and index.json (the list of clips), to DIR.
@@ -18,6 +21,7 @@ and index.json (the list of clips), to DIR.
                  long: one long mix of everyday motion at 120 Hz
   --frames N     length of the long clip in frames (default 14400: two minutes)
   --seed N       seed of the variation of steps and noise, an integer (default 0)
+  --clips N      number of clips; beyond the set, NAME-SEED.bvh repeats its clips with other seeds
   --noise LEVEL  factor on the foot noise: 1 is the recorded level, 0 is no noise (default 1)
   --out DIR      folder to write to (default samples)";
 
@@ -25,6 +29,7 @@ struct Options {
     set: String,
     frames: usize,
     seed: u64,
+    clips: Option<usize>,
     noise: f64,
     out: PathBuf,
 }
@@ -59,8 +64,14 @@ fn main() -> ExitCode {
 }
 
 fn parse(arguments: &[String]) -> Result<Options, Error> {
-    let mut options =
-        Options { set: "samples".into(), frames: 14_400, seed: 0, noise: 1.0, out: PathBuf::from("samples") };
+    let mut options = Options {
+        set: "samples".into(),
+        frames: 14_400,
+        seed: 0,
+        clips: None,
+        noise: 1.0,
+        out: PathBuf::from("samples"),
+    };
     for pair in arguments.chunks(2) {
         let [name, value] = pair else { return Err(Error::MissingValue(pair[0].clone())) };
         match name.as_str() {
@@ -71,6 +82,10 @@ fn parse(arguments: &[String]) -> Result<Options, Error> {
                 })?;
             }
             "--seed" => options.seed = number("--seed", "an integer of at least 0", value, |_| true)?,
+            "--clips" => {
+                let rule = "an integer of at least 1";
+                options.clips = Some(number("--clips", rule, value, |&clips| clips > 0)?);
+            }
             "--noise" => {
                 options.noise =
                     number("--noise", "a number from 0 to 10", value, |noise| (0.0..=10.0).contains(noise))?;
@@ -111,11 +126,17 @@ fn write(options: &Options) -> Result<(), Error> {
     let specs = specs(options)?;
     std::fs::create_dir_all(&options.out)
         .map_err(|error| Error::Write { path: options.out.clone(), error })?;
-    for spec in &specs {
+    let count = options.clips.unwrap_or(specs.len());
+    for spec in specs.iter().take(count) {
         for (name, text) in clip_files(spec, options.seed) {
             save(name, text)?;
         }
         println!("{}: {} frames at {} Hz", spec.name, spec.frames, spec.rate);
+    }
+    for clip in specs.len()..count {
+        let (spec, seed) = (&specs[clip % specs.len()], options.seed + (clip / specs.len()) as u64);
+        let text = plantigrade::bvh::write(&generate(spec, seed).clip);
+        save(format!("{}-{seed}.bvh", spec.name), text)?;
     }
     save("index.json".into(), gallery_index(&specs))
 }

@@ -29,6 +29,7 @@ import load, {
   type SegmentInfo,
   type SegmentMethodInfo,
   type SegmentOptions,
+  type SimilarInfo,
   type SlideInfo,
   type StepInfo,
   type WasmClip,
@@ -55,6 +56,7 @@ export type {
   SegmentInfo,
   SegmentMethodInfo,
   SegmentOptions,
+  SimilarInfo,
   SlideInfo,
   StepInfo,
 };
@@ -239,6 +241,14 @@ export class Plants {
   /** Applies edits, replacing earlier ones; later entries take precedence. */
   edit(edits: EditInfo[]): void {
     rethrow(() => this.inner.edit(edits));
+  }
+
+  /**
+   * Returns the changes by which edits apply to similar motion, and the number of plants that they change. Add
+   * the changes to the edits, and pass all to `edit`, to accept them.
+   */
+  similar(edits: EditInfo[]): SimilarInfo {
+    return rethrow(() => this.clip.similar(this.inner, edits));
   }
 
   /**

@@ -6,15 +6,17 @@ use js_sys::Float32Array;
 use plantigrade::bvh::{Clip, Layout, Options, Parsed, Reader, Rewriter};
 use plantigrade::formats::{PlantExport, PlantFormat, Source};
 use plantigrade::notice::Notice;
-use plantigrade::plants::{self, Detector, Feet, Params};
+use plantigrade::plants::{self, Corrections, Detector, Feet, Params};
 use plantigrade::skeleton::{self, Role, Skeleton};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::detection::WasmDetection;
+use crate::detection::{WasmDetection, edits_from_js};
 use crate::names;
 use crate::positions;
-use crate::types::{ClipInfo, DetectOptions, Failure, Overrides, from_js, parse_name, to_js};
+use crate::types::{
+    ClipInfo, DetectOptions, EditInfo, Failure, Overrides, SimilarInfo, from_js, parse_name, to_js,
+};
 
 /// Longest clip whose foot tracks are cached between detections, in frames; they occupy 24 MB.
 const MAX_CACHED_FRAMES: usize = 100_000;
@@ -182,6 +184,32 @@ impl WasmClip {
             }
         };
         Ok(WasmDetection::new(detection, &self.skeleton, self.clip.frame_time()))
+    }
+
+    /// Returns the changes of a detection by which edits apply to similar motion.
+    ///
+    /// # Errors
+    /// If the clip has no motion or no feet, or an entry is not a valid edit.
+    pub fn similar(
+        &self,
+        detection: &WasmDetection,
+        edits: Vec<Ts<EditInfo>>,
+    ) -> Result<Ts<SimilarInfo>, Failure> {
+        let edits = edits_from_js(&edits)?;
+        let new_feet;
+        let feet = match &self.detector {
+            Some(detector) => detector.feet(),
+            None => {
+                new_feet = Feet::new(&self.clip, &self.skeleton)?;
+                &new_feet
+            }
+        };
+        let corrections = Corrections::learn(feet, detection.detected(), &edits);
+        let corrected = corrections.apply(feet, detection.detected(), &edits);
+        to_js(&SimilarInfo {
+            changes: corrected.changes.into_iter().map(Into::into).collect(),
+            plants: corrected.plants,
+        })
     }
 
     /// Returns the plants of a detection as a file in a format that `plantFormats` lists.

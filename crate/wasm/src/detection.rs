@@ -31,6 +31,11 @@ impl WasmDetection {
         self.edited.as_ref().unwrap_or(&self.detected)
     }
 
+    /// The labels of the method, without edits.
+    pub(crate) fn detected(&self) -> &Detection {
+        &self.detected
+    }
+
     pub(crate) fn metres_per_unit(&self) -> f64 {
         self.metres_per_unit
     }
@@ -60,8 +65,7 @@ impl WasmDetection {
     /// # Errors
     /// If an entry is not a valid edit.
     pub fn edit(&mut self, edits: Vec<Ts<EditInfo>>) -> Result<(), Failure> {
-        let edits =
-            edits.iter().map(|edit| Ok(from_js(edit)?.into())).collect::<Result<Vec<Edit>, Failure>>()?;
+        let edits = edits_from_js(&edits)?;
         self.edited =
             (!edits.is_empty()).then(|| plants::apply_edits(&self.detected, &edits, self.frame_time));
         Ok(())
@@ -163,6 +167,11 @@ impl WasmDetection {
         let ranges = intervals(&labels.foot(side).planted);
         Ok(ranges.iter().map(|range| u8::from(detection.is_edited(side, labels.part, range))).collect())
     }
+}
+
+/// Converts edits from JavaScript.
+pub(crate) fn edits_from_js(edits: &[Ts<EditInfo>]) -> Result<Vec<Edit>, Failure> {
+    edits.iter().map(|edit| Ok(from_js(edit)?.into())).collect()
 }
 
 fn part_labels<'a>(detection: &'a Detection, part: &str) -> Result<&'a PartLabels, Failure> {

@@ -29,7 +29,8 @@ it("ignores Shift unless a binding requires it", () => {
   expect(id("z", false, true)).toBe("undo");
   expect(id("Z", true, true)).toBe("redo");
   expect(id("s", true, true)).toBeUndefined();
-  expect(id("y")).toBeUndefined();
+  expect(id("y")).toBe("apply-similar");
+  expect(id("z")).toBeUndefined();
 });
 
 it("lists every command in the key overlay", () => {

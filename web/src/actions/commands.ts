@@ -6,7 +6,7 @@
 import type { NamedSegment } from "../model/segments";
 import { batchRows } from "../store/batch";
 import { classicKeys, panelCollapsed } from "../store/preferences";
-import { openClip, selected, selectedCut } from "../store/session";
+import { openClip, selected, selectedCut, similar } from "../store/session";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
 import { openBatchRow, reviewNext, toggleChecked } from "./batch";
 import { stepDisagreement } from "./compare";
@@ -48,6 +48,7 @@ import {
   zoomTimeline,
 } from "./playback";
 import { editSegmentName } from "./segment";
+import { applySimilar, dismissSimilar } from "./similar";
 import { pickVideo } from "./video";
 
 export const groups = ["Play", "Segments", "Edit", "View", "File"] as const;
@@ -377,6 +378,24 @@ const list = [
     help: "Delete the plant or the cut",
     keys: [{ key: "delete" }, { key: "backspace" }],
     run: () => (selectedCut.value === null ? removeSelected() : removeNearestCut()),
+  },
+  {
+    id: "apply-similar",
+    group: "Edit",
+    label: "Apply to similar plants",
+    help: "Apply the edits to similar plants, or leave these as they are",
+    keys: [{ key: "y" }],
+    enabled: () => hasClip() && similar.value !== null,
+    run: applySimilar,
+  },
+  {
+    id: "dismiss-similar",
+    group: "Edit",
+    label: "Leave similar plants as they are",
+    help: "Apply the edits to similar plants, or leave these as they are",
+    keys: [{ key: "y", shift: true }],
+    enabled: () => hasClip() && similar.value !== null,
+    run: dismissSimilar,
   },
   {
     id: "undo",

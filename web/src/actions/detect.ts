@@ -11,6 +11,7 @@ import { detectMethods, detectOptions, plantFormats } from "../store/settings";
 import { latestOnly } from "../util/latest-only";
 import { updateScores } from "./compare";
 import { followSelection } from "./edit";
+import { findSimilar } from "./find-similar";
 import { runSegmentation, stopSegmenting } from "./segment";
 
 async function listMethodsAndFormats() {
@@ -55,7 +56,7 @@ export async function runDetection(options: DetectOptions = detectOptions.value)
         clipSession.loopRegion.value = null;
       }
     });
-    await updateScores(clipSession);
+    await Promise.all([updateScores(clipSession), findSimilar(clipSession)]);
   } catch (error) {
     batch(() => {
       clipSession.detection.value = null;

@@ -36,6 +36,7 @@ import { activeTab, announcement, notify, sheetOpen } from "../store/view";
 import { capitalize, plural, spokenRange } from "../util/format";
 import { updateScores } from "./compare";
 import { applyCutEdits } from "./cuts";
+import { findSimilar } from "./find-similar";
 import { pause, seek } from "./playback";
 
 /** Initial duration of an added plant, in seconds. */
@@ -150,7 +151,7 @@ async function applyEdits(clipSession: ClipSession): Promise<void> {
       if (before) clipSession.detection.value = withParts(before, parts);
       followSelection(clipSession);
     });
-    await updateScores(clipSession);
+    await Promise.all([updateScores(clipSession), findSimilar(clipSession)]);
   } catch (error) {
     reportFailure(
       "edited",

@@ -69,6 +69,7 @@ function fakeCalls(log: string[]) {
     gaitFormats: async () => [],
     saveGait: async () => "",
     skate: async () => [],
+    similar: async () => undefined,
     clean: async () => ({ positions: new Float32Array(), plants: [], notices: [] }),
     saveCleaned: async () => new Blob(),
     score: async () => [],

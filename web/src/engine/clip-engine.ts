@@ -70,6 +70,7 @@ const simpleCalls: {
   hash: ["clip", 0],
   evidence: ["clip", 2],
   referenceEdits: ["clip", 0],
+  similar: ["clip", 0],
   gait: ["clip", 1],
   saveGait: ["clip", 2],
   skate: ["clip", 0],

@@ -37,6 +37,7 @@ export type {
   ScoreInfo as Score,
   SegmentInfo as Segment,
   SegmentMethodInfo as SegmentationMethod,
+  SimilarInfo as Similar,
   SlideInfo as Slide,
   StepInfo as Step,
 } from "../wasm/plantigrade";

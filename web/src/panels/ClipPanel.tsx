@@ -36,6 +36,15 @@ export function ClipPanel() {
   );
 }
 
+/** The unit, with its size if the name does not state it. */
+function unitText({ unit, metresPerUnit }: Clip): string {
+  if (!unit) return `${Number(metresPerUnit.toPrecision(3))} m`;
+  const isMetric = /^[cmd]?m$/.test(unit);
+  return isMetric
+    ? unit
+    : `${unit.replace(/ unit$/, "")} (1 unit = ${Number((100 * metresPerUnit).toPrecision(3))} cm)`;
+}
+
 function factsOf(clip: Clip) {
   return [
     ["File", clip.name],
@@ -45,7 +54,7 @@ function factsOf(clip: Clip) {
     ["Rate", formatRate(clip.rate)],
     ["Joints", formatCount(clip.joints.filter((joint) => joint.kind !== "end-site").length)],
     ["Up axis", axisText(clip.up)],
-    ["Unit", clip.unit ?? `${Number(clip.metresPerUnit.toPrecision(3))} m`],
+    ["Unit", unitText(clip)],
     ["Ground", detection.value ? groundText(detection.value.ground) : undefined],
     ["Noise of planted toes", millimetres(detection.value?.noise?.position)],
     ["Speed of planted feet", millimetres(detection.value?.noise?.speed, "/s")],

@@ -24,6 +24,7 @@ import type {
   SegmentAnnotation,
   Segmentation,
   Side,
+  Similar,
   Slide,
 } from "../model/types";
 import type { Video } from "../model/video";
@@ -95,6 +96,10 @@ export class ClipSession {
   /** Earlier and undone lists of edits; the newest is last. */
   readonly undoStack = signal<readonly (readonly AnyEdit[])[]>([]);
   readonly redoStack = signal<readonly (readonly AnyEdit[])[]>([]);
+  /** Changes by which the edits apply to similar motion; null if none are offered. */
+  readonly similar = signal<Similar | null>(null);
+  /** The edits whose changes of similar motion the user declined. */
+  readonly dismissedSimilar = signal<readonly AnyEdit[] | null>(null);
   /** The plant that is being edited. */
   readonly selected = signal<PlantRef | null>(null);
   /** The edge of the selected plant that keys move; null for the one nearest to the playhead. */

@@ -24,6 +24,7 @@ export const selectedCut = sessionField((clipSession) => clipSession.selectedCut
 export const cutPreview = sessionField((clipSession) => clipSession.cutPreview);
 export const selected = sessionField((clipSession) => clipSession.selected);
 export const selectedEdge = sessionField((clipSession) => clipSession.selectedEdge);
+export const similar = sessionField((clipSession) => clipSession.similar);
 export const addTarget = sessionField((clipSession) => clipSession.addTarget);
 export const dragPreview = sessionField((clipSession) => clipSession.dragPreview);
 export const persistError = sessionField((clipSession) => clipSession.persistError);

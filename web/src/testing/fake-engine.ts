@@ -95,6 +95,7 @@ export function createFakeEngine(): ClipEngine {
     edit: async () => ({}),
     evidence: async () => undefined,
     referenceEdits: async () => [],
+    similar: async () => undefined,
     editCuts: async () => [],
     hash: async () => undefined,
     async methods() {

@@ -21,6 +21,7 @@ import {
   selected,
   selectedCut,
   selectedEdge,
+  similar,
 } from "../store/session";
 import { theme } from "../store/theme";
 import { video } from "../store/video";
@@ -34,6 +35,7 @@ import { MinimapPlayhead, Playhead } from "./Playhead";
 import { paintTimeline } from "./paint";
 import { Readout } from "./Readout";
 import { SegmentTable } from "./SegmentTable";
+import { SimilarOffer } from "./SimilarOffer";
 import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 import { VideoLane } from "./VideoLane";
@@ -109,6 +111,7 @@ export function Timeline() {
         loop: loopedRange.peek(),
         selected: selectedBar.peek(),
         selectedEdge: selectedEdge.peek(),
+        similar: similar.peek()?.changes ?? [],
       });
     };
     const requestDraw = () => {
@@ -128,6 +131,7 @@ export function Timeline() {
           plants.value,
           namedSegments.value,
           loopedRange.value,
+          similar.value,
         ];
         void [selectedBar.value, selectedEdge.value, selectedCut.value, cutPreview.value];
         requestDraw();
@@ -156,6 +160,7 @@ export function Timeline() {
         measure={() => container.current?.clientHeight ?? 0}
       />
       <StorageStatus />
+      <SimilarOffer />
       <Transport />
       {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div

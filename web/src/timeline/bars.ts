@@ -77,6 +77,7 @@ export function paintBars(
     paintWhiskers(ctx, scene, lane, laneWidth);
     paintPlantNumbers(ctx, scene, lane, laneWidth);
   }
+  paintSimilar(ctx, scene, lane, laneWidth);
   paintSelection(ctx, scene, lane, laneWidth);
 }
 
@@ -142,6 +143,25 @@ function paintSelection(
     ctx.roundRect(edge === "start" ? x - extra : x, top - extra, 4 + extra, height + 2 * extra, 2);
   }
   ctx.fill();
+}
+
+/** Draws offered changes: frames that would be planted are outlined, and those that would not are crossed out. */
+function paintSimilar(ctx: CanvasRenderingContext2D, scene: Scene, lane: Bars, laneWidth: number) {
+  const { view, theme, similar } = scene;
+  for (const { side, part, start, end, planted } of similar) {
+    if (side !== lane.side || part !== lane.kind || end < view.start || start > view.end) continue;
+    const from = toX(view, start, laneWidth);
+    const to = Math.max(from + 2, toX(view, end, laneWidth));
+    ctx.fillStyle = planted ? theme.tint[side] : theme.lane;
+    ctx.fillRect(from, lane.y, to - from, lane.height);
+    ctx.beginPath();
+    ctx.rect(from, lane.y + 0.5, to - from, lane.height - 1);
+    if (!planted) {
+      ctx.moveTo(from, lane.y + lane.height);
+      ctx.lineTo(to, lane.y);
+    }
+    drawPath(ctx, theme.accent, 1.5);
+  }
 }
 
 /** Draws several merged intervals; they are translucent, unlike a single interval. */

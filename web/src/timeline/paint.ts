@@ -77,7 +77,8 @@ function paintLabel(ctx: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
   } else if (lane.kind === "reference-segments") {
     paintReferenceName(ctx, theme, scene.referenceSegments?.name ?? "", lane, left + 20, right);
   } else if (lane.kind === "curve") {
-    const title = scene.segmentation?.curve.title ?? "";
+    // The explanation in parentheses does not fit.
+    const title = (scene.segmentation?.curve.title ?? "").replace(/ \(.*\)$/, "");
     const [first, second] = wrapText(ctx, theme, title, right - left, 11);
     ctx.fillText(first, left, second ? centerY - 7 : centerY);
     ctx.fillText(second, left, centerY + 7);

@@ -2,7 +2,7 @@ import type { PlantRef } from "../model/edits";
 import type { Plant } from "../model/plants";
 import type { NamedSegment } from "../model/segments";
 import type { TimeView } from "../model/time-view";
-import type { SegmentAnnotation, Segmentation, Tracks } from "../model/types";
+import type { Edit, SegmentAnnotation, Segmentation, Tracks } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import type { Layout } from "./layout";
 
@@ -31,6 +31,8 @@ export interface Scene {
   selected: PlantRef | null;
   /** The edge of the selected bar that keys move. */
   selectedEdge: "start" | "end" | null;
+  /** Changes of labels that are offered. */
+  similar: readonly Edit[];
 }
 
 /** Margin at the right edge for the last number and the handle of the playhead, in pixels. */

@@ -29,6 +29,7 @@ import type {
   Segmentation,
   SegmentationMethod,
   SegmentOptions,
+  Similar,
   Slide,
 } from "../model/types";
 import {
@@ -145,6 +146,12 @@ const api = {
   /** Returns the edits that give the detection the labels of the reference. */
   async referenceEdits(): Promise<Edit[]> {
     return current().annotation?.edits() ?? [];
+  },
+
+  /** Returns the changes by which the edits apply to similar motion; undefined without labels. */
+  async similar(): Promise<Similar | undefined> {
+    const { clip, detection, edits } = current();
+    return detection && clip.similar(detection, edits);
   },
 
   /** Returns the SHA-256 of the file in hexadecimal, if the browser offers it. */

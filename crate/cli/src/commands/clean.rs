@@ -1,9 +1,7 @@
 //! `plantigrade clean`: removes foot skate.
 
-use std::fs;
-use std::io::Read;
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use plantigrade::bvh;
@@ -47,7 +45,7 @@ fn clean(
     let contacts = match &args.labels {
         Some(path) => {
             let labels_error = |error| InputError::Labels { path: path.clone(), error };
-            let labels = formats::read_plants(&read_file(path)?, clip.frame_count());
+            let labels = formats::read_plants(&input::read_file(path)?, clip.frame_count());
             Contacts::from(&labels.map_err(labels_error)?)
         }
         None => {
@@ -74,16 +72,6 @@ fn clean(
 }
 
 /// Reads a file or standard input.
-fn read_file(path: &PathBuf) -> Result<Vec<u8>, InputError> {
-    let mut bytes = Vec::new();
-    let read = if path == Path::new("-") {
-        std::io::stdin().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        fs::read(path)
-    };
-    read.map_err(|error| InputError::Read { path: path.clone(), error })
-}
-
 /// Returns a summary in one line: number of plants, and their slide before and after.
 fn summary(cleaned: &Cleaned) -> String {
     let mean_and_max = |slide: fn(&skate::CleanedPlant) -> f64| {

@@ -3,27 +3,101 @@
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::Parsed;
-use plantigrade::formats::PlantExport;
-use plantigrade::plants::{self, DetectError, Detection, Feet, ValidParams};
+use plantigrade::formats::{self, PlantExport};
+use plantigrade::notice::{Code, Notice};
+use plantigrade::plants::{self, Corrections, DetectError, Detection, Edit, Feet, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
 use crate::args::DetectArgs;
 use crate::batch::Batch;
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input, LoadedClip};
+use crate::output_folder::hex_digest;
 
 /// Detects plants in all inputs. Returns the number of inputs that failed.
 pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
     let standing = args.still.as_deref().map(|path| load_standing(path, args)).transpose();
     let (standing, standing_sha256) = standing.map_err(UsageError::Still)?.unzip();
+    let constraints = args.constraints.as_deref().map(|path| Constraints::load(path, args)).transpose();
+    let constraints = constraints.map_err(UsageError::Constraints)?;
+    if let Some(Constraints { clip: None, .. }) = constraints {
+        let inputs = input::collect(&args.read)?.len();
+        if inputs > 1 {
+            return Err(UsageError::ConstraintsClip(inputs));
+        }
+    }
     let batch = Batch {
         read: &args.read,
         write: &args.write,
         extension: args.format.extension(),
-        options: format!("{params:?} {standing_sha256:?}"),
+        options: format!(
+            "{params:?} {standing_sha256:?} {:?}",
+            constraints.as_ref().map(|constraints| &constraints.sha256)
+        ),
     };
-    batch.run(|input, loaded| detect(input, loaded, params, standing.as_ref(), args))
+    batch.run(|input, loaded| detect(input, loaded, params, standing.as_ref(), constraints.as_ref(), args))
+}
+
+/// Corrections of a person.
+struct Constraints {
+    path: PathBuf,
+    bytes: Vec<u8>,
+    /// The clip that the corrections belong to, if it is not the input: hash of its file, corrections that were
+    /// learnt from it, and its edits.
+    clip: Option<(String, Corrections, Vec<Edit>)>,
+    /// Hashes of the files.
+    sha256: [String; 2],
+}
+
+impl Constraints {
+    fn load(path: &Path, args: &DetectArgs) -> Result<Constraints, InputError> {
+        let params = args.detection.params().expect("parameters were checked before");
+        let bytes = input::read_file(path)?;
+        let hash = hex_digest(&bytes);
+        let Some(clip_path) = &args.constraints_clip else {
+            return Ok(Constraints { path: path.into(), bytes, clip: None, sha256: [hash, String::new()] });
+        };
+        let input = Input { path: clip_path.clone(), stem: PathBuf::new(), problem: None };
+        let loaded = input::load(&input, &args.read)?;
+        let edits = read_edits(path, &bytes, &loaded)?;
+        let detected = detect_all(&input, &loaded, params, None)?;
+        let (_, feet, detection) = &detected[0];
+        let corrections = Corrections::learn(feet, detection, &edits);
+        let sha256 = [hash, loaded.sha256.clone()];
+        Ok(Constraints { path: path.into(), bytes, clip: Some((loaded.sha256, corrections, edits)), sha256 })
+    }
+
+    /// Applies the corrections to a clip.
+    fn apply(
+        &self,
+        loaded: &LoadedClip,
+        feet: &Feet,
+        detection: &Detection,
+    ) -> Result<Detection, InputError> {
+        let mut corrected = match &self.clip {
+            Some((sha256, corrections, edits)) => {
+                let own: &[Edit] = if *sha256 == loaded.sha256 { edits } else { &[] };
+                corrections.apply(feet, detection, own)
+            }
+            None => {
+                let edits = read_edits(&self.path, &self.bytes, loaded)?;
+                Corrections::learn(feet, detection, &edits).apply(feet, detection, &edits)
+            }
+        };
+        let text = match corrected.plants {
+            0 => "The corrections change no other plants.".into(),
+            1 => "The corrections were applied to 1 similar plant.".into(),
+            count => format!("The corrections were applied to {count} similar plants."),
+        };
+        corrected.detection.notices.push(Notice::new(Code::Corrections, text));
+        Ok(corrected.detection)
+    }
+}
+
+fn read_edits(path: &Path, bytes: &[u8], loaded: &LoadedClip) -> Result<Vec<Edit>, InputError> {
+    let edits = formats::read_edits(bytes, loaded.parsed.clip.frame_count());
+    edits.map_err(|error| InputError::Labels { path: path.into(), error })
 }
 
 /// Loads the feet of the standing clip that is clustered together with the inputs. Returns them with the
@@ -74,10 +148,14 @@ fn detect(
     loaded: &LoadedClip,
     params: ValidParams,
     standing: Option<&Feet>,
+    constraints: Option<&Constraints>,
     args: &DetectArgs,
 ) -> Result<Vec<u8>, InputError> {
     let Parsed { clip, notices, .. } = &loaded.parsed;
-    let detected = detect_all(input, loaded, params, standing)?;
+    let mut detected = detect_all(input, loaded, params, standing)?;
+    if let (Some(constraints), [(_, feet, detection), ..]) = (constraints, &mut detected[..]) {
+        *detection = constraints.apply(loaded, feet, detection)?;
+    }
     Ok(args.format.write(&PlantExport {
         source: loaded.source(input),
         clip,

@@ -90,6 +90,9 @@ pub enum PositionRule {
     Replace,
     /// A position channel is added to the offset, as some exporters write it.
     Add,
+    /// Position channels are coordinates in the axes of the file, not relative to the parent: the joints
+    /// are points, whose positions are exactly the values. Files never have this rule.
+    Global,
 }
 
 /// Returns the joint before `index` and all its ancestors: the valid parents of joint `index`.
@@ -155,6 +158,11 @@ impl Clip {
         let width = self.channel_count();
         let values = self.values[frames.start * width..frames.end * width].to_vec();
         Clip { joints: self.joints.clone(), first_channels: self.first_channels.clone(), values, ..*self }
+    }
+
+    /// Returns all channel values in row-major order, to be changed.
+    pub(crate) fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
     }
 
     /// Sets the time between frames, in seconds.

@@ -2,15 +2,19 @@
 
 use std::fmt::Write;
 
-use crate::bvh::{Channel, Clip, JointKind, PositionRule};
+use crate::bvh::{Axis, Channel, Clip, JointKind, PositionRule};
 
 /// Returns the clip as BVH text with LF line ends and one row per frame.
 ///
 /// Numbers have the fewest digits that read back to the same value and no exponents, so
 /// `parse(write(clip))` returns the same clip. BVH cannot express [`PositionRule::Add`]: such a clip
-/// is written with the offsets added to its position channels, which results in the same motion. An
-/// opening brace in a name, as a file in another encoding than UTF-8 may have it, is written as `(`.
+/// is written with the offsets added to its position channels, which results in the same motion. Nor can it
+/// express [`PositionRule::Global`]: positions are written relative to those of the parents, and the offsets
+/// are those of the first frame. An opening brace in a name, as a file in another encoding than UTF-8 may have it, is written as `(`.
 pub fn write(clip: &Clip) -> String {
+    if clip.position_rule() == PositionRule::Global {
+        return write(&relative_to_parents(clip));
+    }
     let mut text = String::from("HIERARCHY\n");
     write_hierarchy(clip, &mut text);
     let _ = writeln!(text, "MOTION\nFrames: {}\nFrame Time: {}", clip.frame_count(), clip.frame_time());
@@ -25,6 +29,34 @@ pub fn write(clip: &Clip) -> String {
         text.push('\n');
     }
     text
+}
+
+/// Returns a clip of global positions as one whose positions are relative to the parents.
+fn relative_to_parents(clip: &Clip) -> Clip {
+    let mut joints = clip.joints().to_vec();
+    let mut values = clip.values().to_vec();
+    for (index, joint) in joints.iter_mut().enumerate() {
+        let Some(parent) = joint.parent else { continue };
+        for (slot, channel) in clip.channel_range(index).zip(&joint.channels) {
+            let Channel::Position(axis) = channel else { continue };
+            let above = joint_slot(clip, parent, *axis);
+            for frame in 0..clip.frame_count() {
+                let row = clip.row(frame);
+                let value = row[slot] - above.map_or(0.0, |above| row[above]);
+                values[frame * clip.channel_count() + slot] = value;
+                if frame == 0 {
+                    joint.offset[axis.index()] = value;
+                }
+            }
+        }
+    }
+    Clip::new(joints, clip.frame_time(), values)
+}
+
+/// Returns the index in a row of the position of a joint along an axis.
+fn joint_slot(clip: &Clip, joint: usize, axis: Axis) -> Option<usize> {
+    let position = clip.joints()[joint].channels.iter().position(|other| *other == Channel::Position(axis));
+    position.map(|position| clip.channel_range(joint).start + position)
 }
 
 /// Appends the shortest decimal that reads back as `value`, without an exponent.

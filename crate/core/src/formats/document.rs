@@ -105,6 +105,11 @@ pub enum ReadError {
         "the file has no segments: expected a segments document, a BABEL file, annotated segments, or a table"
     )]
     NoSegments,
+    /// The document has the labels of a method only.
+    #[error(
+        "the document has no edits of a person: correct labels and save them, or annotate contact with -1 for unknown frames"
+    )]
+    NoEdits,
     /// The file has segments of other clips only.
     #[error("the file has no segments of {0}")]
     NoClip(String),

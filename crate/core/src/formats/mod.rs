@@ -15,8 +15,8 @@ mod zip;
 pub use document::{FrameRange, Header, Origin, ReadError, Source, VERSION, to_json};
 pub use gait::{GaitExport, GaitFormat, SkeletonGait};
 pub use plants::{
-    Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantExport,
-    PlantFormat, PlantsDocument, read_plants,
+    Belt, EventKind, FootJoints, FootPlants, GaitEvent, GroundUsed, Instant, Joints, MethodUsed, Noise,
+    Plant, PlantExport, PlantFormat, PlantsDocument, events, part_events, read_edits, read_plants,
 };
 pub use segments::{
     DocumentMotif, DocumentSegment, SegmentExport, SegmentFormat, SegmentsDocument, SegmentsMethod,

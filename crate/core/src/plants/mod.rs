@@ -13,6 +13,7 @@
 
 mod annotation;
 mod apply_edits;
+mod corrections;
 mod detect;
 mod detection;
 mod detector;
@@ -28,6 +29,7 @@ mod spectral;
 
 pub use annotation::Annotation;
 pub use apply_edits::apply_edits;
+pub use corrections::{Corrected, Corrections};
 pub use detect::{detect, detect_once, detect_with_standing};
 pub use detection::Detection;
 pub use detector::Detector;

@@ -41,7 +41,7 @@ const UNITS: [(f64, &str, f64); 7] = [
     (0.1, "dm", 1.0),
     (0.0254, "in", 1.5),
     (0.3048, "ft", 2.0),
-    (0.0564, "ASF unit", 1.0),
+    (0.0564, "CMU/ASF unit", 1.0),
 ];
 
 /// Assumed unit of a file.

@@ -4,6 +4,7 @@
 //! is `shared/corpus` next to the project's folder.
 
 mod force_plates;
+mod points;
 mod reading;
 #[path = "../support/roughness.rs"]
 mod roughness;
@@ -11,6 +12,8 @@ mod segments;
 mod skate;
 #[path = "../support/files.rs"]
 mod support;
+#[path = "../support/points.rs"]
+mod support_points;
 
 use std::path::{Path, PathBuf};
 
@@ -31,6 +34,7 @@ fn main() {
         reading::unchanged_clips_keep_every_byte_of_their_files,
         reading::cells_give_long_clips_the_labels_of_all_pairs,
         reading::cells_give_concatenated_clips_the_labels_of_all_pairs,
+        points::points_of_clips_have_the_labels_of_the_clips,
         force_plates::robust_contact_agrees_with_force_plates,
         force_plates::paper_method_has_its_reported_accuracy,
         force_plates::robust_toe_plants_agree_with_contact,

@@ -1,6 +1,7 @@
 //! Sections about foot plants.
 
 pub mod confidence;
+pub mod corrections;
 mod edge_uncertainty;
 pub mod force_plates;
 pub mod frame_rates;

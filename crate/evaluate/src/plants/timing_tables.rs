@@ -23,9 +23,9 @@ const RAW_MARK: &str = "timing in raw capture";
 const SOLVED_MARK: &str = "timing in solved motion";
 
 /// A clip with its true events.
-struct TimedTrial {
-    trial: Trial,
-    truth: TrueEvents,
+pub(super) struct TimedTrial {
+    pub trial: Trial,
+    pub truth: TrueEvents,
     /// Tracks for gaitkit; `None` for generated clips.
     tracks: Option<LegTracks>,
 }
@@ -54,16 +54,31 @@ pub fn write(report: &mut Report, corpus: Option<&Path>, previous: &str) -> anyh
     Ok(())
 }
 
+/// Reads the trials of raw capture.
+pub(super) fn raw_trials(plates: &Path) -> anyhow::Result<Vec<TimedTrial>> {
+    let trial = |path: &PathBuf| {
+        let text = std::fs::read(path.with_extension("json"))?;
+        let measured: Measured = serde_json::from_slice(&text).context("events of a trial")?;
+        let events = measured.events.into_iter().map(Event::from).collect();
+        timed(path, |truth| TrueEvents { events, ..truth })
+    };
+    recorded_paths(plates)?.iter().map(trial).collect()
+}
+
+/// Reads the trials of solved motion; frames near unknown ones are unknown.
+pub(super) fn solved_trials(corpus: &Path) -> anyhow::Result<Vec<TimedTrial>> {
+    let mask = |truth: TrueEvents| {
+        let masked = truth
+            .contact
+            .each_ref()
+            .map(|labels| plantigrade::score::mask_near_unknown(labels, truth.frame_time));
+        TrueEvents::from_labels(masked, truth.frame_time)
+    };
+    recorded_paths(&corpus.join("contact"))?.iter().map(|path| timed(path, mask)).collect()
+}
+
 fn raw_capture(report: &mut Report, plates: &Path) -> anyhow::Result<()> {
-    let trials = recorded_paths(plates)?
-        .iter()
-        .map(|path| {
-            let text = std::fs::read(path.with_extension("json"))?;
-            let measured: Measured = serde_json::from_slice(&text).context("events of a trial")?;
-            let events = measured.events.into_iter().map(Event::from).collect();
-            timed(path, |truth| TrueEvents { events, ..truth })
-        })
-        .collect::<anyhow::Result<Vec<_>>>()?;
+    let trials = raw_trials(plates)?;
     report.begin_section(RAW_MARK);
     report.text("### Raw capture");
     report.text(&format!(
@@ -81,17 +96,7 @@ fn raw_capture(report: &mut Report, plates: &Path) -> anyhow::Result<()> {
 }
 
 fn solved_motion(report: &mut Report, corpus: &Path) -> anyhow::Result<()> {
-    let mask = |truth: TrueEvents| {
-        let masked = truth
-            .contact
-            .each_ref()
-            .map(|labels| plantigrade::score::mask_near_unknown(labels, truth.frame_time));
-        TrueEvents::from_labels(masked, truth.frame_time)
-    };
-    let trials = recorded_paths(&corpus.join("contact"))?
-        .iter()
-        .map(|path| timed(path, mask))
-        .collect::<anyhow::Result<Vec<_>>>()?;
+    let trials = solved_trials(corpus)?;
     report.begin_section(SOLVED_MARK);
     report.text("### Solved motion");
     report.text(&format!(

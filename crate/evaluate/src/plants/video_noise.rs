@@ -99,6 +99,19 @@ pub fn write(report: &mut Report, corpus: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// Returns the trials of each activity with noise of a level, one draw each.
+pub(super) fn noisy_trials(corpus: &Path, level: f64) -> anyhow::Result<Vec<(&'static str, Vec<Trial>)>> {
+    let recordings = super::timing_tables::recorded_paths(&corpus.join("contact"))?
+        .iter()
+        .map(|path| Recording::read(path))
+        .collect::<anyhow::Result<Vec<_>>>()?;
+    let of_activity = |(activity, _): (&'static str, _)| {
+        let recordings = recordings.iter().filter(|recording| recording.activity == activity);
+        (activity, recordings.map(|recording| recording.noisy(level, 0)).collect())
+    };
+    Ok(ACTIVITIES.map(of_activity).into())
+}
+
 impl Recording {
     fn read(path: &Path) -> anyhow::Result<Recording> {
         #[derive(serde::Deserialize)]

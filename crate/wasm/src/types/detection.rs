@@ -130,6 +130,15 @@ pub struct EditInfo {
     pub planted: bool,
 }
 
+/// Changes of labels by which corrections apply to similar motion.
+#[derive(Debug, Serialize, Deserialize, Tsify)]
+pub struct SimilarInfo {
+    /// The changes, as edits.
+    pub changes: Vec<EditInfo>,
+    /// Number of plants that they change, add or remove.
+    pub plants: usize,
+}
+
 impl From<Edit> for EditInfo {
     fn from(Edit { side, part, start, end, planted }: Edit) -> EditInfo {
         EditInfo { side, part, start, end, planted }

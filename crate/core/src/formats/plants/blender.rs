@@ -79,7 +79,7 @@ fn blender_script(export: &PlantExport) -> String {
 }
 
 /// Returns a text as a Python literal: JSON strings in ASCII are Python literals.
-fn literal(text: &str) -> String {
+pub(super) fn literal(text: &str) -> String {
     let json = serde_json::Value::from(text).to_string();
     let mut literal = String::with_capacity(json.len());
     for c in json.chars() {

@@ -10,7 +10,7 @@ use crate::foot::{Part, Side};
 use crate::formats::document::{FrameRange, Header, Origin, Source};
 use crate::intervals::intervals;
 use crate::notice::Notice;
-use crate::plants::{CaptureNoise, Detection, Edge, Ground};
+use crate::plants::{CaptureNoise, Detection, Edge, Edit, Ground};
 use crate::skate::Contacts;
 use crate::skeleton::Skeleton;
 
@@ -38,6 +38,9 @@ pub struct PlantsDocument {
     pub left: FootPlants,
     /// Plants of the right foot.
     pub right: FootPlants,
+    /// Corrections of a person, in the order in which they apply; later ones override earlier ones.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub edits: Vec<Edit>,
     /// Notices of the reader and of the detector.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notices: Vec<Notice>,
@@ -184,6 +187,11 @@ pub struct Instant {
     pub uncertainty_ms: f64,
 }
 
+impl MethodUsed {
+    /// Name of measured or generated plants.
+    pub const TRUTH: &'static str = "truth";
+}
+
 impl From<&Edge> for Instant {
     /// Rounds the time to microseconds and the uncertainty to tenths of a millisecond.
     fn from(edge: &Edge) -> Instant {
@@ -247,6 +255,7 @@ impl PlantsDocument {
             },
             left: foot(Side::Left),
             right: foot(Side::Right),
+            edits: detection.edits.clone(),
             notices: [notices, &skeleton.notices, &detection.notices].concat(),
         }
     }
@@ -337,6 +346,7 @@ mod tests {
             method: MethodUsed { name: "paper".into(), r: Some(0.001), w: Some(1), sigma: None },
             left,
             right: FootPlants::default(),
+            edits: vec![Edit { side: Side::Left, part: Part::Toe, start: 2, end: 4, planted: true }],
             notices: vec![Notice::new(Code::NoToe, "No toes.")],
         };
         let text = serde_json::to_string(&document).unwrap();

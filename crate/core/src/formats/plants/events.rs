@@ -10,24 +10,34 @@ use crate::numeric::sort;
 use crate::plants::{Detection, Edge, FootLabels};
 
 /// Beginning or end of the contact of a foot or a part.
-#[derive(Clone, Copy)]
-pub(super) struct GaitEvent {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaitEvent {
     /// First frame after the event.
     pub frame: usize,
+    /// The foot.
     pub side: Side,
+    /// Kind of the event.
     pub kind: EventKind,
     /// Instant, if it is known more exactly than the frame.
     pub instant: Option<Instant>,
 }
 
-#[derive(Clone, Copy)]
-pub(super) enum EventKind {
+/// Kind of a [`GaitEvent`], in the order of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EventKind {
+    /// The foot touches the ground.
     Strike,
+    /// The heel touches the ground.
     HeelStrike,
+    /// The toe touches the ground.
     ToeStrike,
+    /// Heel and toe are both on the ground for the first time.
     FootFlat,
+    /// The heel leaves the ground.
     HeelOff,
+    /// The toe leaves the ground.
     ToeOff,
+    /// The foot leaves the ground.
     Off,
 }
 
@@ -77,7 +87,7 @@ impl GaitEvent {
 /// Returns the foot strikes and foot offs of a skeleton in order of time.
 ///
 /// Contact that begins or ends with the clip is not an event.
-pub(super) fn events(detection: &Detection) -> Vec<GaitEvent> {
+pub fn events(detection: &Detection) -> Vec<GaitEvent> {
     let mut events = Vec::new();
     for side in Side::BOTH {
         let labels = detection.principal().foot(side);
@@ -92,7 +102,7 @@ pub(super) fn events(detection: &Detection) -> Vec<GaitEvent> {
 /// them: foot strike, heel strike, toe strike, foot flat, heel off, toe off, foot off.
 ///
 /// Parts without labels have no events; otherwise like [`events`].
-pub(super) fn part_events(detection: &Detection, frame_time: f64) -> Vec<GaitEvent> {
+pub fn part_events(detection: &Detection, frame_time: f64) -> Vec<GaitEvent> {
     let mut events = events(detection);
     for side in Side::BOTH {
         for (part, kinds) in [

@@ -51,6 +51,15 @@ fn read(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
     Ok(Annotation { parts: vec![(Part::Contact, [known(left), known(right)])] })
 }
 
+/// Reads a plants document; `None` if the bytes are something else.
+///
+/// # Errors
+/// If the document is malformed or has an unknown version.
+pub(super) fn document(bytes: &[u8]) -> Result<Option<PlantsDocument>, ReadError> {
+    let value: Option<Value> = text_of(bytes).and_then(|text| serde_json::from_str(text).ok());
+    value.filter(|value| value["format"] == PlantsDocument::FORMAT).map(from_json).transpose()
+}
+
 /// Returns the labels of a document for the parts that both feet have.
 ///
 /// # Errors

@@ -2,6 +2,7 @@
 
 mod blender;
 mod document;
+mod engines;
 mod events;
 mod export;
 mod json;
@@ -11,11 +12,12 @@ mod tables;
 pub use document::{
     Belt, FootJoints, FootPlants, GroundUsed, Instant, Joints, MethodUsed, Noise, Plant, PlantsDocument,
 };
+pub use events::{EventKind, GaitEvent, events, part_events};
 pub use export::PlantExport;
 
 use crate::formats::document::ReadError;
 use crate::formats::format_info::FormatInfo;
-use crate::plants::Annotation;
+use crate::plants::{Annotation, Edit};
 use crate::registry::registry;
 use export::{Reader, Writer};
 
@@ -37,6 +39,10 @@ registry! {
         Npz => npz::FORMAT_INFO,
         /// Blender script.
         Blender => blender::FORMAT_INFO,
+        /// Script for Unreal Engine.
+        Unreal => engines::UNREAL,
+        /// Script for Unity.
+        Unity => engines::UNITY,
     }
 }
 
@@ -82,6 +88,33 @@ pub fn read_plants(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError>
     if annotation.parts.is_empty() { Err(ReadError::NoPlants) } else { Ok(annotation) }
 }
 
+/// Reads the corrections of a person in a clip with `frames` frames: the edits of a plants document, or edits
+/// that state the known labels of another file of [`read_plants`].
+///
+/// # Errors
+/// If the file cannot be read, belongs to a clip of another length, or is the document of a method without
+/// edits.
+pub fn read_edits(bytes: &[u8], frames: usize) -> Result<Vec<Edit>, ReadError> {
+    match json::document(bytes)? {
+        Some(document) if document.header.frames != frames => {
+            Err(ReadError::Length { found: document.header.frames, frames })
+        }
+        Some(document) if !document.edits.is_empty() => {
+            let is_invalid = |edit: &&Edit| edit.start >= edit.end || edit.end > frames;
+            match document.edits.iter().find(is_invalid) {
+                Some(Edit { start, end, .. }) => {
+                    let message =
+                        format!("an edit cannot last from frame {start} to {end} of {frames} frames");
+                    Err(ReadError::Invalid(message))
+                }
+                None => Ok(document.edits),
+            }
+        }
+        Some(document) if document.method.name != MethodUsed::TRUTH => Err(ReadError::NoEdits),
+        _ => Ok(read_plants(bytes, frames)?.edits()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,6 +141,29 @@ mod tests {
         let expected =
             [edit(Side::Left, 0, 1, false), edit(Side::Left, 1, 3, true), edit(Side::Right, 3, 4, true)];
         assert_eq!(annotation.edits(), expected);
+    }
+
+    #[test]
+    fn edits_are_read_from_documents_and_annotations() {
+        let document = |method: &str, edits: &str| {
+            format!(
+                r#"{{"format": "{}", "version": 1, "source": {{"name": "a"}}, "frames": 4, "rate": 30,
+                "method": {{"name": "{method}"}}, "left": {{"contact": []}}, "right": {{"contact": []}},
+                "edits": [{edits}]}}"#,
+                PlantsDocument::FORMAT
+            )
+        };
+        let read = |text: &str| read_edits(text.as_bytes(), 4);
+        let stated = r#"{"side": "left", "part": "toe", "start": 1, "end": 3, "planted": true}"#;
+        let edit = Edit { side: Side::Left, part: Part::Toe, start: 1, end: 3, planted: true };
+        assert_eq!(read(&document("robust", stated)), Ok(vec![edit]));
+        assert_eq!(read(&document("robust", "")), Err(ReadError::NoEdits));
+        assert_eq!(read(&document("truth", "")).map(|edits| edits.len()), Ok(2));
+        assert!(matches!(read(&document("robust", &stated.replace('3', "5"))), Err(ReadError::Invalid(_))));
+        let length = read_edits(document("robust", stated).as_bytes(), 5);
+        assert_eq!(length, Err(ReadError::Length { found: 4, frames: 5 }));
+        let annotated = read(r#"{"left": [-1, 1, 0, -1], "right": [-1, -1, -1, -1]}"#).unwrap();
+        assert_eq!(annotated.iter().map(|edit| edit.planted).collect::<Vec<_>>(), [true, false]);
     }
 
     #[test]

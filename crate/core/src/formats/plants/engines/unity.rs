@@ -1,0 +1,84 @@
+//! Foot events as an editor script of Unity.
+
+use std::fmt::Write;
+
+use super::{TimedEvent, duration, identifier, timed_events};
+use crate::formats::format_info::FormatInfo;
+use crate::formats::plants::export::{PlantExport, Reader, Writer};
+
+pub(in super::super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
+    name: "unity",
+    title: "Unity",
+    description: "An editor script that adds animation events to a clip in Unity.",
+    extension: "unity.cs",
+    media_type: "text/x-csharp",
+    write: |export| script(export).into_bytes(),
+    read: None,
+};
+
+/// Second part of the script, which uses the data of the first part.
+const BODY: &str = include_str!("unity.cs");
+
+/// Returns an editor script, with a menu command that adds the foot events of a clip to the animation clip, or
+/// the imported model, that is selected in the project window.
+///
+/// Each event calls `OnFootEvent` with its name, `FootStrike_L`, `HeelStrike_L`, …, and requires no receiver.
+/// Times are those of the clip, in seconds; they are scaled if the animation has another duration. A second run
+/// replaces what the first one added; another command removes it. Curves, root motion and other events are not
+/// changed.
+fn script(export: &PlantExport) -> String {
+    let class = identifier(&export.source.name);
+    let mut script = String::from(
+        "// Foot events for Unity: put this script into a folder named Editor, select the animation clip or its\n\
+         // model in the project window, and choose Assets > Plantigrade > Add foot events. Each event calls\n\
+         // OnFootEvent(string name) of the scripts of the animated object, if there is one.\n\
+         #if UNITY_EDITOR\n\
+         using System;\nusing System.Collections.Generic;\nusing UnityEditor;\nusing UnityEngine;\n\n\
+         namespace Plantigrade\n{\n",
+    );
+    // Writing to a String cannot fail.
+    let _ = writeln!(script, "    static class FootEvents_{class}\n    {{");
+    let _ = writeln!(script, "        // File name of the clip.");
+    let _ = writeln!(script, "        const string Menu = {};", literal(&export.source.name));
+    let _ = writeln!(script, "        // Frame rate in Hz, and duration in seconds.");
+    let _ = writeln!(script, "        const float Rate = {:?}f;", (1.0 / export.clip.frame_time()) as f32);
+    let _ = writeln!(script, "        const float Duration = {:?}f;", duration(export) as f32);
+    let _ = writeln!(script, "        // Time in seconds and name of each event.");
+    let _ = writeln!(script, "        static readonly KeyValuePair<float, string>[] Events =\n        {{");
+    for TimedEvent { time, name, .. } in timed_events(export) {
+        let _ = writeln!(script, "            new KeyValuePair<float, string>({time:.6}f, \"{name}\"),");
+    }
+    script.push_str("        };\n");
+    script.push_str(BODY);
+    script
+}
+
+/// Returns a text as a C# string literal for a menu, in which a slash opens a submenu and other special
+/// characters are shortcuts.
+fn literal(text: &str) -> String {
+    let mut literal = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '/' | '%' | '#' | '&' | '\\' | '"' => literal.push('_'),
+            ' '..='~' => literal.push(c),
+            _ => {
+                for unit in c.encode_utf16(&mut [0; 2]) {
+                    let _ = write!(literal, "\\u{unit:04x}");
+                }
+            }
+        }
+    }
+    literal.push('"');
+    literal
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_text_becomes_a_literal() {
+        assert_eq!(literal("walk 1.bvh"), "\"walk 1.bvh\"");
+        assert_eq!(literal("a/b\\\"c\n𝄞"), "\"a_b__c\\u000a\\ud834\\udd1e\"");
+    }
+}

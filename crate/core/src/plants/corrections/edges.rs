@@ -1,0 +1,235 @@
+//! Boundaries of plants that are early or late.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::foot::Part;
+use crate::intervals::intervals;
+use crate::plants::corrections::profile::{Profile, affinity, difference};
+use crate::plants::corrections::{Example, MIN_AFFINITY};
+use crate::plants::{Edge, FootLabels};
+
+/// Time before and after a boundary within which boundaries must be similar, in seconds.
+const REACH: f64 = 0.25;
+/// Time before and after a boundary within which boundaries are aligned, in seconds.
+const ALIGNED_REACH: f64 = 0.1;
+/// Interval of the compared samples, in seconds.
+const STEP: f64 = 0.025;
+/// Maximum shift of an alignment, and the interval of the tried shifts, in seconds.
+const MAX_SHIFT: f64 = 0.2;
+const SHIFT_STEP: f64 = 0.004;
+/// Root mean square difference of two windows at which the affinity is 1/e.
+const BANDWIDTH: f64 = 0.15;
+/// Standard deviation of boundaries whose instant is known to the frame only, in seconds.
+const FRAME_UNCERTAINTY: f64 = 0.03;
+/// Numbers of standard deviations up to which a correction does not count and from which it counts in full.
+const SIGNIFICANT: [f64; 2] = [2.0, 3.0];
+/// Maximum ratio of the error of a correction to the error of the detection with which the correction is used.
+const MAX_ERROR_RATIO: f64 = 0.5;
+
+/// A boundary of a plant that a person corrected or confirmed.
+#[derive(Clone, Debug)]
+pub(super) struct EdgeExample {
+    pub part: Part,
+    /// True for a foot strike, false for a foot off.
+    is_strike: bool,
+    profile: Arc<Profile>,
+    /// Detected and corrected time, in seconds.
+    detected: f64,
+    corrected: f64,
+    /// Variance of the difference of these times due to the error of the detected time and to the frames of
+    /// the correction, in seconds squared.
+    variance: f64,
+}
+
+impl EdgeExample {
+    /// Returns the corrected time minus the detected time, in seconds.
+    pub fn offset(&self) -> f64 {
+        self.corrected - self.detected
+    }
+
+    /// Returns the affinity of a boundary to the detected one.
+    fn affinity(&self, profile: &Profile, time: f64) -> f64 {
+        affinity(&window(&self.profile, self.detected, REACH), &window(profile, time, REACH), BANDWIDTH)
+    }
+
+    /// Returns the time near a boundary at which the motion is most similar to that at the corrected time.
+    fn align(&self, profile: &Profile, time: f64) -> f64 {
+        let pattern = window(&self.profile, self.corrected, ALIGNED_REACH);
+        let steps = (MAX_SHIFT / SHIFT_STEP).round() as i32;
+        let at = |step: i32| time + f64::from(step) * SHIFT_STEP;
+        let differences: Vec<f64> = (-steps..=steps)
+            .map(|step| difference(&pattern, &window(profile, at(step), ALIGNED_REACH)))
+            .collect();
+        let best = (0..differences.len()).min_by(|a, b| differences[*a].total_cmp(&differences[*b]));
+        let best = best.expect("at least one shift");
+        // The vertex of the parabola through the best three shifts.
+        let fraction = match differences.get(best.wrapping_sub(1)..best + 2) {
+            Some(&[before, here, after]) if before + after > 2.0 * here => {
+                (before - after) / (2.0 * (before + after - 2.0 * here))
+            }
+            _ => 0.0,
+        };
+        at(best as i32 - steps) + fraction * SHIFT_STEP
+    }
+}
+
+/// Returns the motion around a time.
+fn window(profile: &Profile, time: f64, reach: f64) -> Vec<f32> {
+    let steps = (reach / STEP).round() as i32;
+    profile.window((-steps..=steps).map(move |step| time + f64::from(step) * STEP))
+}
+
+/// Returns time and standard deviation of a boundary, in seconds.
+fn instant(labels: &FootLabels, frame: usize, frame_time: f64) -> (f64, f64) {
+    let edge = labels.edge(frame);
+    (labels.boundary_time(frame, frame_time), edge.map_or(FRAME_UNCERTAINTY, |edge| edge.uncertainty))
+}
+
+/// A boundary of labels and its correction.
+pub(super) struct Match {
+    /// First frame after the boundary before the correction.
+    pub old: usize,
+    /// First frame after the boundary after the correction.
+    pub new: usize,
+    is_strike: bool,
+}
+
+/// Returns the boundaries of plants that overlap before and after a correction.
+pub(super) fn matches(before: &[bool], after: &[bool]) -> Vec<Match> {
+    let (old, new) = (intervals(before), intervals(after));
+    let overlap = |a: &Range<usize>, b: &Range<usize>| a.start < b.end && b.start < a.end;
+    let mut matches = Vec::new();
+    for plant in &old {
+        let mut overlapping = new.iter().filter(|other| overlap(plant, other));
+        let Some(first) = overlapping.next() else { continue };
+        let last = overlapping.next_back().unwrap_or(first);
+        // Of several plants that a correction joins, the outer boundaries count.
+        if old.iter().find(|other| overlap(other, first)) == Some(plant) {
+            matches.push(Match { old: plant.start, new: first.start, is_strike: true });
+        }
+        if old.iter().rfind(|other| overlap(other, last)) == Some(plant) {
+            matches.push(Match { old: plant.end, new: last.end, is_strike: false });
+        }
+    }
+    matches
+}
+
+/// Returns the boundaries that a person stated.
+pub(super) fn learn(example: &Example, profile: &Arc<Profile>) -> Vec<EdgeExample> {
+    let Example { part, before, after, stated, .. } = example;
+    let frame_time = profile.frame_time;
+    let is_inside = |frame: usize| frame > 0 && frame < stated.len();
+    let is_stated =
+        |edge: &Match| is_inside(edge.old) && is_inside(edge.new) && stated[edge.new - 1] && stated[edge.new];
+    let edges = matches(&before.planted, &after.planted).into_iter().filter(is_stated);
+    let examples = edges.map(|Match { old, new, is_strike }| {
+        let (detected, deviation) = instant(before, old, frame_time);
+        // A confirmed boundary is known more exactly than to the frame.
+        let corrected = if old == new { detected } else { (new as f64 - 0.5) * frame_time };
+        let variance = deviation.powi(2) + frame_time.powi(2) / 12.0;
+        EdgeExample { part: *part, is_strike, profile: profile.clone(), detected, corrected, variance }
+    });
+    examples.collect()
+}
+
+/// Estimate of the instants of similar boundaries, in order of preference.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Rule {
+    /// The detected instant.
+    Keep,
+    /// A constant time after the detected instant.
+    Shift,
+    /// The instant at which the motion is most similar to that of the corrected boundaries.
+    Align,
+}
+
+/// Returns the rule that is best for boundaries of which each one is corrected by means of the others
+/// (leave-one-out cross-validation). Needs at least two.
+fn best_rule(examples: &[&EdgeExample]) -> Rule {
+    let others = |index: usize| examples.iter().enumerate().filter(move |(other, _)| *other != index);
+    let mean_square = |error: &dyn Fn(usize) -> f64| {
+        (0..examples.len()).map(|index| error(index).powi(2)).sum::<f64>() / examples.len() as f64
+    };
+    let mean_of_others = |index: usize, value: &dyn Fn(&EdgeExample) -> f64| {
+        others(index).map(|(_, other)| value(other)).sum::<f64>() / (examples.len() - 1) as f64
+    };
+    let keep = mean_square(&|index| examples[index].offset());
+    let shift = mean_square(&|index| examples[index].offset() - mean_of_others(index, &EdgeExample::offset));
+    let align = mean_square(&|index| {
+        let EdgeExample { profile, detected, corrected, .. } = examples[index];
+        mean_of_others(index, &|other| other.align(profile, *detected)) - corrected
+    });
+    let expected = examples.iter().map(|example| example.variance).sum::<f64>() / examples.len() as f64;
+    let is_better = |error: f64| keep > expected && error < MAX_ERROR_RATIO.powi(2) * keep;
+    if is_better(align) && align < shift {
+        Rule::Align
+    } else if is_better(shift) {
+        Rule::Shift
+    } else {
+        Rule::Keep
+    }
+}
+
+/// Returns the corrected time of a boundary that was detected at `time`; the same time if no correction applies.
+fn corrected_time(examples: &[&EdgeExample], is_strike: bool, profile: &Profile, time: f64) -> f64 {
+    let of_kind = examples.iter().copied().filter(|example| example.is_strike == is_strike);
+    let similar: Vec<&EdgeExample> =
+        of_kind.filter(|example| example.affinity(profile, time) >= MIN_AFFINITY).collect();
+    let count = similar.len() as f64;
+    let mean = |value: &dyn Fn(&EdgeExample) -> f64| {
+        similar.iter().map(|example| value(example)).sum::<f64>() / count
+    };
+    match similar[..] {
+        [] => time,
+        // A single correction must be larger than the uncertainty of the boundary explains (firm shrinkage, Gao
+        // and Bruce 1997).
+        [example] => {
+            let [low, high] = SIGNIFICANT.map(|deviations| deviations * example.variance.sqrt());
+            let offset = example.offset();
+            time + offset * ((offset.abs() - low) / (high - low)).clamp(0.0, 1.0)
+        }
+        _ => match best_rule(&similar) {
+            Rule::Keep => time,
+            Rule::Shift => time + mean(&EdgeExample::offset),
+            Rule::Align => mean(&|example| example.align(profile, time)),
+        },
+    }
+}
+
+/// Moves the boundaries that are similar to corrected ones; those of `fixed` frames stay.
+pub(super) fn apply(examples: &[&EdgeExample], profile: &Profile, fixed: &[bool], labels: &mut FootLabels) {
+    if examples.iter().all(|example| example.offset() == 0.0) {
+        return;
+    }
+    let frame_time = profile.frame_time;
+    let frames = labels.planted.len();
+    let old: Vec<usize> =
+        (1..frames).filter(|&frame| labels.planted[frame] != labels.planted[frame - 1]).collect();
+    let mut moved: Vec<(usize, Option<Edge>)> = Vec::with_capacity(old.len());
+    for (index, &frame) in old.iter().enumerate() {
+        let unchanged = (frame, labels.edge(frame).copied());
+        let (time, uncertainty) = instant(labels, frame, frame_time);
+        let is_strike = labels.planted[frame];
+        let is_fixed = fixed[frame - 1] || fixed[frame];
+        let corrected = if is_fixed { time } else { corrected_time(examples, is_strike, profile, time) };
+        // Contact changes with the first frame after the instant.
+        let new = ((corrected / frame_time).floor() + 1.0).clamp(1.0, frames as f64 - 1.0) as usize;
+        let previous = moved.last().map_or(0, |(frame, _)| *frame);
+        let next = old.get(index + 1).copied().unwrap_or(frames);
+        let is_free = new > previous && new < next && !fixed[frame.min(new)..frame.max(new)].contains(&true);
+        moved.push(if corrected == time || !is_free {
+            unchanged
+        } else {
+            (new, unchanged.1.map(|_| Edge { frame: new, time: corrected, uncertainty }))
+        });
+    }
+    let mut planted = labels.planted[0];
+    let mut start = 0;
+    for (frame, _) in &moved {
+        labels.planted[start..*frame].fill(planted);
+        (start, planted) = (*frame, !planted);
+    }
+    labels.planted[start..].fill(planted);
+    labels.edges = moved.into_iter().filter_map(|(_, edge)| edge).collect();
+}

@@ -1,0 +1,354 @@
+//! Corrections of a person, applied to similar motion.
+//!
+//! A person corrects a few plants. The corrected frames are constraints of the spectral clustering, as in
+//! Kamvar, Klein and Manning, *Spectral learning* (IJCAI 2003): their labels are given, and other motion
+//! takes part in a correction as far as its affinity to the corrected motion reaches. Motion without such
+//! affinity keeps the labels of the clustering.
+//!
+//! Two things can be wrong. The boundary of a plant can be early or late: [`edges`] moves alike boundaries
+//! by the same time. Or a run of frames has the wrong label, such as a foot that is held still in the air:
+//! [`runs`] changes the label of alike runs. Affinities are those of windows of height and speed in leg
+//! lengths, so that corrections apply to other clips of the same character as well.
+
+mod edges;
+mod profile;
+mod runs;
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::foot::{Part, Side};
+use crate::intervals::intervals;
+use crate::plants::{Detection, Edit, Feet, FootLabels, apply_edits};
+use edges::EdgeExample;
+use profile::Profile;
+use runs::RunExample;
+
+/// Minimum affinity of motion to which a correction applies.
+const MIN_AFFINITY: f64 = 0.5;
+
+/// Corrections of a person, with the motion that was corrected.
+#[derive(Clone, Debug, Default)]
+pub struct Corrections {
+    edges: Vec<EdgeExample>,
+    runs: Vec<RunExample>,
+}
+
+/// Labels after corrections were applied to similar motion.
+#[derive(Clone, Debug)]
+pub struct Corrected {
+    /// Detection with the corrections, and the edits of this clip, applied.
+    pub detection: Detection,
+    /// Changes of labels outside of the edits, as edits; in order of part, side and frame.
+    pub changes: Vec<Edit>,
+    /// Number of plants that were changed, added or removed outside of the edits.
+    pub plants: usize,
+}
+
+impl Corrections {
+    /// Learns from the edits of a clip.
+    ///
+    /// `detection` has the labels of the method, without edits. Edits that agree with the detection count as
+    /// well: they confirm its labels.
+    pub fn learn(feet: &Feet, detection: &Detection, edits: &[Edit]) -> Corrections {
+        let edited = apply_edits(detection, edits, feet.frame_time);
+        let mut corrections = Corrections::default();
+        for (before, after) in detection.parts.iter().zip(&edited.parts) {
+            for side in Side::BOTH {
+                let example = Example::new(before.part, side, before.foot(side), after.foot(side), edits);
+                if example.is_empty() {
+                    continue;
+                }
+                let profile = Arc::new(Profile::new(feet, detection, side));
+                corrections.edges.extend(edges::learn(&example, &profile));
+                corrections.runs.extend(runs::learn(&example, &profile));
+            }
+        }
+        corrections
+    }
+
+    /// Adds the corrections of another clip of the same character.
+    pub fn extend(&mut self, other: Corrections) {
+        self.edges.extend(other.edges);
+        self.runs.extend(other.runs);
+    }
+
+    /// True if no correction was learnt: the edits confirm the labels.
+    pub fn is_empty(&self) -> bool {
+        self.edges.iter().all(|edge| edge.offset() == 0.0) && self.runs.iter().all(|run| run.is_confirmed)
+    }
+
+    /// Applies the corrections to the similar motion of a clip, then the edits of that clip.
+    ///
+    /// `detection` has the labels of the method, without edits. Frames of `edits` are not changed otherwise.
+    pub fn apply(&self, feet: &Feet, detection: &Detection, edits: &[Edit]) -> Corrected {
+        let before = apply_edits(detection, edits, feet.frame_time);
+        let mut corrected = detection.clone();
+        for side in Side::BOTH {
+            let profile = Profile::new(feet, detection, side);
+            for index in 0..corrected.parts.len() {
+                let part = corrected.parts[index].part;
+                let labels = &mut corrected.parts[index].feet[side as usize];
+                let fixed = edited_frames(edits, part, side, labels.planted.len());
+                let of_foot = |run: &&RunExample| run.part == part && run.side == side;
+                let runs: Vec<&RunExample> = self.runs.iter().filter(of_foot).collect();
+                runs::apply(&runs, &profile, &fixed, labels);
+                let edges: Vec<&EdgeExample> = self.edges.iter().filter(|edge| edge.part == part).collect();
+                edges::apply(&edges, &profile, &fixed, labels);
+            }
+            keep_parts_within_contact(&mut corrected, side);
+        }
+        let detection = apply_edits(&corrected, edits, feet.frame_time);
+        let changes = changes(&before, &detection);
+        let plants = changed_plants(&before, &detection);
+        Corrected { detection, changes, plants }
+    }
+}
+
+/// Labels of one part of one foot before and after a person corrected them.
+struct Example<'a> {
+    part: Part,
+    side: Side,
+    before: &'a FootLabels,
+    after: &'a FootLabels,
+    /// Frames whose label a person stated.
+    stated: Vec<bool>,
+}
+
+impl<'a> Example<'a> {
+    fn new(
+        part: Part,
+        side: Side,
+        before: &'a FootLabels,
+        after: &'a FootLabels,
+        edits: &[Edit],
+    ) -> Example<'a> {
+        let of_part = edits.iter().filter(|edit| edit.part == part).copied().collect::<Vec<_>>();
+        let stated = edited_frames(&of_part, part, side, before.planted.len());
+        Example { part, side, before, after, stated }
+    }
+
+    /// True if no frame was stated.
+    fn is_empty(&self) -> bool {
+        !self.stated.contains(&true)
+    }
+}
+
+/// Returns which frames have a label that an edit implies.
+fn edited_frames(edits: &[Edit], part: Part, side: Side, frames: usize) -> Vec<bool> {
+    let mut edited = vec![false; frames];
+    for edit in edits.iter().filter(|edit| edit.side == side && edit.implied(part).is_some()) {
+        let end = edit.end.min(frames);
+        edited[edit.start.min(end)..end].fill(true);
+    }
+    edited
+}
+
+/// Removes heel and toe where the foot is not in contact.
+fn keep_parts_within_contact(detection: &mut Detection, side: Side) {
+    let Some(contact) = detection.part(Part::Contact).map(|labels| labels.foot(side).planted.clone()) else {
+        return;
+    };
+    for labels in detection.parts.iter_mut().filter(|labels| labels.part != Part::Contact) {
+        let planted = &mut labels.feet[side as usize].planted;
+        planted.iter_mut().zip(&contact).for_each(|(planted, contact)| *planted &= contact);
+    }
+}
+
+/// Returns the differences of two detections as edits of the second one. Heel and toe are listed where
+/// they do not follow from contact.
+fn changes(before: &Detection, after: &Detection) -> Vec<Edit> {
+    let mut changes: Vec<Edit> = Vec::new();
+    for (old, new) in before.parts.iter().zip(&after.parts) {
+        for side in Side::BOTH {
+            let (old, now) = (&old.foot(side).planted, &new.foot(side).planted);
+            let differs: Vec<bool> = old.iter().zip(now).map(|(old, now)| old != now).collect();
+            for run in intervals(&differs) {
+                for range in now[run.clone()].chunk_by(|a, b| a == b).scan(run.start, |start, chunk| {
+                    let range = *start..*start + chunk.len();
+                    *start = range.end;
+                    Some(range)
+                }) {
+                    let edit = Edit {
+                        side,
+                        part: new.part,
+                        start: range.start,
+                        end: range.end,
+                        planted: now[range.start],
+                    };
+                    let follows = changes.iter().any(|other| {
+                        other.side == side
+                            && other.part == Part::Contact
+                            && !other.planted
+                            && !edit.planted
+                            && other.start <= edit.start
+                            && edit.end <= other.end
+                    });
+                    if !follows {
+                        changes.push(edit);
+                    }
+                }
+            }
+        }
+    }
+    changes
+}
+
+/// Returns the number of plants of the principal part that differ: those of either detection, of which
+/// those that overlap count once.
+fn changed_plants(before: &Detection, after: &Detection) -> usize {
+    let count = |side: Side| {
+        let [old, new] =
+            [before, after].map(|detection| intervals(&detection.principal().foot(side).planted));
+        let overlaps = |a: &Range<usize>, b: &Range<usize>| a.start < b.end && b.start < a.end;
+        let changed = new.iter().filter(|plant| !old.contains(plant)).count();
+        let removed = old.iter().filter(|plant| !new.iter().any(|other| overlaps(plant, other))).count();
+        changed + removed
+    };
+    Side::BOTH.into_iter().map(count).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plants::{FootTracks, Ground, PartLabels, ValidParams};
+    use crate::skeleton::Up;
+
+    const FRAME_TIME: f64 = 0.01;
+    /// Frames of a step: 60 on the ground, 40 in the air.
+    const STEP: usize = 100;
+    const STEPS: usize = 8;
+
+    fn feet() -> Feet {
+        let track = vec![nalgebra::Vector3::zeros(); STEP * STEPS];
+        let foot = || FootTracks { ankle: track.clone(), toe: track.clone(), tip: None };
+        Feet {
+            tracks: [foot(), foot()],
+            hips: track.clone(),
+            up: Up::Y,
+            leg: 1.0,
+            metres_per_unit: 1.0,
+            frame_time: FRAME_TIME,
+        }
+    }
+
+    /// A detection of a left foot that steps, and of a right foot at rest. `height` is the peak height of a
+    /// step; the foot is planted where `planted` says so.
+    fn detection(height: impl Fn(usize) -> f32, planted: impl Fn(usize) -> bool) -> Detection {
+        let frames = STEP * STEPS;
+        let phase = |frame: usize| (frame % STEP).saturating_sub(60) as f32 / 40.0;
+        let swing = |frame: usize| (std::f32::consts::PI * phase(frame)).sin();
+        let stepping = FootLabels {
+            planted: (0..frames).map(planted).collect(),
+            confidence: vec![0.9; frames],
+            height: (0..frames).map(|frame| height(frame / STEP) * swing(frame)).collect(),
+            speed: (0..frames).map(|frame| 10.0 * height(frame / STEP) * swing(frame)).collect(),
+            edges: Vec::new(),
+        };
+        let resting = FootLabels {
+            planted: vec![true; frames],
+            height: vec![0.0; frames],
+            speed: vec![0.0; frames],
+            ..stepping.clone()
+        };
+        Detection {
+            params: ValidParams::default(),
+            parts: vec![PartLabels { part: Part::Contact, feet: [stepping, resting], evidence: None }],
+            ground_height: 0.0,
+            ground: Ground::level(),
+            noise: None,
+            notices: Vec::new(),
+            edits: Vec::new(),
+        }
+    }
+
+    fn edit(start: usize, end: usize, planted: bool) -> Edit {
+        Edit { side: Side::Left, part: Part::Contact, start, end, planted }
+    }
+
+    fn plants(detection: &Detection) -> Vec<Range<usize>> {
+        intervals(&detection.principal().foot(Side::Left).planted)
+    }
+
+    fn apply(detection: &Detection, edits: &[Edit]) -> Corrected {
+        Corrections::learn(&feet(), detection, edits).apply(&feet(), detection, edits)
+    }
+
+    #[test]
+    fn a_corrected_foot_off_moves_similar_ones() {
+        // Plants end 10 frames late.
+        let detected = detection(|_| 0.2, |frame| frame % STEP < 70);
+        let edits = [edit(260, 270, false), edit(200, 260, true)];
+        let corrected = apply(&detected, &edits);
+        let expected: Vec<_> = (0..STEPS).map(|step| step * STEP..step * STEP + 60).collect();
+        assert_eq!(plants(&corrected.detection), expected);
+        assert_eq!(corrected.plants, STEPS - 1);
+        assert!(corrected.changes.iter().all(|change| !change.planted && change.end - change.start == 10));
+        // The changes are edits: added to those of the person, they give the same labels.
+        let all: Vec<Edit> = edits.iter().chain(&corrected.changes).copied().collect();
+        assert_eq!(plants(&apply_edits(&detected, &all, FRAME_TIME)), expected);
+    }
+
+    #[test]
+    fn other_motion_keeps_its_labels() {
+        // The last four steps are low, and their plants end in time.
+        let is_low = |step: usize| step >= 4;
+        let end = |step: usize| if is_low(step) { 60 } else { 70 };
+        let height = |step: usize| if is_low(step) { 0.02 } else { 0.3 };
+        let detected = detection(height, |frame| frame % STEP < end(frame / STEP));
+        let corrected = apply(&detected, &[edit(160, 170, false), edit(100, 160, true)]);
+        let expected: Vec<_> = (0..STEPS).map(|step| step * STEP..step * STEP + 60).collect();
+        assert_eq!(plants(&corrected.detection), expected);
+        assert_eq!(corrected.plants, 3);
+    }
+
+    #[test]
+    fn a_correction_within_the_uncertainty_is_not_applied_elsewhere() {
+        let detected = detection(|_| 0.2, |frame| frame % STEP < 62);
+        let corrected = apply(&detected, &[edit(260, 262, false), edit(200, 260, true)]);
+        assert_eq!((corrected.plants, corrected.changes.len()), (0, 0));
+    }
+
+    #[test]
+    fn confirmed_labels_change_nothing() {
+        let detected = detection(|_| 0.2, |frame| frame % STEP < 60);
+        let edits = [edit(200, 260, true), edit(260, 300, false)];
+        let corrections = Corrections::learn(&feet(), &detected, &edits);
+        assert!(corrections.is_empty());
+        let corrected = corrections.apply(&feet(), &detected, &edits);
+        assert_eq!(plants(&corrected.detection), plants(&detected));
+    }
+
+    #[test]
+    fn similar_false_plants_are_removed_and_edited_frames_stay() {
+        // A plant at the top of each swing.
+        let detected = detection(|_| 0.2, |frame| frame % STEP < 60 || (75..90).contains(&(frame % STEP)));
+        let kept = edit(575, 578, true);
+        let corrected = apply(&detected, &[edit(175, 190, false), kept]);
+        let mut expected: Vec<_> = (0..STEPS).map(|step| step * STEP..step * STEP + 60).collect();
+        expected.insert(6, 575..590);
+        assert_eq!(plants(&corrected.detection), expected);
+    }
+
+    #[test]
+    fn similar_missed_plants_are_added() {
+        // The method has missed the first half of each plant.
+        let detected = detection(|_| 0.2, |frame| (30..60).contains(&(frame % STEP)));
+        let corrected = apply(&detected, &[edit(299, 300, false), edit(300, 330, true)]);
+        let found = plants(&corrected.detection);
+        assert_eq!(found.len(), STEPS);
+        for (step, plant) in found.iter().enumerate().skip(1) {
+            assert!(plant.start.abs_diff(step * STEP) <= 3 && plant.end == step * STEP + 60, "{plant:?}");
+        }
+    }
+
+    #[test]
+    fn corrections_apply_to_another_clip() {
+        let detected = detection(|_| 0.2, |frame| frame % STEP < 70);
+        let corrections =
+            Corrections::learn(&feet(), &detected, &[edit(260, 270, false), edit(200, 260, true)]);
+        let other = detection(|_| 0.21, |frame| frame % STEP < 71);
+        let found = corrections.apply(&feet(), &other, &[]);
+        assert!(plants(&found.detection).iter().all(|plant| plant.len().abs_diff(60) <= 1));
+    }
+}

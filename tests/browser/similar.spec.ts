@@ -1,0 +1,98 @@
+/** Applying an edit to similar plants: offered, shown, accepted, declined and undone. */
+
+import { type App, expect, test } from "./app";
+import { readLabels } from "./labels";
+import { viewports } from "./viewports";
+
+const plants = async (app: App) => {
+  const { left, right } = readLabels(await app.save("Labels"));
+  return [...(left.contact ?? []), ...(right.contact ?? [])].map(({ start, end }) => [start, end]);
+};
+
+const offer = (app: App) => app.timeline.getByText(/similar plants? would change/);
+
+async function toFrame(app: App, frame: number) {
+  await app.playhead.focus();
+  await app.page.keyboard.press("Home");
+  for (let i = 0; i < frame; i++) await app.page.keyboard.press("ArrowRight");
+  expect(await app.frame()).toBe(frame);
+}
+
+/** Moves the end of a plant in the middle of the clip by some frames. */
+async function moveEnd(app: App, by: number): Promise<number> {
+  const labels = readLabels(await app.save("Labels"));
+  const plant = labels.left.contact?.[9];
+  if (!plant) throw new Error("There is no tenth plant.");
+  const { page } = app;
+  await app.playhead.focus();
+  await toFrame(app, plant.start + 1);
+  await page.keyboard.press("e");
+  const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+  await last.fill(String(plant.end - 1 + by));
+  await last.press("Enter");
+  return plant.end + by;
+}
+
+test("applies an edit to similar plants, as one step", async ({ app, page }) => {
+  await app.openSample("straight-jog");
+  const before = await plants(app);
+  await moveEnd(app, -3);
+  await expect(offer(app)).toBeVisible();
+  const edited = await plants(app);
+  // The offer changes nothing.
+  expect(edited.filter((plant, i) => String(plant) !== String(before[i]))).toHaveLength(1);
+  await app.playhead.focus();
+  await page.keyboard.press("y");
+  await expect(offer(app)).toBeHidden();
+  const after = await plants(app);
+  const moved = after.filter(([, end = 0], i) => end < (before[i]?.[1] ?? 0));
+  expect(moved.length).toBeGreaterThan(before.length / 2);
+  await page.keyboard.press("Control+z");
+  expect(await plants(app)).toEqual(edited);
+  await expect(offer(app)).toBeVisible();
+  await page.keyboard.press("Control+z");
+  expect(await plants(app)).toEqual(before);
+  await expect(offer(app)).toBeHidden();
+});
+
+test("leaves similar plants as they are", async ({ app, page }) => {
+  await app.openSample("straight-jog");
+  await moveEnd(app, -3);
+  await expect(offer(app)).toBeVisible();
+  const edited = await plants(app);
+  await app.timeline.getByRole("button", { name: "Leave similar plants as they are" }).click();
+  await expect(offer(app)).toBeHidden();
+  expect(await plants(app)).toEqual(edited);
+  // The next edit is offered again.
+  await app.playhead.focus();
+  await page.keyboard.press("q");
+  await expect(offer(app)).toBeVisible();
+});
+
+test("small edits are not offered for other plants", async ({ app }) => {
+  await app.openSample("curved-walk");
+  const labels = readLabels(await app.save("Labels"));
+  const plant = labels.left.contact?.[1];
+  if (!plant) throw new Error("There is no second plant.");
+  await toFrame(app, plant.start + 1);
+  await app.page.keyboard.press("e");
+  const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+  await last.fill(String(plant.end));
+  await last.press("Enter");
+  await expect.poll(() => plants(app)).toContainEqual([plant.start, plant.end + 1]);
+  await expect(offer(app)).toBeHidden();
+});
+
+for (const name of ["desktop", "phone"] as const) {
+  const viewport = viewports[name];
+  test(`the offer fits on a ${name}`, async ({ app, page }) => {
+    await page.setViewportSize(viewport);
+    await app.openSample("straight-jog");
+    await moveEnd(app, -3);
+    await expect(offer(app)).toBeVisible();
+    const box = await app.timeline.locator(".similar-offer").boundingBox();
+    expect(box && box.x >= 0 && box.x + box.width <= viewport.width && box.y > 0).toBe(true);
+    await app.timeline.getByRole("button", { name: "Apply", exact: true }).click();
+    await expect(offer(app)).toBeHidden();
+  });
+}

@@ -1,0 +1,25 @@
+/** Accepting or declining the offer to apply edits to similar plants. */
+
+import { session } from "../store/clip-session";
+import { similar } from "../store/session";
+import { notify } from "../store/view";
+import { plural } from "../util/format";
+import { commitEdits } from "./edit";
+
+/** Accepts the changes as one edit. */
+export async function applySimilar(): Promise<void> {
+  const found = similar.value;
+  if (!found) return;
+  const clipSession = session.value;
+  clipSession.similar.value = null;
+  const text = `Applied to ${plural(found.plants, "similar plant")}`;
+  await commitEdits([...clipSession.edits.value, ...found.changes], text);
+}
+
+/** Does not offer the changes again until the next edit. */
+export function dismissSimilar() {
+  const clipSession = session.value;
+  clipSession.dismissedSimilar.value = clipSession.edits.value;
+  clipSession.similar.value = null;
+  notify("Similar plants stay as they are");
+}
