@@ -117,6 +117,7 @@ function toHtml(code: string, style: string): string {
     `style-src ${cspHash(css)} ${reportStyleSource}`,
     "worker-src blob:",
     "img-src data: blob:",
+    "media-src blob:",
     "font-src data:",
     "base-uri 'none'",
     "form-action 'none'",

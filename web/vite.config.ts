@@ -13,6 +13,7 @@ const policy = [
   "worker-src 'self' blob:",
   "connect-src 'self' https:",
   "img-src 'self' data: blob:",
+  "media-src blob:",
   "font-src 'self'",
   "manifest-src 'self'",
   "base-uri 'none'",

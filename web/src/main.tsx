@@ -19,6 +19,7 @@ import "./styles/share.css";
 import "uplot/dist/uPlot.min.css";
 import "./styles/evidence.css";
 import "./styles/gait.css";
+import "./styles/video.css";
 
 start();
 const root = document.getElementById("app");

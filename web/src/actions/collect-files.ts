@@ -16,6 +16,7 @@ export interface CollectedFiles {
   clips: Source[];
   /** Reference labels and segments. */
   labels: Source[];
+  videos: File[];
   errors: ErrorReport[];
 }
 
@@ -91,7 +92,7 @@ export async function collectFiles({
   files,
   isTruncated,
 }: DroppedFiles): Promise<CollectedFiles | undefined> {
-  const collected: CollectedFiles = { clips: [], labels: [], errors: [] };
+  const collected: CollectedFiles = { clips: [], labels: [], videos: [], errors: [] };
   if (isTruncated) collected.errors.push(truncatedError);
   // Concurrently, because each file would otherwise wait for the page to render.
   const kinds = await mapConcurrent(files, detectFileKind);
@@ -147,11 +148,15 @@ async function innerFileKind(file: File) {
 }
 
 function addFile(
-  { clips, labels }: CollectedFiles,
-  kind: "clip" | "labels",
+  { clips, labels, videos }: CollectedFiles,
+  kind: "clip" | "labels" | "video",
   file: File,
   notices: readonly Notice[] = [],
 ) {
+  if (kind === "video") {
+    videos.push(file);
+    return;
+  }
   const list = kind === "clip" ? clips : labels;
   list.push({ name: baseNameOf(file.name), data: file, notices });
 }

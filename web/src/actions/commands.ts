@@ -49,6 +49,7 @@ import {
 } from "./playback";
 import { editSegmentName } from "./segment";
 import { applySimilar, dismissSimilar } from "./similar";
+import { pickVideo } from "./video";
 
 export const groups = ["Play", "Segments", "Edit", "View", "File"] as const;
 
@@ -483,6 +484,15 @@ const list = [
     run: () => {
       trailsVisible.value = !trailsVisible.value;
     },
+  },
+  {
+    id: "video",
+    group: "View",
+    label: "Video beside the view",
+    help: "Choose a video to show beside the view",
+    keys: [{ key: "v" }],
+    enabled: () => Boolean(openClip.value?.frames),
+    run: pickVideo,
   },
   {
     id: "panel",

@@ -7,18 +7,22 @@ import { attachLabels, collectFiles, type DroppedFiles } from "./collect-files";
 import { compareWithAll } from "./compare";
 import { addHistoryEntry } from "./history";
 import { openSource } from "./open";
+import { openVideo } from "./video";
 
 /** Aborted when other files are dropped while these are collected. */
 let controller = new AbortController();
 
-/** Opens one clip with the labels that were dropped with it, or several clips in a table. */
+/**
+ * Opens one clip with the labels and the video that were dropped with it, or several clips in a table, which
+ * have no videos.
+ */
 export async function openFiles(dropped: DroppedFiles): Promise<void> {
   controller.abort();
   controller = new AbortController();
   const { signal } = controller;
   const collected = await collectFiles(dropped);
   if (signal.aborted || !collected) return;
-  const { clips, labels, errors } = collected;
+  const { clips, labels, videos, errors } = collected;
   const [clip, ...others] = clips;
   if (others.length || (errors.length && clip) || errors.length > 1) {
     const matched = attachLabels(clips, labels);
@@ -32,5 +36,6 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
     tableVisible.value = false;
     addHistoryEntry("");
   }
+  if (videos[0]) openVideo(videos[0]);
   await compareWithAll(labels);
 }

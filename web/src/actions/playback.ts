@@ -18,6 +18,7 @@ import {
   timeView,
 } from "../store/playback";
 import { clip, cuts, edges, isPreview, namedSegments, plants } from "../store/session";
+import { mediaClock } from "../store/video";
 import { announcement } from "../store/view";
 import { spokenRange } from "../util/format";
 
@@ -46,7 +47,9 @@ function tick(now: number) {
   const end = region ? Math.min(region.end, lastFrame()) : lastFrame();
   const sign = isPreview.value ? 1 : direction.value;
   const factor = isPreview.value ? 1 : speed.value;
-  let next = playhead.value + sign * elapsed * current.rate * factor;
+  const expected = playhead.value + sign * elapsed * current.rate * factor;
+  const shown = isPreview.value ? undefined : mediaClock.current?.momentAt(expected);
+  let next = shown ?? expected;
   if (sign > 0 ? next >= end : next < start) {
     const length = end - start;
     if (loop.value === "off" && !isPreview.value) {

@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import { followHistory } from "../actions/navigation";
 import { openFromAddress } from "../actions/open-address";
 import { openPickedFiles, setFileInput } from "../actions/pick-files";
+import { openPickedVideo, setVideoInput } from "../actions/video";
 import { Batch } from "../batch/Batch";
 import { tableVisible } from "../store/batch";
 import { phase } from "../store/phase";
@@ -12,6 +13,7 @@ import { announcement, dialog, filesDragged, message, sheetOpen } from "../store
 import { Timeline } from "../timeline/Timeline";
 import { Progress } from "../ui/Progress";
 import { setSize } from "../ui/Splitter";
+import { VideoPane } from "../viewer/VideoPane";
 import { Viewer } from "../viewer/Viewer";
 import { Dialogs } from "./Dialogs";
 import { listenForDrops } from "./drop";
@@ -67,7 +69,10 @@ export function App() {
     >
       <Head />
       <main>
-        <Viewer />
+        <div class="views">
+          <Viewer />
+          {clip && <VideoPane />}
+        </div>
         {clip ? <Timeline /> : <StartPage />}
         <input
           ref={setFileInput}
@@ -76,6 +81,13 @@ export function App() {
           accept=".bvh,.json,.csv,.npz,.zip,text/plain"
           multiple
           onChange={(event) => openPickedFiles(event.currentTarget)}
+        />
+        <input
+          ref={setVideoInput}
+          hidden
+          type="file"
+          accept="video/*,.mp4,.m4v,.mov,.webm"
+          onChange={(event) => openPickedVideo(event.currentTarget)}
         />
         <ErrorCard />
         {/* An open dialog contains it, because only the dialog can be clicked then. */}

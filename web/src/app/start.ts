@@ -1,5 +1,6 @@
 import { startMeasuring } from "../actions/measure";
 import { warnBeforeLoss } from "../actions/persist";
+import { rememberVideos } from "../actions/video";
 import { engine } from "../engine";
 import { listenForFirstInteraction } from "../store/first-interaction";
 import { startTheme } from "../store/theme";
@@ -10,5 +11,6 @@ export function start() {
   startTheme();
   listenForFirstInteraction();
   startMeasuring();
+  rememberVideos();
   warnBeforeLoss();
 }

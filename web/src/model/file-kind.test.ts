@@ -16,6 +16,10 @@ test.each([
   ["empty.bvh", "", "clip"],
   ["zip.bvh", bytes(0x50, 0x4b, 3, 4, 0, 0), "archive"],
   ["labels.npz", bytes(0x50, 0x4b, 3, 4, 0, 0), "labels"],
+  ["walk.mp4", "\0\0\0\x20ftypisom", "video"],
+  ["walk.mov", "\0\0\0\x08wide\0\0", "video"],
+  ["walk.webm", bytes(0x1a, 0x45, 0xdf, 0xa3, 1), "video"],
+  ["walk.avi", "RIFF\x10\0\0\0AVI LIST", "video"],
   [
     "wide.bvh",
     bytes(0xff, 0xfe, 72, 0, 73, 0, 69, 0, 82, 0, 65, 0, 82, 0, 67, 0, 72, 0, 89, 0, 10, 0),

@@ -27,6 +27,7 @@ import type {
   Similar,
   Slide,
 } from "../model/types";
+import type { Video } from "../model/video";
 
 /** What playback repeats; a range is chosen by the user. */
 export type Loop = "off" | "clip" | "plant" | "segment" | "range";
@@ -134,6 +135,9 @@ export class ClipSession {
   readonly gait = signal<Gait | undefined>(undefined);
   /** Name of the action whose gait is measured; null for the whole clip. */
   readonly gaitAction = signal<string | null>(null);
+
+  /** The video beside the clip. */
+  readonly video = signal<Video | null>(null);
 
   /** Evidence for the labels of one part; null until the evidence tab is open. */
   readonly evidence = signal<Evidence | null>(null);

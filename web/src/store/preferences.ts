@@ -60,6 +60,9 @@ export const timelineHeight = preference("timeline-height", null, isSize);
 /** Width of the side panel, in pixels; null for the default. */
 export const panelWidth = preference("panel-width", null, isSize);
 
+/** Width of the video beside the view, in pixels; null for the default. */
+export const videoWidth = preference("video-width", null, isSize);
+
 /** True if the side panel is hidden. */
 export const panelCollapsed = preference("panel-collapsed", false, isBoolean);
 

@@ -11,6 +11,8 @@ export interface StageHandle {
   cameraPose(view: CameraView): CameraPose | undefined;
   /** Renders the view as PNG. */
   picture(): Promise<Blob | null>;
+  /** Draws now if a draw is requested for the next animation frame. */
+  flush(): void;
 }
 
 /** The 3D stage; null until it is created or if the browser has no WebGL. */

@@ -24,6 +24,7 @@ import {
   similar,
 } from "../store/session";
 import { theme } from "../store/theme";
+import { video } from "../store/video";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
 import { Splitter, setSize } from "../ui/Splitter";
 import { attachGestures } from "./gestures";
@@ -37,6 +38,7 @@ import { SegmentTable } from "./SegmentTable";
 import { SimilarOffer } from "./SimilarOffer";
 import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
+import { VideoLane } from "./VideoLane";
 
 export function Timeline() {
   const container = useRef<HTMLDivElement | null>(null);
@@ -160,6 +162,7 @@ export function Timeline() {
       <StorageStatus />
       <SimilarOffer />
       <Transport />
+      {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div
         class="tracks"
         ref={(element) => {

@@ -95,6 +95,14 @@ export function Viewer() {
             >
               Trails
             </button>
+            <button
+              type="button"
+              class="chip"
+              title={tooltip("video")}
+              onClick={commandOf("video").run}
+            >
+              Video
+            </button>
           </div>
           <Pills />
           <Companions />

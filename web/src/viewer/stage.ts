@@ -343,6 +343,13 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Draws now if a draw is requested. */
+  flush() {
+    if (!this.frameRequest) return;
+    cancelAnimationFrame(this.frameRequest);
+    this.tick(performance.now());
+  }
+
   /** Requests a draw in the next animation frame. */
   invalidate() {
     if (!this.frameRequest) this.frameRequest = requestAnimationFrame(this.tick);
