@@ -121,13 +121,13 @@ def main() -> None:
     """Run the measurements."""
     inputs = sorted(str(path) for path in Path(sys.argv[1]).resolve().rglob("*.bvh"))
     short = inputs[:: max(1, len(inputs) // int(sys.argv[2] if len(sys.argv) > 2 else 4000))]
-    tasks = len(inputs) // 64
-    results = {
-        "one node": run(1, short),
-        "two nodes": run(2, short),
-        "all clips, one worker killed": run(2, inputs, kill_after=tasks // 2),
-    }
-    print(json.dumps(results, indent=2))
+    kill_after = len(inputs) // 64 // 2
+    for title, node_count, clips, kill in (
+        ("all clips, one worker killed", 2, inputs, kill_after),
+        ("one node", 1, short, None),
+        ("two nodes", 2, short, None),
+    ):
+        print(json.dumps({title: run(node_count, clips, kill)}, indent=2), flush=True)
 
 
 if __name__ == "__main__":
