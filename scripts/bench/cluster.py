@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import signal
 import subprocess
 import sys
@@ -22,7 +23,11 @@ from pathlib import Path
 import pyarrow.parquet as pq
 
 PORT = 6399
+# Ray replaces 127.0.0.1 by the address of the machine in its network, which may not be reachable.
+HEAD = f"127.0.0.2:{PORT}"
 RAY = str(Path(sys.executable).with_name("ray"))
+#: All processes of the cluster have one token, which others do not know.
+ENVIRONMENT = {**os.environ, "RAY_AUTH_MODE": "token", "RAY_AUTH_TOKEN": secrets.token_hex(32)}
 #: Runs in a process of its own, because a process can join one cluster only.
 DRIVER = """
 import json, sys, time
@@ -38,12 +43,17 @@ print("SUMMARY", json.dumps([time.perf_counter() - start, *summary]))
 
 def start(node: int) -> subprocess.Popen[bytes]:
     """Start the head or a further node on a processor of its own."""
-    place = ["--head", f"--port={PORT}"] if node == 0 else [f"--address=127.0.0.1:{PORT}"]
+    place = ["--head", f"--port={PORT}"] if node == 0 else [f"--address={HEAD}"]
+    place.append(f"--node-ip-address=127.0.0.{node + 2}")
     command = ["taskset", "-c", str(node), RAY, "start", "--block", *place, "--num-cpus=1"]
     command += ["--object-store-memory=300000000", "--disable-usage-stats"]
     command += ["--include-dashboard=false"] if node == 0 else []
     process = subprocess.Popen(
-        command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
+        command,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env=ENVIRONMENT,
+        start_new_session=True,
     )
     time.sleep(15)
     return process
@@ -84,11 +94,11 @@ def run(node_count: int, inputs: list[str], kill_after: int | None = None) -> di
                         killed.append(next(iter(current)))
                         os.kill(killed[0], signal.SIGKILL)
 
-            watcher = threading.Thread(target=watch)
+            watcher = threading.Thread(target=watch, daemon=True)
             watcher.start()
-            command = [sys.executable, "-c", DRIVER, f"127.0.0.1:{PORT}", str(listing), str(out)]
+            command = [sys.executable, "-c", DRIVER, HEAD, str(listing), str(out)]
             started = time.perf_counter()
-            output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+            output = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env=ENVIRONMENT).stdout
             total = time.perf_counter() - started
             is_done.set()
             watcher.join()
@@ -121,13 +131,13 @@ def main() -> None:
     """Run the measurements."""
     inputs = sorted(str(path) for path in Path(sys.argv[1]).resolve().rglob("*.bvh"))
     short = inputs[:: max(1, len(inputs) // int(sys.argv[2] if len(sys.argv) > 2 else 4000))]
-    tasks = len(inputs) // 64
-    results = {
-        "one node": run(1, short),
-        "two nodes": run(2, short),
-        "all clips, one worker killed": run(2, inputs, kill_after=tasks // 2),
-    }
-    print(json.dumps(results, indent=2))
+    kill_after = len(inputs) // 64 // 2
+    for title, node_count, clips, kill in (
+        ("all clips, one worker killed", 2, inputs, kill_after),
+        ("one node", 1, short, None),
+        ("two nodes", 2, short, None),
+    ):
+        print(json.dumps({title: run(node_count, clips, kill)}, indent=2), flush=True)
 
 
 if __name__ == "__main__":

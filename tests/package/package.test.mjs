@@ -88,6 +88,25 @@ test("reads, labels, edits, measures, cleans and segments a clip", () => {
   assert.ok(result.segments >= 1);
 });
 
+test("applies edits to similar plants", () => {
+  const text = outputOf(`
+    import { readFileSync } from "node:fs";
+    import { Clip, init } from "plantigrade";
+    await init();
+    const clip = Clip.read(readFileSync(process.argv[2].replace("curved-walk", "straight-jog")));
+    const plants = clip.detect();
+    const ends = () => plants.intervals("contact", "left").filter((_, i) => i % 2);
+    const before = ends();
+    const edit = { side: "left", part: "contact", planted: false };
+    const edits = [{ ...edit, start: before[9] - 3, end: before[9] + 1 }];
+    const { changes, plants: count } = plants.similar(edits);
+    plants.edit([...edits, ...changes]);
+    console.log(count, ends().filter((end, i) => end < before[i]).length);
+  `);
+  const [count, moved] = text.trim().split(" ").map(Number);
+  assert.ok(count > 10 && moved > 6, text);
+});
+
 test("throws an error with the position in an invalid file", () => {
   const text = outputOf(`
     import { Clip, init, PlantigradeError } from "plantigrade";

@@ -135,6 +135,20 @@ def test_pandas_tables_have_the_labels(walk: Clip) -> None:
         detection.to_pandas("plants")  # type: ignore[arg-type]
 
 
+def test_plots_have_a_row_per_foot_and_part(walk: Clip) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    detection = plantigrade.detect(walk)
+    axes = detection.plot()
+    labels = [label.get_text() for label in axes.get_yticklabels()]
+    parts = ("contact", "heel", "toe")
+    assert labels == [f"{side} {part}" for side in ("left", "right") for part in parts]
+    bars = [collection for collection in axes.collections if len(collection.get_paths()) == 1]
+    assert len(bars) >= len(detection.intervals)
+    assert len(plantigrade.detect(walk, method="paper").plot(axes).get_yticklabels()) == 2
+    matplotlib.pyplot.close("all")
+
+
 def test_segments_cover_the_clip(walk: Clip) -> None:
     segmentation = plantigrade.segment(walk)
     segments = segmentation.segments

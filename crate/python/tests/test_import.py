@@ -13,7 +13,8 @@ def run(code: str) -> str:
 
 
 def test_import_is_fast() -> None:
-    code = "import time; t = time.perf_counter(); import plantigrade; print(time.perf_counter() - t)"
+    # The time of the processor does not depend on the load of the machine.
+    code = "import time; t = time.process_time(); import plantigrade; print(time.process_time() - t)"
     assert min(float(run(code)) for _ in range(5)) < 0.1
 
 

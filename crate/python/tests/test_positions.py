@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import SAMPLES
 
 import plantigrade
 from plantigrade import Clip, presets
@@ -186,18 +185,3 @@ def test_presets_are_those_of_smplx() -> None:
     assert list(presets.SMPLH.names) == list(smplx.SMPLH_JOINT_NAMES[:52])
     assert list(presets.SMPLX.names) == list(smplx.JOINT_NAMES[:55])
     assert list(presets.AMASS.names) == list(presets.HUMANML3D.names) == list(smplx.JOINT_NAMES[:22])
-
-
-def test_presets_are_those_of_recorded_lafan1_clips() -> None:
-    from conftest import corpus_files
-
-    clips = [path for path in corpus_files() if "lafan" in str(path).lower()]
-    if not clips:
-        pytest.skip("there are no clips of LAFAN1; see PLANTIGRADE_CORPUS")
-    clip = Clip.read(clips[0])
-    names = [name for index, name in enumerate(clip.names) if index not in clip.end_sites]
-    assert list(presets.LAFAN1.names) == names
-
-
-def test_samples_are_available() -> None:
-    assert len(list(SAMPLES.glob("*.bvh"))) == 13

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     import numpy as np
     import pandas as pd
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     from ._arrays import LabelsLike
@@ -369,6 +370,26 @@ class Detection:
             labels = [name for name in frame.columns if name != "time"]
             frame = frame.astype(dict.fromkeys(labels, bool))
         return frame
+
+    def plot(self, axes: Axes | None = None) -> Axes:
+        """Draw the plants over time; requires matplotlib.
+
+        A row per foot and part; whiskers at foot strikes and foot offs show their standard deviation, dots
+        mark frames whose confidence is below 0.75.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes, optional
+            Axes to draw on. By default, a new figure is made.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+        """
+        from ._plot import plot
+
+        return plot(self, axes)
 
     def save(self, path: Path, format: str | None = None) -> None:
         """Write the labels as a file.

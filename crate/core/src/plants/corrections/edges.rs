@@ -27,6 +27,9 @@ const SIGNIFICANT: [f64; 2] = [2.0, 3.0];
 /// Maximum ratio of the error of a correction to the error of the detection with which the correction is used.
 const MAX_ERROR_RATIO: f64 = 0.5;
 
+/// Number of corrections that show an error even if the uncertainty of a single one explains it.
+const ENOUGH: usize = 3;
+
 /// A boundary of a plant that a person corrected or confirmed.
 #[derive(Clone, Debug)]
 pub(super) struct EdgeExample {
@@ -120,8 +123,11 @@ pub(super) fn learn(example: &Example, profile: &Arc<Profile>) -> Vec<EdgeExampl
     let Example { part, before, after, stated, .. } = example;
     let frame_time = profile.frame_time;
     let is_inside = |frame: usize| frame > 0 && frame < stated.len();
-    let is_stated =
-        |edge: &Match| is_inside(edge.old) && is_inside(edge.new) && stated[edge.new - 1] && stated[edge.new];
+    // A boundary that moved was moved by an edit; one that stayed is confirmed if both sides are stated.
+    let is_stated = |edge: &Match| {
+        let is_confirmed = || stated[edge.new - 1] && stated[edge.new];
+        is_inside(edge.old) && is_inside(edge.new) && (edge.old != edge.new || is_confirmed())
+    };
     let edges = matches(&before.planted, &after.planted).into_iter().filter(is_stated);
     let examples = edges.map(|Match { old, new, is_strike }| {
         let (detected, deviation) = instant(before, old, frame_time);
@@ -161,7 +167,8 @@ fn best_rule(examples: &[&EdgeExample]) -> Rule {
         mean_of_others(index, &|other| other.align(profile, *detected)) - corrected
     });
     let expected = examples.iter().map(|example| example.variance).sum::<f64>() / examples.len() as f64;
-    let is_better = |error: f64| keep > expected && error < MAX_ERROR_RATIO.powi(2) * keep;
+    let is_significant = keep > expected || examples.len() >= ENOUGH;
+    let is_better = |error: f64| is_significant && error < MAX_ERROR_RATIO.powi(2) * keep;
     if is_better(align) && align < shift {
         Rule::Align
     } else if is_better(shift) {

@@ -290,6 +290,12 @@ mod tests {
     }
 
     #[test]
+    fn one_side_of_a_boundary_is_sufficient() {
+        let detected = detection(|_| 0.2, |frame| frame % STEP < 70);
+        assert_eq!(apply(&detected, &[edit(260, 270, false)]).plants, STEPS - 1);
+    }
+
+    #[test]
     fn other_motion_keeps_its_labels() {
         // The last four steps are low, and their plants end in time.
         let is_low = |step: usize| step >= 4;
