@@ -197,6 +197,8 @@ test("opens with a clip of the same drop, by key, and not without a clip", async
   app,
   page,
 }) => {
+  // Registered early, because the browser has to be told before the key is pressed.
+  const chosen = page.waitForEvent("filechooser");
   await app.openStartPage();
   const video = await encodeVideo(page, "walk.webm", 24, rate);
   await app.drop(video);
@@ -204,7 +206,6 @@ test("opens with a clip of the same drop, by key, and not without a clip", async
   await app.drop(sample("bowling"), video);
   await app.waitForClip("bowling.bvh");
   await expect(pane(app)).toBeVisible();
-  const chosen = page.waitForEvent("filechooser");
   await page.keyboard.press("v");
   await (await chosen).setFiles({ ...video, name: "other.webm" });
   await expect(pane(app).getByText("other.webm")).toBeVisible();

@@ -29,7 +29,7 @@ import {
 import { addCutAtPlayhead, nudgeCut, removeNearestCut } from "./edit-cuts";
 import { exportLabels } from "./export";
 import { bindingIndex, type KeyBinding, keyText } from "./key-bindings";
-import { pickFiles } from "./pick-files";
+import { pickFiles, pickVideo } from "./pick-files";
 import {
   changeSpeed,
   cycleLoop,
@@ -49,7 +49,6 @@ import {
 } from "./playback";
 import { editSegmentName } from "./segment";
 import { applySimilar, dismissSimilar } from "./similar";
-import { pickVideo } from "./video";
 
 export const groups = ["Play", "Segments", "Edit", "View", "File"] as const;
 

@@ -64,25 +64,6 @@ export function rejectVideo(problem: string) {
   if (video.value) video.value = { ...video.value, problem };
 }
 
-let input: HTMLInputElement | null = null;
-
-/** Registers the file input for videos. */
-export function setVideoInput(element: HTMLInputElement | null) {
-  input = element;
-}
-
-/** Opens the file picker for a video. */
-export function pickVideo() {
-  input?.click();
-}
-
-/** Shows the picked video, and clears the input so that the same file can be picked again. */
-export function openPickedVideo(picker: HTMLInputElement) {
-  const file = picker.files?.[0];
-  if (file) openVideo(file);
-  picker.value = "";
-}
-
 const storageKey = (clipSession: ClipSession) =>
   clipSession.storageKey.value?.replace(keyOfHash(""), "plantigrade:video:");
 

@@ -3,7 +3,6 @@ import { useEffect } from "preact/hooks";
 import { followHistory } from "../actions/navigation";
 import { openFromAddress } from "../actions/open-address";
 import { openPickedFiles, setFileInput } from "../actions/pick-files";
-import { openPickedVideo, setVideoInput } from "../actions/video";
 import { Batch } from "../batch/Batch";
 import { tableVisible } from "../store/batch";
 import { phase } from "../store/phase";
@@ -78,16 +77,8 @@ export function App() {
           ref={setFileInput}
           hidden
           type="file"
-          accept=".bvh,.json,.csv,.npz,.zip,text/plain"
           multiple
           onChange={(event) => openPickedFiles(event.currentTarget)}
-        />
-        <input
-          ref={setVideoInput}
-          hidden
-          type="file"
-          accept="video/*,.mp4,.m4v,.mov,.webm"
-          onChange={(event) => openPickedVideo(event.currentTarget)}
         />
         <ErrorCard />
         {/* An open dialog contains it, because only the dialog can be clicked then. */}

@@ -1,6 +1,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { pickVideo, removeVideo, setVideoOffset, setVideoRate } from "../actions/video";
+import { pickVideo } from "../actions/pick-files";
+import { removeVideo, setVideoOffset, setVideoRate } from "../actions/video";
 import { type Video, videoRates } from "../model/video";
 import { videoWidth } from "../store/preferences";
 import { openClip } from "../store/session";
