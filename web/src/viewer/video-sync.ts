@@ -134,7 +134,8 @@ export function synchronizeVideo(
     const rate = video.peek()?.rate ?? 1;
     // Until the duration of a picture is known, the picture on show may be the next one at most.
     const limit = pictureTimes >= minPictureTimes ? pictureTime : rate / clipRate();
-    return picture.time + Math.min(since, 0.99 * limit);
+    // Formats round the times of pictures.
+    return picture.time + Math.min(Math.max(since, seekBias), 0.99 * limit);
   };
 
   /** Returns the time at which the last picture begins, in seconds, as far as it is known. */
