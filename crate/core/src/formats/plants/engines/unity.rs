@@ -6,7 +6,7 @@ use super::{TimedEvent, duration, identifier, timed_events};
 use crate::formats::format_info::FormatInfo;
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
 
-pub(in super::super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
+pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "unity",
     title: "Unity",
     description: "An editor script that adds animation events to a clip in Unity.",

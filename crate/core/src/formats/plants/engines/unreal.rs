@@ -10,7 +10,7 @@ use crate::formats::plants::export::{PlantExport, Reader, Writer};
 use crate::formats::plants::tables::columns;
 use crate::intervals::intervals;
 
-pub(in super::super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
+pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "unreal",
     title: "Unreal",
     description: "A Python script that adds notifies, sync markers and contact curves to an animation in Unreal.",
