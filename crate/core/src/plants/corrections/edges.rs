@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use crate::foot::Part;
 use crate::intervals::intervals;
+use crate::plants::corrections::example::{Example, MIN_AFFINITY};
 use crate::plants::corrections::profile::{Profile, affinity, difference};
-use crate::plants::corrections::{Example, MIN_AFFINITY};
 use crate::plants::{Edge, FootLabels};
 
 /// Time before and after a boundary within which boundaries must be similar, in seconds.

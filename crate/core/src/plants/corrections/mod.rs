@@ -11,6 +11,7 @@
 //! lengths, so that corrections apply to other clips of the same character as well.
 
 mod edges;
+mod example;
 mod profile;
 mod runs;
 
@@ -19,13 +20,11 @@ use std::sync::Arc;
 
 use crate::foot::{Part, Side};
 use crate::intervals::intervals;
-use crate::plants::{Detection, Edit, Feet, FootLabels, apply_edits};
+use crate::plants::{Detection, Edit, Feet, apply_edits};
 use edges::EdgeExample;
+use example::{Example, edited_frames};
 use profile::Profile;
 use runs::RunExample;
-
-/// Minimum affinity of motion to which a correction applies.
-const MIN_AFFINITY: f64 = 0.5;
 
 /// Corrections of a person, with the motion that was corrected.
 #[derive(Clone, Debug, Default)]
@@ -105,45 +104,6 @@ impl Corrections {
     }
 }
 
-/// Labels of one part of one foot before and after a person corrected them.
-struct Example<'a> {
-    part: Part,
-    side: Side,
-    before: &'a FootLabels,
-    after: &'a FootLabels,
-    /// Frames whose label a person stated.
-    stated: Vec<bool>,
-}
-
-impl<'a> Example<'a> {
-    fn new(
-        part: Part,
-        side: Side,
-        before: &'a FootLabels,
-        after: &'a FootLabels,
-        edits: &[Edit],
-    ) -> Example<'a> {
-        let of_part = edits.iter().filter(|edit| edit.part == part).copied().collect::<Vec<_>>();
-        let stated = edited_frames(&of_part, part, side, before.planted.len());
-        Example { part, side, before, after, stated }
-    }
-
-    /// True if no frame was stated.
-    fn is_empty(&self) -> bool {
-        !self.stated.contains(&true)
-    }
-}
-
-/// Returns which frames have a label that an edit implies.
-fn edited_frames(edits: &[Edit], part: Part, side: Side, frames: usize) -> Vec<bool> {
-    let mut edited = vec![false; frames];
-    for edit in edits.iter().filter(|edit| edit.side == side && edit.implied(part).is_some()) {
-        let end = edit.end.min(frames);
-        edited[edit.start.min(end)..end].fill(true);
-    }
-    edited
-}
-
 /// Removes heel and toe where the foot is not in contact.
 fn keep_parts_within_contact(detection: &mut Detection, side: Side) {
     let Some(contact) = detection.part(Part::Contact).map(|labels| labels.foot(side).planted.clone()) else {
@@ -211,7 +171,7 @@ fn changed_plants(before: &Detection, after: &Detection) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plants::{FootTracks, Ground, PartLabels, ValidParams};
+    use crate::plants::{FootLabels, FootTracks, Ground, PartLabels, ValidParams};
     use crate::skeleton::Up;
 
     const FRAME_TIME: f64 = 0.01;

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use crate::foot::{Part, Side};
 use crate::plants::FootLabels;
+use crate::plants::corrections::edges;
+use crate::plants::corrections::example::{Example, MIN_AFFINITY};
 use crate::plants::corrections::profile::{Profile, affinity};
-use crate::plants::corrections::{Example, MIN_AFFINITY, edges};
 
 /// Number of samples of a run that are compared, at equal distances from its start to its end.
 const SAMPLES: usize = 16;

@@ -1,82 +1,8 @@
 //! Foot events as scripts of game engines.
 
+mod timed_event;
 mod unity;
 mod unreal;
 
 pub(super) use unity::FORMAT_INFO as UNITY;
 pub(super) use unreal::FORMAT_INFO as UNREAL;
-
-use crate::foot::Side;
-use crate::formats::plants::events::{EventKind, GaitEvent, part_events};
-use crate::formats::plants::export::{DetectionRef, PlantExport};
-
-/// An event of a foot at a time of the clip.
-struct TimedEvent {
-    /// Seconds from the first frame.
-    time: f64,
-    /// Name: `FootStrike_L`, with several skeletons after the name of the root.
-    name: String,
-    kind: EventKind,
-}
-
-/// Returns the events of all skeletons in order of time.
-fn timed_events(export: &PlantExport) -> Vec<TimedEvent> {
-    let frame_time = export.clip.frame_time();
-    let of_skeleton = |labelled: &DetectionRef| {
-        let event = |event: GaitEvent| TimedEvent {
-            time: event_time(&event, frame_time),
-            name: name(labelled.root, &event.kind.title().replace(' ', ""), event.side),
-            kind: event.kind,
-        };
-        part_events(labelled.detection, frame_time).into_iter().map(event).collect::<Vec<_>>()
-    };
-    let mut events: Vec<TimedEvent> = export.labelled().iter().flat_map(of_skeleton).collect();
-    events.sort_by(|a, b| a.time.total_cmp(&b.time));
-    events
-}
-
-/// Returns the time of an event: its instant, or else midway between the frames.
-fn event_time(event: &GaitEvent, frame_time: f64) -> f64 {
-    let boundary = (event.frame as f64 - 0.5) * frame_time;
-    event.instant.map_or(boundary, |instant| instant.time_s).max(0.0)
-}
-
-/// Returns a name of letters, digits and underscores, such as `FootStrike_L`.
-fn name(root: Option<&str>, title: &str, side: Side) -> String {
-    let suffix = match side {
-        Side::Left => "L",
-        Side::Right => "R",
-    };
-    let root = root.map(|root| format!("{}_", identifier(root))).unwrap_or_default();
-    format!("{root}{title}_{suffix}")
-}
-
-/// Returns a name in which other characters than ASCII letters and digits are replaced by an underscore and
-/// their code, so that different names differ.
-fn identifier(name: &str) -> String {
-    let mut identifier = String::with_capacity(name.len());
-    for c in name.chars() {
-        match c {
-            'a'..='z' | 'A'..='Z' | '0'..='9' => identifier.push(c),
-            _ => identifier.push_str(&format!("_{:x}", u32::from(c))),
-        }
-    }
-    identifier
-}
-
-/// Returns the time from the first frame to the last, in seconds.
-fn duration(export: &PlantExport) -> f64 {
-    export.clip.frame_count().saturating_sub(1) as f64 * export.clip.frame_time()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_identifiers() {
-        assert_eq!(name(None, "FootStrike", Side::Left), "FootStrike_L");
-        assert_eq!(name(Some("B:Hips"), "HeelOff", Side::Right), "B_3aHips_HeelOff_R");
-        assert_ne!(identifier("a b"), identifier("a_b"));
-    }
-}

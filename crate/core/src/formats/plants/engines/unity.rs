@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use super::{TimedEvent, duration, identifier, timed_events};
 use crate::formats::format_info::FormatInfo;
+use crate::formats::plants::engines::timed_event::{TimedEvent, duration, identifier, timed_events};
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
 
 pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {

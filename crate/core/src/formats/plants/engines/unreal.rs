@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use super::{TimedEvent, duration, name, timed_events};
 use crate::formats::format_info::FormatInfo;
 use crate::formats::plants::blender::literal;
+use crate::formats::plants::engines::timed_event::{TimedEvent, duration, name, timed_events};
 use crate::formats::plants::events::EventKind;
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
 use crate::formats::plants::tables::columns;
