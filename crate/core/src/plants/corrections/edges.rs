@@ -27,6 +27,10 @@ const SIGNIFICANT: [f64; 2] = [2.0, 3.0];
 /// Maximum ratio of the error of a correction to the error of the detection with which the correction is used.
 const MAX_ERROR_RATIO: f64 = 0.5;
 
+/// Largest number of corrected boundaries of one kind that are used, the latest ones, and of those that are
+/// similar to one boundary; more would take time and change little.
+const MAX_EXAMPLES: usize = 64;
+const MAX_SIMILAR: usize = 8;
 /// Number of corrections that show an error even if the uncertainty of a single one explains it.
 const ENOUGH: usize = 3;
 
@@ -37,6 +41,9 @@ pub(super) struct EdgeExample {
     /// True for a foot strike, false for a foot off.
     is_strike: bool,
     profile: Arc<Profile>,
+    /// Motion around the detected time, and around the corrected time.
+    detected_window: Vec<f32>,
+    corrected_window: Vec<f32>,
     /// Detected and corrected time, in seconds.
     detected: f64,
     corrected: f64,
@@ -51,18 +58,12 @@ impl EdgeExample {
         self.corrected - self.detected
     }
 
-    /// Returns the affinity of a boundary to the detected one.
-    fn affinity(&self, profile: &Profile, time: f64) -> f64 {
-        affinity(&window(&self.profile, self.detected, REACH), &window(profile, time, REACH), BANDWIDTH)
-    }
-
     /// Returns the time near a boundary at which the motion is most similar to that at the corrected time.
     fn align(&self, profile: &Profile, time: f64) -> f64 {
-        let pattern = window(&self.profile, self.corrected, ALIGNED_REACH);
         let steps = (MAX_SHIFT / SHIFT_STEP).round() as i32;
         let at = |step: i32| time + f64::from(step) * SHIFT_STEP;
         let differences: Vec<f64> = (-steps..=steps)
-            .map(|step| difference(&pattern, &window(profile, at(step), ALIGNED_REACH)))
+            .map(|step| difference(&self.corrected_window, &window(profile, at(step), ALIGNED_REACH)))
             .collect();
         let best = (0..differences.len()).min_by(|a, b| differences[*a].total_cmp(&differences[*b]));
         let best = best.expect("at least one shift");
@@ -134,7 +135,16 @@ pub(super) fn learn(example: &Example, profile: &Arc<Profile>) -> Vec<EdgeExampl
         // A confirmed boundary is known more exactly than to the frame.
         let corrected = if old == new { detected } else { (new as f64 - 0.5) * frame_time };
         let variance = deviation.powi(2) + frame_time.powi(2) / 12.0;
-        EdgeExample { part: *part, is_strike, profile: profile.clone(), detected, corrected, variance }
+        EdgeExample {
+            part: *part,
+            is_strike,
+            profile: profile.clone(),
+            detected_window: window(profile, detected, REACH),
+            corrected_window: window(profile, corrected, ALIGNED_REACH),
+            detected,
+            corrected,
+            variance,
+        }
     });
     examples.collect()
 }
@@ -150,57 +160,95 @@ enum Rule {
     Align,
 }
 
-/// Returns the rule that is best for boundaries of which each one is corrected by means of the others
-/// (leave-one-out cross-validation). Needs at least two.
-fn best_rule(examples: &[&EdgeExample]) -> Rule {
-    let others = |index: usize| examples.iter().enumerate().filter(move |(other, _)| *other != index);
-    let mean_square = |error: &dyn Fn(usize) -> f64| {
-        (0..examples.len()).map(|index| error(index).powi(2)).sum::<f64>() / examples.len() as f64
-    };
-    let mean_of_others = |index: usize, value: &dyn Fn(&EdgeExample) -> f64| {
-        others(index).map(|(_, other)| value(other)).sum::<f64>() / (examples.len() - 1) as f64
-    };
-    let keep = mean_square(&|index| examples[index].offset());
-    let shift = mean_square(&|index| examples[index].offset() - mean_of_others(index, &EdgeExample::offset));
-    let align = mean_square(&|index| {
-        let EdgeExample { profile, detected, corrected, .. } = examples[index];
-        mean_of_others(index, &|other| other.align(profile, *detected)) - corrected
-    });
-    let expected = examples.iter().map(|example| example.variance).sum::<f64>() / examples.len() as f64;
-    let is_significant = keep > expected || examples.len() >= ENOUGH;
-    let is_better = |error: f64| is_significant && error < MAX_ERROR_RATIO.powi(2) * keep;
-    if is_better(align) && align < shift {
-        Rule::Align
-    } else if is_better(shift) {
-        Rule::Shift
-    } else {
-        Rule::Keep
-    }
+/// Corrected boundaries of one kind.
+struct Examples<'a> {
+    examples: Vec<&'a EdgeExample>,
+    /// For each boundary and each other one, the time that alignment with the other one gives.
+    aligned: Vec<Vec<f64>>,
 }
 
-/// Returns the corrected time of a boundary that was detected at `time`; the same time if no correction applies.
-fn corrected_time(examples: &[&EdgeExample], is_strike: bool, profile: &Profile, time: f64) -> f64 {
-    let of_kind = examples.iter().copied().filter(|example| example.is_strike == is_strike);
-    let similar: Vec<&EdgeExample> =
-        of_kind.filter(|example| example.affinity(profile, time) >= MIN_AFFINITY).collect();
-    let count = similar.len() as f64;
-    let mean = |value: &dyn Fn(&EdgeExample) -> f64| {
-        similar.iter().map(|example| value(example)).sum::<f64>() / count
-    };
-    match similar[..] {
-        [] => time,
-        // A single correction must be larger than the uncertainty of the boundary explains (firm shrinkage, Gao
-        // and Bruce 1997).
-        [example] => {
-            let [low, high] = SIGNIFICANT.map(|deviations| deviations * example.variance.sqrt());
-            let offset = example.offset();
-            time + offset * ((offset.abs() - low) / (high - low)).clamp(0.0, 1.0)
+impl<'a> Examples<'a> {
+    fn new(examples: &[&'a EdgeExample], is_strike: bool) -> Examples<'a> {
+        let of_kind = examples.iter().copied().filter(|example| example.is_strike == is_strike);
+        let mut examples: Vec<&EdgeExample> = of_kind.collect();
+        let surplus = examples.len().saturating_sub(MAX_EXAMPLES);
+        examples.drain(..surplus);
+        let align_all = |example: &EdgeExample| {
+            let align = |other: &&EdgeExample| other.align(&example.profile, example.detected);
+            examples.iter().map(align).collect::<Vec<f64>>()
+        };
+        let aligned = examples.iter().map(|example| align_all(example)).collect();
+        Examples { examples, aligned }
+    }
+
+    /// Returns the indices of the boundaries that are similar to one at `time`, the most similar first.
+    fn similar(&self, profile: &Profile, time: f64) -> Vec<usize> {
+        let window = window(profile, time, REACH);
+        let affinities: Vec<f64> = self
+            .examples
+            .iter()
+            .map(|example| affinity(&example.detected_window, &window, BANDWIDTH))
+            .collect();
+        let mut similar: Vec<usize> =
+            (0..affinities.len()).filter(|&index| affinities[index] >= MIN_AFFINITY).collect();
+        similar.sort_by(|a, b| affinities[*b].total_cmp(&affinities[*a]));
+        similar.truncate(MAX_SIMILAR);
+        similar
+    }
+
+    /// Returns the rule that is best for some boundaries, of which each one is corrected by means of the others
+    /// (leave-one-out cross-validation). Needs at least two.
+    fn best_rule(&self, similar: &[usize]) -> Rule {
+        let count = similar.len() as f64;
+        let example = |index: usize| self.examples[index];
+        let mean_square = |error: &dyn Fn(usize) -> f64| {
+            similar.iter().map(|&index| error(index).powi(2)).sum::<f64>() / count
+        };
+        let mean_of_others = |index: usize, value: &dyn Fn(usize) -> f64| {
+            let others = similar.iter().filter(|&&other| other != index);
+            others.map(|&other| value(other)).sum::<f64>() / (count - 1.0)
+        };
+        let offset = |index: usize| example(index).offset();
+        let keep = mean_square(&offset);
+        let shift = mean_square(&|index| offset(index) - mean_of_others(index, &offset));
+        let align = mean_square(&|index| {
+            mean_of_others(index, &|other| self.aligned[index][other]) - example(index).corrected
+        });
+        let expected = similar.iter().map(|&index| example(index).variance).sum::<f64>() / count;
+        let is_significant = keep > expected || similar.len() >= ENOUGH;
+        let is_better = |error: f64| is_significant && error < MAX_ERROR_RATIO.powi(2) * keep;
+        if is_better(align) && align < shift {
+            Rule::Align
+        } else if is_better(shift) {
+            Rule::Shift
+        } else {
+            Rule::Keep
         }
-        _ => match best_rule(&similar) {
-            Rule::Keep => time,
-            Rule::Shift => time + mean(&EdgeExample::offset),
-            Rule::Align => mean(&|example| example.align(profile, time)),
-        },
+    }
+
+    /// Returns the corrected time of a boundary that was detected at `time`; the same time if no correction
+    /// applies.
+    fn corrected_time(&self, profile: &Profile, time: f64) -> f64 {
+        let similar = self.similar(profile, time);
+        let mean = |value: &dyn Fn(&EdgeExample) -> f64| {
+            similar.iter().map(|&index| value(self.examples[index])).sum::<f64>() / similar.len() as f64
+        };
+        match similar[..] {
+            [] => time,
+            // A single correction must be larger than the uncertainty of the boundary explains (firm shrinkage,
+            // Gao and Bruce 1997).
+            [index] => {
+                let example = self.examples[index];
+                let [low, high] = SIGNIFICANT.map(|deviations| deviations * example.variance.sqrt());
+                let offset = example.offset();
+                time + offset * ((offset.abs() - low) / (high - low)).clamp(0.0, 1.0)
+            }
+            _ => match self.best_rule(&similar) {
+                Rule::Keep => time,
+                Rule::Shift => time + mean(&EdgeExample::offset),
+                Rule::Align => mean(&|example| example.align(profile, time)),
+            },
+        }
     }
 }
 
@@ -209,6 +257,7 @@ pub(super) fn apply(examples: &[&EdgeExample], profile: &Profile, fixed: &[bool]
     if examples.iter().all(|example| example.offset() == 0.0) {
         return;
     }
+    let [offs, strikes] = [false, true].map(|is_strike| Examples::new(examples, is_strike));
     let frame_time = profile.frame_time;
     let frames = labels.planted.len();
     let old: Vec<usize> =
@@ -217,9 +266,9 @@ pub(super) fn apply(examples: &[&EdgeExample], profile: &Profile, fixed: &[bool]
     for (index, &frame) in old.iter().enumerate() {
         let unchanged = (frame, labels.edge(frame).copied());
         let (time, uncertainty) = instant(labels, frame, frame_time);
-        let is_strike = labels.planted[frame];
+        let of_kind = if labels.planted[frame] { &strikes } else { &offs };
         let is_fixed = fixed[frame - 1] || fixed[frame];
-        let corrected = if is_fixed { time } else { corrected_time(examples, is_strike, profile, time) };
+        let corrected = if is_fixed { time } else { of_kind.corrected_time(profile, time) };
         // Contact changes with the first frame after the instant.
         let new = ((corrected / frame_time).floor() + 1.0).clamp(1.0, frames as f64 - 1.0) as usize;
         let previous = moved.last().map_or(0, |(frame, _)| *frame);

@@ -38,7 +38,7 @@ pub struct Corrections {
 pub struct Corrected {
     /// Detection with the corrections, and the edits of this clip, applied.
     pub detection: Detection,
-    /// Changes of labels outside of the edits, as edits; in order of part, side and frame.
+    /// Changes of labels outside of the edits, as edits; in order of part, side, label and frame.
     pub changes: Vec<Edit>,
     /// Number of plants that were changed, added or removed outside of the edits.
     pub plants: usize,
@@ -122,30 +122,21 @@ fn changes(before: &Detection, after: &Detection) -> Vec<Edit> {
     for (old, new) in before.parts.iter().zip(&after.parts) {
         for side in Side::BOTH {
             let (old, now) = (&old.foot(side).planted, &new.foot(side).planted);
-            let differs: Vec<bool> = old.iter().zip(now).map(|(old, now)| old != now).collect();
-            for run in intervals(&differs) {
-                for range in now[run.clone()].chunk_by(|a, b| a == b).scan(run.start, |start, chunk| {
-                    let range = *start..*start + chunk.len();
-                    *start = range.end;
-                    Some(range)
-                }) {
-                    let edit = Edit {
-                        side,
-                        part: new.part,
-                        start: range.start,
-                        end: range.end,
-                        planted: now[range.start],
-                    };
-                    let follows = changes.iter().any(|other| {
-                        other.side == side
-                            && other.part == Part::Contact
-                            && !other.planted
-                            && !edit.planted
-                            && other.start <= edit.start
-                            && edit.end <= other.end
-                    });
+            // Removed contact removes heel and toe, too.
+            let removed: Vec<Range<usize>> = changes
+                .iter()
+                .filter(|other| other.side == side && other.part == Part::Contact && !other.planted)
+                .map(|other| other.start..other.end)
+                .collect();
+            for planted in [false, true] {
+                let is_changed = |(old, now): (&bool, &bool)| old != now && *now == planted;
+                for Range { start, end } in
+                    intervals(&old.iter().zip(now).map(is_changed).collect::<Vec<_>>())
+                {
+                    let index = removed.partition_point(|range| range.end < end);
+                    let follows = !planted && removed.get(index).is_some_and(|range| range.start <= start);
                     if !follows {
-                        changes.push(edit);
+                        changes.push(Edit { side, part: new.part, start, end, planted });
                     }
                 }
             }
