@@ -11,8 +11,8 @@ test("measures and removes foot skate and saves the cleaned clip", async ({ app 
     const cells = await table.getByRole("row", { name }).getByRole("cell").allInnerTexts();
     return cells.map(Number.parseFloat);
   };
+  await expect.poll(async () => (await slide("Original"))[0] ?? 0).toBeGreaterThan(0.2);
   const [mean = 0, worst = 0] = await slide("Original");
-  expect(mean).toBeGreaterThan(0.2);
   expect(worst).toBeGreaterThan(mean);
   await app.panel.getByRole("button", { name: "Fix foot skate" }).click();
   await expect(table.getByRole("row", { name: "Cleaned" })).toHaveText(/0\.0 cm\s*0\.0 cm/);
