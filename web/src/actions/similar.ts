@@ -12,8 +12,10 @@ export async function applySimilar(): Promise<void> {
   if (!found) return;
   const clipSession = session.value;
   clipSession.similar.value = null;
-  const text = `Applied to ${plural(found.plants, "similar plant")}`;
-  await commitEdits([...clipSession.edits.value, ...found.changes], text);
+  const next = [...clipSession.edits.value, ...found.changes];
+  // Nothing is offered again until the next edit, although accepted changes are examples, too.
+  clipSession.dismissedSimilar.value = next;
+  await commitEdits(next, `Applied to ${plural(found.plants, "similar plant")}`);
 }
 
 /** Does not offer the changes again until the next edit. */
