@@ -12,8 +12,11 @@ const states: Record<string, (app: App) => Promise<void>> = {
   "the Evidence tab": async (app) => {
     await app.openSample("bowling");
     await app.tab("Evidence");
-    await app.page.getByRole("slider", { name: "Sorted norms" }).press("ArrowRight");
-    await expect(app.view.getByText(/^Frame \d+$/)).toBeVisible();
+    // The plot may be drawn again, and lose the focus, while it becomes visible.
+    await expect(async () => {
+      await app.page.getByRole("slider", { name: "Sorted norms" }).press("ArrowRight");
+      await expect(app.view.getByText(/^Frame \d+$/)).toBeVisible({ timeout: 2000 });
+    }).toPass();
   },
   "the Evidence tab with thresholds": async (app) => {
     await app.openSample("bowling");
