@@ -29,7 +29,7 @@ const CLUSTER = ["ray[data]==2.60.0", "scikit-learn==1.9.1", "tqdm", "pytest==9.
 const MAX_WHEEL = 3_000_000;
 
 /**
- * Returns the Python interpreter of `PLANTIGRADE_PYTHON` or of the system; otherwise a message that says
+ * Returns the Python interpreter of `PLANTIGRADE_PYTHON` or of the system; otherwise a message that states
  * what to do.
  * @returns {{ python: string } | { message: string }}
  */

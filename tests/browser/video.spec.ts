@@ -1,4 +1,4 @@
-/** A video beside the clip: its picture i belongs to frame i of the clip. */
+/** A video next to the clip: its picture i belongs to frame i of the clip. */
 
 import AxeBuilder from "@axe-core/playwright";
 import { type App, expect, test } from "./app";
@@ -225,7 +225,7 @@ for (const name of ["phone", "landscape phone", "small window"] as const) {
     test.describe(`on a page of the size ${name}, ${scheme}`, () => {
       test.use({ viewport: viewports[name], colorScheme: scheme });
 
-      test("view and video are beside each other and accessible", async ({ app, page }) => {
+      test("view and video are next to each other and accessible", async ({ app, page }) => {
         await openWithVideo(app, 24);
         await expect(page.locator("video")).toBeInViewport({ ratio: 1 });
         expect((await app.stage.boundingBox())?.width).toBeGreaterThan(150);

@@ -66,7 +66,7 @@ fn a_corrected_foot_off_moves_similar_ones() {
     let same = document(&[&["straight-jog.bvh", "--constraints", saved][..], &clip].concat());
     assert_eq!(plants(&same), new);
     let other = document(&[&["ballet.bvh", "--constraints", saved][..], &clip].concat());
-    assert_eq!(plants(&other), plants(&document(&["ballet.bvh"])), "other motion keeps its labels");
+    assert_eq!(plants(&other), plants(&document(&["ballet.bvh"])), "other motion retains its labels");
 }
 
 #[test]

@@ -487,8 +487,8 @@ const list = [
   {
     id: "video",
     group: "View",
-    label: "Video beside the view",
-    help: "Choose a video to show beside the view",
+    label: "Video next to the view",
+    help: "Choose a video to show next to the view",
     keys: [{ key: "v" }],
     enabled: () => Boolean(openClip.value?.frames),
     run: pickVideo,

@@ -1,4 +1,4 @@
-/** Showing a video beside the open clip. The file stays on this computer; only its alignment is stored. */
+/** Showing a video next to the open clip. The file stays on this computer; only its alignment is stored. */
 
 import { effect } from "@preact/signals";
 import {
@@ -16,7 +16,7 @@ import { video } from "../store/video";
 import { announcement } from "../store/view";
 import { keyOfHash } from "./clip-storage";
 
-/** Shows a video file beside the open clip. A file that was shown before retains its alignment. */
+/** Shows a video file next to the open clip. A file that was shown before retains its alignment. */
 export function openVideo(file: File) {
   const clipSession = session.value;
   if (!openClip.value?.frames) {
@@ -30,7 +30,7 @@ export function openVideo(file: File) {
   const url = URL.createObjectURL(file);
   clipSession.video.value = { name: file.name, size: file.size, offset, rate, url };
   clipSession.signal.addEventListener("abort", () => URL.revokeObjectURL(url));
-  announcement.value = `Video ${file.name} beside the view`;
+  announcement.value = `Video ${file.name} next to the view`;
 }
 
 function releaseFile(previous: Video | null) {

@@ -1,4 +1,4 @@
-/** A video beside the clip: its alignment with the clip, and the record of it that the browser stores. */
+/** A video next to the clip: its alignment with the clip, and the record of it that the browser stores. */
 
 /** Alignment of a video with a clip. */
 export interface VideoAlignment {
@@ -8,7 +8,7 @@ export interface VideoAlignment {
   rate: number;
 }
 
-/** A video beside a clip. */
+/** A video next to a clip. */
 export interface Video extends VideoAlignment {
   /** Name and size of the file. */
   name: string;

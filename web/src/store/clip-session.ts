@@ -136,7 +136,7 @@ export class ClipSession {
   /** Name of the action whose gait is measured; null for the whole clip. */
   readonly gaitAction = signal<string | null>(null);
 
-  /** The video beside the clip. */
+  /** The video next to the clip. */
   readonly video = signal<Video | null>(null);
 
   /** Evidence for the labels of one part; null until the evidence tab is open. */

@@ -60,7 +60,7 @@ export const timelineHeight = preference("timeline-height", null, isSize);
 /** Width of the side panel, in pixels; null for the default. */
 export const panelWidth = preference("panel-width", null, isSize);
 
-/** Width of the video beside the view, in pixels; null for the default. */
+/** Width of the video next to the view, in pixels; null for the default. */
 export const videoWidth = preference("video-width", null, isSize);
 
 /** True if the side panel is hidden. */

@@ -1,9 +1,9 @@
-/** The video beside the clip, and the clock that it is during playback. */
+/** The video next to the clip, and the clock that it is during playback. */
 
 import { signal } from "@preact/signals";
 import { sessionField } from "./clip-session";
 
-/** The video beside the open clip; null if there is none. */
+/** The video next to the open clip; null if there is none. */
 export const video = sessionField((open) => open.video);
 
 /** Duration of the video, in seconds; undefined until it is known. */

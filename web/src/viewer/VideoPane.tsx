@@ -11,7 +11,7 @@ import { Splitter, setSize } from "../ui/Splitter";
 import { formatBytes } from "../util/format";
 import { synchronizeVideo } from "./video-sync";
 
-/** The video beside the view, with its alignment. */
+/** The video next to the view, with its alignment. */
 export function VideoPane() {
   const pane = useRef<HTMLElement | null>(null);
   const isAligning = useSignal(false);
@@ -103,8 +103,8 @@ function Picture({ shown: { name, size, url, problem } }: { shown: Video }) {
     return (
       <div class="video-message">
         <p>
-          <strong>{name}</strong> ({formatBytes(size)}) was shown beside this clip. Its alignment is
-          stored, but videos are not: choose the file again.
+          <strong>{name}</strong> ({formatBytes(size)}) was shown next to this clip. Its alignment
+          is stored, but videos are not: choose the file again.
         </p>
         <button type="button" class="button" onClick={pickVideo}>
           Choose video

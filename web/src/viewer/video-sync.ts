@@ -1,5 +1,5 @@
 /**
- * Keeps a video element in step with the playhead.
+ * Holds a video element in step with the playhead.
  *
  * Browsers show the pictures of a video element on their own, also while the page draws the 3D view. The pictures
  * are therefore drawn onto a canvas over the element, each with the moment to which it belongs.

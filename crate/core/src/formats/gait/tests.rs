@@ -11,7 +11,7 @@ use crate::skeleton::{Overrides, Skeleton, Up};
 const RATE: f64 = 100.0;
 const FRAMES: usize = 800;
 
-/// Clip with one joint, feet that walk beside it in strides of 1 s and 1.4 m, and their contacts.
+/// Clip with one joint, feet that walk next to it in strides of 1 s and 1.4 m, and their contacts.
 fn walk() -> (Clip, Feet, Detection) {
     let root = Joint {
         name: "Hips".into(),
@@ -124,7 +124,7 @@ fn the_report_compares_actions() {
 }
 
 #[test]
-fn a_report_without_strides_says_so() {
+fn a_report_without_strides_states_it() {
     let nothing = vec![ActionRanges { name: "A".into(), frames: vec![0..30] }];
     let page = written(GaitFormat::Report, "walk.bvh", Some(nothing));
     assert!(page.contains("no complete stride"), "{page}");

@@ -3,11 +3,11 @@
 //! A person corrects a few plants. The corrected frames are constraints of the spectral clustering, as in
 //! Kamvar, Klein and Manning, *Spectral learning* (IJCAI 2003): their labels are given, and other motion
 //! takes part in a correction as far as its affinity to the corrected motion reaches. Motion without such
-//! affinity keeps the labels of the clustering.
+//! affinity retains the labels of the clustering.
 //!
-//! Two things can be wrong. The boundary of a plant can be early or late: [`edges`] moves alike boundaries
+//! Two things can be wrong. The boundary of a plant can be early or late: [`edges`] moves similar boundaries
 //! by the same time. Or a run of frames has the wrong label, such as a foot that is held still in the air:
-//! [`runs`] changes the label of alike runs. Affinities are those of windows of height and speed in leg
+//! [`runs`] changes the label of similar runs. Affinities are those of windows of height and speed in leg
 //! lengths, so that corrections apply to other clips of the same character as well.
 
 mod edges;
@@ -184,7 +184,7 @@ mod tests {
     }
 
     /// A detection of a left foot that steps, and of a right foot at rest. `height` is the peak height of a
-    /// step; the foot is planted where `planted` says so.
+    /// step; the foot is planted where `planted` is true.
     fn detection(height: impl Fn(usize) -> f32, planted: impl Fn(usize) -> bool) -> Detection {
         let frames = STEP * STEPS;
         let phase = |frame: usize| (frame % STEP).saturating_sub(60) as f32 / 40.0;
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn other_motion_keeps_its_labels() {
+    fn other_motion_retains_its_labels() {
         // The last four steps are low, and their plants end in time.
         let is_low = |step: usize| step >= 4;
         let end = |step: usize| if is_low(step) { 60 } else { 70 };
@@ -280,8 +280,8 @@ mod tests {
     fn similar_false_plants_are_removed_and_edited_frames_stay() {
         // A plant at the top of each swing.
         let detected = detection(|_| 0.2, |frame| frame % STEP < 60 || (75..90).contains(&(frame % STEP)));
-        let kept = edit(575, 578, true);
-        let corrected = apply(&detected, &[edit(175, 190, false), kept]);
+        let stated = edit(575, 578, true);
+        let corrected = apply(&detected, &[edit(175, 190, false), stated]);
         let mut expected: Vec<_> = (0..STEPS).map(|step| step * STEP..step * STEP + 60).collect();
         expected.insert(6, 575..590);
         assert_eq!(plants(&corrected.detection), expected);
