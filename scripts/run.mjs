@@ -26,15 +26,15 @@ const NETWORK =
  * Runs a program in the folder of the project, shows its output and returns it.
  * @param {string} program
  * @param {string[]} args
- * @param {{ env?: Record<string, string>, hint?: string, source?: string, quiet?: boolean }} [options]
- *   `hint`: what to do on failure; `source`: name of the server that it downloads from.
+ * @param {{ cwd?: string, env?: Record<string, string>, hint?: string, source?: string, quiet?: boolean }} [options]
+ *   `cwd`: another folder; `hint`: what to do on failure; `source`: name of the server that it downloads from.
  * @returns {Promise<string>}
  */
 export function run(program, args, options = {}) {
-  const { env = {}, hint, source, quiet = false } = options;
+  const { cwd = root, env = {}, hint, source, quiet = false } = options;
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, {
-      cwd: root,
+      cwd,
       env: { ...process.env, ...env },
       stdio: ["ignore", "pipe", "pipe"],
       shell: process.platform === "win32" && program === "npm",

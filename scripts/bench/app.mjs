@@ -1,62 +1,179 @@
 /** Benchmarks of the built app: response times and the load of the main thread. */
 
+import { readdirSync } from "node:fs";
 import { basename, join } from "node:path";
-import { root, step } from "../run.mjs";
-import { batchFiles, FOLDER, filePath, HOUR, TEN_MEGABYTES } from "./clips.mjs";
+import { root, run, step } from "../run.mjs";
+import {
+  batchFiles,
+  batchFolder,
+  benchFolder,
+  FOLDER,
+  filePath,
+  HOUR,
+  TEN_MEGABYTES,
+} from "./clips.mjs";
+import { alternate, timeRow } from "./pairs.mjs";
+import { serveSlowly } from "./slow-server.mjs";
 
-/** Number of measurements of opening a clip, each in a new page. */
-const RUNS = 3;
+/** Number of openings of an hour, each in a new page. */
+const HOURS = 3;
+/** Duration of a frame of the display, in milliseconds. */
+const FRAME = 1000 / 60;
 
-/** @param {() => Promise<import("playwright").Browser>} launch */
-export async function measureApp(launch) {
+/**
+ * Returns rows on the built app.
+ * @param {{ launch: () => Promise<import("playwright").Browser>, native: object, server: object }} options
+ */
+export async function appRows({ launch, native, server }) {
   step("Measuring the app");
   const { preview } = await import("vite");
-  const site = await preview({ root: join(root, "web"), logLevel: "warn" });
+  const site = await preview({ root: join(root, "web"), logLevel: "warn", preview: { port: 0 } });
+  const address = site.resolvedUrls.local[0];
   /** Runs a measurement on the start page of a newly started browser. */
-  const inNewPage = async (measure) => {
-    const browser = await launch();
-    try {
-      // With software rendering, the animated preview would take processor time.
-      const viewport = { width: 1440, height: 900 };
-      const page = await browser.newPage({ viewport, reducedMotion: "reduce" });
-      page.setDefaultTimeout(120_000);
-      await page.addInitScript(() => localStorage.setItem("plantigrade:tour", "done"));
-      await page.goto(site.resolvedUrls.local[0], { waitUntil: "networkidle" });
+  const inNewPage = (measure) =>
+    inNewBrowser(launch, async (page, browser) => {
+      await page.goto(address, { waitUntil: "networkidle" });
       // Loads everything that waits for the first interaction, as before a real drop.
       await page.mouse.move(2, 2);
       await page.locator(".stage canvas").waitFor();
       await page.waitForLoadState("networkidle");
       return await measure(page, (during) => recordMainThread(browser, page, during));
-    } finally {
-      await browser.close();
-    }
-  };
+    });
+  const benchPage = await server.open();
   try {
-    const drops = [];
-    const hours = [];
-    for (let run = 0; run < RUNS; run++) {
-      drops.push(await inNewPage((page) => measureOpening(page, filePath(TEN_MEGABYTES))));
-      hours.push(await inNewPage(measureHour));
-    }
-    const median = (values) => values.sort((a, b) => a - b)[Math.floor(RUNS / 2)];
-    return {
-      drop: {
-        firstPose: median(drops.map(({ firstPose }) => firstPose)),
-        labels: median(drops.map(({ labels }) => labels)),
+    await benchPage.open(TEN_MEGABYTES);
+    const alone = async () =>
+      (await benchPage.measure("read-file")) + (await benchPage.measure("detect"));
+    const firstPoses = [];
+    const drops = await alternate(
+      7,
+      async () => {
+        const drop = (page) => measureOpening(page, filePath(TEN_MEGABYTES));
+        const { firstPose, labels } = await inNewPage(drop);
+        firstPoses.push({ ours: firstPose, reference: await alone() });
+        return labels;
       },
-      hour: {
-        firstPose: median(hours.map(({ times }) => times.firstPose)),
-        labels: median(hours.map(({ times }) => times.labels)),
-        opening: summarize(hours.map(({ opening }) => opening)),
-        scrubbing: summarize(hours.map(({ scrubbing }) => scrubbing)),
-        playing: summarize(hours.map(({ playing }) => playing)),
-      },
-      six: summarize([await inNewPage(measureSix)]),
-      folder: await inNewPage(measureFolder),
+      alone,
+    );
+    const labels = join(benchFolder, "labels");
+    const commandLine = async () => {
+      const start = performance.now();
+      await run(native.commandLine, ["detect", batchFolder, "--force", "--out", labels], {
+        quiet: true,
+      });
+      return performance.now() - start;
     };
+    const folderLoads = [];
+    const folders = await alternate(
+      3,
+      async () => {
+        const { time, recording } = await inNewPage(measureFolder);
+        folderLoads.push(recording);
+        return time;
+      },
+      commandLine,
+    );
+    const hours = [];
+    const hourLabels = [];
+    await benchPage.open(HOUR);
+    for (let run = 0; run < HOURS; run++) {
+      hours.push(await inNewPage(measureHour));
+      hourLabels.push({ ours: hours.at(-1).times.labels, reference: await alone() });
+    }
+    const loads = {
+      "opening one hour": hours.map(({ opening }) => opening),
+      "scrubbing through one hour": hours.map(({ scrubbing }) => scrubbing),
+      "playing one hour": hours.map(({ playing }) => playing),
+      "playing six characters": [await inNewPage(measureSix)],
+      "processing the folder": folderLoads,
+    };
+    return [
+      timeRow("drop 10 MB → labels", "reading and labelling alone", drops, 1.5),
+      timeRow("drop 10 MB → moving skeleton", "reading and labelling alone", firstPoses),
+      timeRow("drop one hour → labels", "reading and labelling alone", hourLabels),
+      timeRow(
+        `folder of ${FOLDER.clips} clips in the page`,
+        "command line with two threads",
+        folders,
+        2,
+      ),
+      timeRow(
+        "first labels from a link over a slow network",
+        "loading all files of the site",
+        await firstVisits(launch),
+        0.67,
+      ),
+      ...Object.entries(loads).flatMap(([activity, recordings]) => loadRows(activity, recordings)),
+    ];
   } finally {
+    await benchPage.close();
     await site.close();
   }
+}
+
+/** Runs a measurement in an empty page of a newly started browser. */
+async function inNewBrowser(launch, measure) {
+  const browser = await launch();
+  try {
+    // With software rendering, the animated preview would take processor time.
+    const viewport = { width: 1440, height: 900 };
+    const page = await browser.newPage({ viewport, reducedMotion: "reduce" });
+    page.setDefaultTimeout(180_000);
+    await page.addInitScript(() => localStorage.setItem("plantigrade:tour", "done"));
+    return await measure(page, browser);
+  } finally {
+    await browser.close();
+  }
+}
+
+/**
+ * Returns pairs of the time from a link to the first labels, and the time that the network needs for all
+ * scripts, styles and modules of the site, which a page loaded before it was split.
+ */
+async function firstVisits(launch) {
+  const files = siteFiles();
+  const server = await serveSlowly(join(root, "web/dist"));
+  const visit = async (page) => {
+    const start = performance.now();
+    await page.goto(`${server.address}#sample=walk`, { waitUntil: "commit" });
+    await page.locator(".pills").first().waitFor();
+    return performance.now() - start;
+  };
+  const loadAll = async (page) => {
+    await page.goto(`${server.address}third-party.html`);
+    return await page.evaluate(async (files) => {
+      const start = performance.now();
+      await Promise.all(files.map(async (file) => (await fetch(file)).arrayBuffer()));
+      return performance.now() - start;
+    }, files);
+  };
+  try {
+    return await alternate(
+      5,
+      ...[visit, loadAll].map((measure) => () => inNewBrowser(launch, measure)),
+    );
+  } finally {
+    await server.close();
+  }
+}
+
+/** Returns the paths of the scripts, styles, fonts and modules of the site. */
+const siteFiles = () =>
+  readdirSync(join(root, "web/dist/assets"))
+    .filter((name) => /\.(js|css|wasm)$/.test(name))
+    .map((name) => `assets/${name}`);
+
+/** Returns rows on the script time per frame and the longest task, relative to a frame of the display. */
+function loadRows(activity, recordings) {
+  const frames = recordings.flatMap(({ frames }) => frames).sort((a, b) => a - b);
+  const script = frames[Math.floor(frames.length * 0.95)] ?? 0;
+  const longest = Math.max(...recordings.map(({ longest }) => longest));
+  const row = (what, ours, target) =>
+    timeRow(`${activity}: ${what}`, "a frame of the display", [{ ours, reference: FRAME }], target);
+  return [
+    row("script per frame (95th percentile)", script, 8 / FRAME),
+    row("longest task", longest, 50 / FRAME),
+  ];
 }
 
 /** Returns the times from receiving a file to the first pose and to the labels, in milliseconds. */
@@ -165,7 +282,7 @@ async function measureFolder(page, record) {
     await page.setInputFiles("input[type=file]", batchFiles());
     time = await finished;
   });
-  return { time, ...summarize([recording]) };
+  return { time, recording };
 }
 
 const nextFrame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
@@ -212,16 +329,6 @@ async function recordMainThread(browser, page, measure) {
   return {
     frames: [...script.values()],
     longest: tasks.reduce((a, b) => Math.max(a, b), 0),
-  };
-}
-
-/** Returns the 95th percentile of the script time per frame and the longest task of recordings. */
-function summarize(recordings) {
-  const frames = recordings.flatMap(({ frames }) => frames).sort((a, b) => a - b);
-  return {
-    script: frames[Math.floor(frames.length * 0.95)] ?? 0,
-    longest: Math.max(...recordings.map(({ longest }) => longest)),
-    frames: frames.length,
   };
 }
 

@@ -1,144 +1,249 @@
-/** Benchmarks of the WebAssembly module and of three.js' BVHLoader in the same page. */
+/** Rows on the core: reading, detection and segmentation, natively and as WebAssembly. */
 
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
-import { root, step } from "../run.mjs";
-import { benchFolder, HOUR, HUNDRED_MEGABYTES, LENGTHS, TEN_MEGABYTES, urlPath } from "./clips.mjs";
+import { step } from "../run.mjs";
+import { filePath, HOUR, HUNDRED_MEGABYTES, LENGTHS, TEN_MEGABYTES, urlPath } from "./clips.mjs";
+import { alternate, speedRow, timeRow } from "./pairs.mjs";
 
-export const METHODS = ["auto", "pca", "pca-tail", "ppca", "lsd", "mvu"];
+const SHORT = 10_000;
+/** Methods of segmentation that are compared with a detection, and their number of pairs. */
+const SEGMENTATIONS = { auto: 9, lsd: 9, pca: 9, "pca-tail": 9, ppca: 9, mvu: 1 };
 
-/** @param {() => Promise<import("playwright").Browser>} launch */
-export async function measureCore(launch) {
-  step("Measuring the WebAssembly module");
-  const { createServer } = await import("vite");
-  const server = await createServer({
-    root: join(root, "tests/bench"),
-    publicDir: benchFolder,
-    server: { fs: { allow: [root] } },
-    logLevel: "warn",
-  });
-  await server.listen();
-  /** Runs a measurement in a page of a newly started browser. */
-  const inNewPage = async (measure) => {
-    const browser = await launch();
-    try {
-      const page = await browser.newPage();
-      page.setDefaultTimeout(0);
-      await page.goto(server.resolvedUrls.local[0]);
-      await page.waitForFunction(() => document.title === "ready");
-      const call = (name, ...args) =>
-        page.evaluate(([name, args]) => globalThis.bench[name](...args), [name, args]);
-      return await measure(call, browser);
-    } finally {
-      await browser.close();
-    }
-  };
+/** Returns an operation of a native program or a page. */
+export const timed = (where, operation, argument) => () => where.measure(operation, argument);
+
+/**
+ * Returns rows on reading.
+ * @param {{ native: object, server: object }} where
+ */
+export async function readingRows({ native, server }) {
+  step("Measuring reading");
+  const page = await server.open();
   try {
-    return {
-      parsing: {
-        ten: await inNewPage((call) => measureParsing(call, TEN_MEGABYTES)),
-        hundred: await inNewPage((call) => measureParsing(call, HUNDRED_MEGABYTES)),
-      },
-      memory: {
-        ours: await inNewPage((call, browser) =>
-          memoryGrowth(browser, () => call("parse", HUNDRED_URL, 1)),
-        ),
-        loader: await inNewPage((call, browser) =>
-          memoryGrowth(browser, () => call("parseWithLoader", HUNDRED_URL, 1)),
-        ),
-      },
-      ...(await inNewPage(measureShortClips)),
-      growth: await measureGrowth(inNewPage),
-    };
+    await native.open(filePath(TEN_MEGABYTES));
+    await page.open(TEN_MEGABYTES);
+    const read = timed(native, "read");
+    const size = "10 MB";
+    const rows = [
+      speedRow(
+        `read ${size}, native`,
+        "fast-float2 on the numbers alone",
+        await alternate(15, read, timed(native, "fast-float")),
+        1,
+      ),
+      speedRow(
+        `read ${size}, native`,
+        "bvh_anim",
+        await alternate(9, read, timed(native, "bvh_anim")),
+        6,
+      ),
+      timeRow(
+        `read ${size}, native`,
+        "one pass of memory over the file",
+        await alternate(9, read, timed(native, "pass")),
+      ),
+      speedRow(
+        `read ${size}, wasm`,
+        "native",
+        await alternate(15, timed(page, "read"), read),
+        0.75,
+      ),
+      speedRow(
+        `read ${size}, wasm`,
+        "BVHLoader of three.js",
+        await alternate(7, timed(page, "read-file"), timed(page, "bvh-loader")),
+        20,
+      ),
+    ];
+    await page.open(HUNDRED_MEGABYTES);
+    rows.push(
+      speedRow(
+        "read 100 MB, wasm",
+        "BVHLoader of three.js",
+        await alternate(2, timed(page, "read-file"), timed(page, "bvh-loader")),
+        40,
+      ),
+    );
+    return rows;
   } finally {
-    await server.close();
+    await page.close();
   }
 }
 
-const HUNDRED_URL = urlPath(HUNDRED_MEGABYTES);
-
-/** Measures both readers on the same file, in the same page. */
-async function measureParsing(call, frames) {
-  const url = urlPath(frames);
-  const ours = await call("parse", url, 5);
-  return {
-    bytes: ours.bytes,
-    ours: ours.time,
-    loader: (await call("parseWithLoader", url, 3)).time,
-  };
+/** Returns rows on detection, and what the Python references need. */
+export async function detectionRows({ native, server }) {
+  step("Measuring detection");
+  const page = await server.open();
+  const first = timed(page, "detect");
+  /** Reading and placing all joints of the open clip. */
+  const reading = async () => (await page.measure("read")) + (await page.measure("positions"));
+  const rows = [];
+  const [signals, clustering] = [{}, {}];
+  try {
+    for (const frames of [SHORT, 100_000]) {
+      await page.open(frames);
+      rows.push(
+        timeRow(
+          `label ${frames.toLocaleString("en")} frames`,
+          "reading the file and placing all joints",
+          await alternate(frames > SHORT ? 7 : 15, first, reading),
+          1,
+        ),
+      );
+    }
+    await native.open(filePath(SHORT));
+    await page.open(SHORT);
+    rows.push(
+      timeRow(
+        "label 10,000 frames",
+        "native",
+        await alternate(15, first, timed(native, "detect")),
+        1.3,
+      ),
+      speedRow(
+        "label 10,000 frames",
+        "all pairs of frames",
+        await alternate(3, first, timed(page, "detect-all-pairs")),
+      ),
+      timeRow(
+        "label 10,000 frames with another r",
+        "first labels",
+        await alternate(15, timed(page, "detect-another-r"), first),
+        0.35,
+      ),
+      timeRow(
+        "label 10,000 frames with another w",
+        "first labels",
+        await alternate(9, timed(page, "detect-another-w"), first),
+      ),
+    );
+    for (const frames of [1000, 300]) {
+      await page.call("truncate", frames);
+      rows.push(
+        speedRow(
+          `label ${frames.toLocaleString("en")} frames`,
+          "all pairs at the peak of the processor",
+          await alternate(15, first, allPairsAtPeak(page, frames)),
+          0.35,
+        ),
+      );
+      signals[frames] = await page.call("toeSignals");
+      clustering[frames] = [];
+      for (let run = 0; run < 21; run++) {
+        clustering[frames].push(await page.measure("cluster-paper"));
+      }
+    }
+    return { rows, signals, clustering };
+  } finally {
+    await page.close();
+  }
 }
 
 /**
- * Returns the peak memory of the page's process during a measurement, minus its memory before, in
- * bytes; undefined if the system does not report it.
+ * Returns the time that the arithmetic on all pairs would take at the peak of the processor: two
+ * clusterings, which evaluate each pair once, and one comparison of all samples with all others. Counted
+ * are distances in six dimensions (18 operations), the kernels (2 and 13), and sums (4 or 2).
  */
-async function memoryGrowth(browser, measure) {
-  const before = await rendererMemory(browser, "VmRSS");
-  const { bytes } = await measure();
-  const peak = await rendererMemory(browser, "VmHWM");
-  return before && peak ? { bytes, growth: peak - before } : undefined;
+function allPairsAtPeak(page, frames) {
+  const samples = 2 * frames;
+  const contact = (samples ** 2 / 2) * (18 + 2 + 4);
+  const toe = samples ** 2 * (18 + 2 + 2);
+  const heel = (samples ** 2 / 2) * (18 + 13 + 4);
+  const multiplyAdds = (contact + toe + heel) / 2;
+  return async () =>
+    ((await page.measure("peak")) * multiplyAdds) / (await page.call("peakMultiplyAdds"));
 }
 
-async function rendererMemory(browser, field) {
-  const session = await browser.newBrowserCDPSession();
-  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
-  const pages = processInfo.filter(({ type }) => type === "renderer");
+/** Returns rows on segmentation. */
+export async function segmentationRows({ native, server }) {
+  step("Measuring segmentation");
+  const page = await server.open();
   try {
-    const amounts = pages.map(({ id }) => {
-      const status = readFileSync(`/proc/${id}/status`, "utf8");
-      return 1024 * Number(new RegExp(`${field}:\\s+(\\d+) kB`).exec(status)?.[1]);
-    });
-    return Math.max(...amounts);
-  } catch {
-    return undefined;
+    await page.open(SHORT);
+    await native.open(filePath(SHORT));
+    const rows = [];
+    for (const [method, count] of Object.entries(SEGMENTATIONS)) {
+      const pairs = await alternate(count, timed(page, "segment", method), timed(page, "detect"));
+      const target = method === "mvu" || method === "pca-tail" ? undefined : 1;
+      rows.push(timeRow(`segment 10,000 frames: ${method}`, "labelling the clip", pairs, target));
+    }
+    const auto = [timed(page, "segment", "auto"), timed(native, "segment", "auto")];
+    rows.push(timeRow("segment 10,000 frames: auto", "native", await alternate(9, ...auto)));
+    return rows;
+  } finally {
+    await page.close();
   }
 }
 
-/** Measures clips of up to 10,000 frames, in milliseconds. */
-async function measureShortClips(call) {
-  await call("parse", urlPath(10_000), 1);
-  const detect = { 10000: await call("detect", 15, false) };
-  const exact = { 10000: await call("detect", 1, true) };
-  const redetect = { w: await call("redetect", 15, "w"), r: await call("redetect", 15, "r") };
-  const segment = {};
-  for (const method of METHODS) {
-    segment[method] = await call("segment", method, method === "mvu" ? 1 : 3);
-  }
-  const [published, toeSignals] = [{}, {}];
-  for (const frames of [1000, 300]) {
-    await call("truncate", frames);
-    detect[frames] = await call("detect", 21, false);
-    exact[frames] = await call("detect", 5, true);
-    published[frames] = {
-      total: await call("detect", 21, false, "paper"),
-      clustering: await call("redetect", 21, "r", "paper"),
-    };
-    toeSignals[frames] = await call("toeSignals");
-  }
-  return { detect, exact, published, redetect, segment, toeSignals };
-}
-
-/** Measures time and memory for clips of increasing length. */
-async function measureGrowth(inNewPage) {
-  const rows = [];
+/** Returns rows on growth with the length of a clip, and the measurements for charts. */
+export async function growthRows({ server }) {
+  step("Measuring long clips");
+  const growth = [];
   for (const frames of LENGTHS) {
-    // In a new page, since wasm memory never shrinks.
-    const row = await inNewPage(async (call) => {
-      const { time, bytes, before } = await call("parse", urlPath(frames), 1);
-      const positions = await call("positions", 1);
-      const afterParsing = await call("memoryBytes");
-      const detect = await call("detect", frames < 50_000 ? 15 : 5, false);
-      const afterDetection = await call("memoryBytes");
-      const more = frames === HOUR ? await measureHour(call) : {};
-      const memory = { parsed: afterParsing - before, detected: afterDetection - before };
-      return { frames, bytes, parse: time, positions, detect, memory, ...more };
-    });
-    rows.push(row);
+    const page = await server.open();
+    try {
+      const before = await page.call("memoryBytes");
+      const bytes = await page.open(frames);
+      const parsed = (await page.call("memoryBytes")) - before;
+      const detect = await page.measure("detect");
+      const detected = (await page.call("memoryBytes")) - before;
+      growth.push({
+        frames,
+        bytes,
+        detect,
+        parse: await page.measure("read-file"),
+        positions: await page.measure("positions"),
+        memory: { parsed, detected },
+      });
+    } finally {
+      await page.close();
+    }
   }
-  return rows;
+  const page = await server.open();
+  try {
+    const perFrame = (frames) => async () => {
+      await page.open(frames);
+      return (await page.measure("detect")) / (frames / 1000);
+    };
+    const pairs = await alternate(7, perFrame(HOUR), perFrame(SHORT));
+    const { bytes, memory } = growth.at(-1);
+    const memoryRow = (stage, value, target) => ({
+      ...timeRow(
+        `wasm memory after ${stage} one hour`,
+        "size of the file",
+        [{ ours: value, reference: bytes }],
+        target,
+      ),
+      text: megabytes,
+    });
+    return {
+      growth,
+      rows: [
+        timeRow("label one hour, per 1,000 frames", "10,000 frames", pairs, 1.15),
+        memoryRow("reading", memory.parsed),
+        memoryRow("labelling", memory.detected, 1.5),
+      ],
+    };
+  } finally {
+    await page.close();
+  }
 }
 
-/** Measures further operations on the longest clip. */
-async function measureHour(call) {
-  return { redetect: await call("redetect", 3, "w"), segment: await call("segment", "auto", 1) };
+/** Returns a row on the memory of a page that reads a long file; none where the system does not report it. */
+export async function memoryRows({ server }) {
+  const growth = async (name) => {
+    const page = await server.open();
+    try {
+      const before = await page.rendererMemory("VmRSS");
+      await page.call(name, urlPath(HUNDRED_MEGABYTES));
+      return (await page.rendererMemory("VmHWM")) - before;
+    } finally {
+      await page.close();
+    }
+  };
+  const pairs = [{ ours: await growth("open"), reference: await growth("load") }];
+  if (!Number.isFinite(pairs[0].ours)) return [];
+  const row = speedRow("memory of the page to read 100 MB", "BVHLoader of three.js", pairs, 8);
+  return [{ ...row, text: megabytes }];
 }
+
+const megabytes = (value) => `${(value / 1e6).toFixed(0)} MB`;

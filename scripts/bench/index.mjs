@@ -1,50 +1,55 @@
 /** `npm run bench`: measures speed, memory and download size, and writes BENCHMARKS.md. */
 
-import { readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { brotliCompressSync, constants } from "node:zlib";
+import { parseArgs } from "node:util";
 import { browser } from "../browser.mjs";
 import { buildSite } from "../build.mjs";
 import { main, root } from "../run.mjs";
 import { setup } from "../setup.mjs";
-import { measureApp } from "./app.mjs";
+import { compareWith } from "./against.mjs";
+import { appRows } from "./app.mjs";
 import { generateClips } from "./clips.mjs";
-import { measureCore } from "./core.mjs";
-import { measureNative } from "./native.mjs";
-import { measureReferences } from "./references.mjs";
+import { detectionRows, growthRows, memoryRows, readingRows, segmentationRows } from "./core.mjs";
+import { startNative } from "./native.mjs";
+import { serveBenchPage } from "./page.mjs";
+import { pythonRows } from "./references.mjs";
 import { toMarkdown, writeCharts } from "./report.mjs";
+import { sizeRows } from "./sizes.mjs";
 
 await main(async () => {
+  const { values } = parseArgs({ options: { against: { type: "string" } } });
   await setup();
-  await buildSite();
   const { chromium: executablePath } = await browser();
-  await generateClips();
   const { chromium } = await import("playwright");
   const launch = () => chromium.launch({ executablePath, args: ["--no-sandbox"] });
-  const coreResults = await measureCore(launch);
-  const results = {
-    core: coreResults,
-    references: measureReferences(coreResults.toeSignals),
-    native: await measureNative(),
-    app: await measureApp(launch),
-    sizes: downloadSizes(),
-  };
-  writeCharts(results.core.growth);
-  const markdown = toMarkdown(results);
-  writeFileSync(join(root, "BENCHMARKS.md"), markdown);
-  console.log(`\n${markdown}\nWrote BENCHMARKS.md.`);
+  await generateClips();
+  if (values.against) return await compareWith(values.against, launch);
+  await buildSite();
+  const native = await startNative({ tree: root });
+  const server = await serveBenchPage({ tree: root, launch });
+  try {
+    const where = { native, server, launch };
+    const reading = await readingRows(where);
+    const detection = await detectionRows(where);
+    const segmentation = await segmentationRows(where);
+    const long = await growthRows(where);
+    const rows = [
+      ...reading,
+      ...(await memoryRows(where)),
+      ...detection.rows,
+      ...pythonRows(detection),
+      ...segmentation,
+      ...long.rows,
+      ...(await appRows(where)),
+      ...sizeRows(),
+    ];
+    writeCharts(long.growth);
+    const markdown = toMarkdown({ rows, growth: long.growth });
+    writeFileSync(join(root, "BENCHMARKS.md"), markdown);
+    console.log(`\n${markdown}\nWrote BENCHMARKS.md.`);
+  } finally {
+    native.close();
+    await server.close();
+  }
 });
-
-/** Returns the sizes of the wasm module and of all scripts, compressed with Brotli, in bytes. */
-function downloadSizes() {
-  const compressed = (path) =>
-    brotliCompressSync(readFileSync(path), {
-      params: { [constants.BROTLI_PARAM_QUALITY]: 11 },
-    }).length;
-  const assets = join(root, "web/dist/assets");
-  const total = (ending) =>
-    readdirSync(assets)
-      .filter((name) => name.endsWith(ending) && statSync(join(assets, name)).isFile())
-      .reduce((sum, name) => sum + compressed(join(assets, name)), 0);
-  return { wasm: total(".wasm"), js: total(".js") };
-}

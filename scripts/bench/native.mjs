@@ -1,32 +1,40 @@
-/** Benchmarks without a browser: the core with Criterion, and the command line on a folder. */
+/** The native program whose operations are measured, and the command line. */
 
-import { readFileSync } from "node:fs";
+import { spawn } from "node:child_process";
 import { join } from "node:path";
-import { run, step } from "../run.mjs";
+import { createInterface } from "node:readline";
+import { run, Stop, step } from "../run.mjs";
 import { CRATES, targetFolder } from "../setup.mjs";
-import { batchFolder, benchFolder } from "./clips.mjs";
 
-/** Returns times in milliseconds. */
-export async function measureNative() {
-  step("Measuring without a browser");
-  const source = { source: CRATES };
-  await run("cargo", ["bench", "--locked", "-p", "plantigrade-evaluate"], source);
-  const medianTime = (name) => {
-    const file = join(targetFolder(), "criterion", name, "new/estimates.json");
-    return JSON.parse(readFileSync(file, "utf8")).median.point_estimate / 1e6;
-  };
-  await run("cargo", ["build", "--locked", "--release", "-p", "plantigrade-cli"], source);
-  const cli = join(targetFolder(), "release/plantigrade");
-  const start = performance.now();
-  await run(cli, ["detect", batchFolder, "--force", "--out", join(benchFolder, "labels")], {
-    quiet: true,
+/**
+ * Builds the native programs of a source tree and starts the measured one.
+ * @param {{ tree: string, target?: string }} options Source tree and target folder of cargo.
+ */
+export async function startNative({ tree, target = targetFolder() }) {
+  step("Building the native programs");
+  const manifest = ["--manifest-path", join(tree, "Cargo.toml"), "--target-dir", target];
+  const programs = ["plantigrade-measure", "plantigrade"].flatMap((name) => ["--bin", name]);
+  const packages = ["-p", "plantigrade-evaluate", "-p", "plantigrade-cli"];
+  await run("cargo", ["build", "--locked", "--release", ...manifest, ...packages, ...programs], {
+    source: CRATES,
   });
-  const folderTime = performance.now() - start;
-  const detect = (frames) => medianTime(`detect/${frames}`);
+  const child = spawn(join(target, "release/plantigrade-measure"), {
+    stdio: ["pipe", "pipe", "inherit"],
+  });
+  const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+  const send = async (line) => {
+    child.stdin.write(`${line}\n`);
+    const { value, done } = await lines.next();
+    if (done) throw new Stop(`plantigrade-measure ended at "${line}".`);
+    return Number(value);
+  };
   return {
-    parse: medianTime("read/ten-megabytes"),
-    detect: { 300: detect(300), 1000: detect(1000), 10000: detect(10_000) },
-    segment: medianTime("cut/10000"),
-    folder: folderTime,
+    /** Opens a file for the other operations. */
+    open: (path) => send(`open ${path}`),
+    /** Returns the mean time of an operation, in milliseconds. */
+    measure: (operation, argument) => send(argument ? `${operation} ${argument}` : operation),
+    /** Path of the command line. */
+    commandLine: join(target, "release/plantigrade"),
+    close: () => child.stdin.end(),
   };
 }

@@ -1,4 +1,8 @@
-/** Functions measured by scripts/bench/core.mjs: the wasm module and three.js' loader. */
+/**
+ * Operations that `npm run bench` measures in a page: those of the wasm module and, as references,
+ * three.js' loader and arithmetic at the peak of the processor. The native program
+ * `plantigrade-measure` has the same operations with the same names.
+ */
 
 import { BVHLoader } from "three/examples/jsm/loaders/BVHLoader.js";
 import init, {
@@ -9,10 +13,34 @@ import init, {
 import { readChunks } from "../../web/src/workers/read-blob";
 import { rewriteFile } from "../../web/src/workers/rewrite-file";
 
-const { memory } = await init();
+/** Minimum duration of a measurement in milliseconds; shorter operations are repeated. */
+const MIN_DURATION = 20;
+/** Bytes of a chunk of a file in memory, as the app reads them. */
+const CHUNK_BYTES = 1 << 20;
+/** Multiply-adds of the peak measurement: 48 per repeat. */
+const PEAK_REPEATS = 1_000_000;
 
-let clip: WasmClip | undefined;
-let clipFile: Blob | undefined;
+const { memory } = await init();
+const peak = await WebAssembly.instantiateStreaming(fetch("/peak.wasm"));
+const multiplyAdds = peak.instance.exports.multiply_adds as (repeats: number) => number;
+
+interface Opened {
+  file: Blob;
+  clip: WasmClip;
+  /** Content for operations on files in memory, once needed. */
+  bytes?: Uint8Array;
+  text?: string;
+}
+
+const clips = new Map<string, Opened>();
+let current: Opened | undefined;
+/** Number of detections with changed parameters so far. */
+let detections = 0;
+
+function opened(): Opened {
+  if (!current) throw new Error("no clip is open");
+  return current;
+}
 
 /** Reads a file as the app's worker does. */
 async function read(file: Blob): Promise<WasmClip> {
@@ -21,85 +49,115 @@ async function read(file: Blob): Promise<WasmClip> {
   return reader.finish();
 }
 
-/** Returns the time of the fastest of several runs, in milliseconds, and the result of the last. */
-async function bestTime<T>(runs: number, run: () => T | Promise<T>): Promise<[number, T]> {
-  let best = Number.POSITIVE_INFINITY;
-  for (;;) {
-    const start = performance.now();
-    const result = await run();
-    best = Math.min(best, performance.now() - start);
-    if (--runs <= 0) return [best, result];
+/** Reads a file that is in memory. */
+function readBytes(bytes: Uint8Array): WasmClip {
+  const reader = new WasmReader(false, bytes.length);
+  for (let start = 0; start < bytes.length; start += CHUNK_BYTES) {
+    reader.push(bytes.subarray(start, start + CHUNK_BYTES));
   }
+  return reader.finish();
 }
 
-/** Returns the median time to detect plants, in milliseconds; `params` returns the options of a run. */
-async function medianDetectionTime(runs: number, params: () => DetectOptions) {
-  // The clock is coarse: for short clips, each run is the mean of several repeats.
-  const repeats = (clip?.info().frames ?? 0) > 2000 ? 1 : 20;
-  const means: number[] = [];
-  for (let run = 0; run < runs; run++) {
-    let sum = 0;
-    for (let repeat = 0; repeat < repeats; repeat++) {
-      const options = params();
-      sum += (await bestTime(1, () => clip?.detect(options).free()))[0];
-    }
-    means.push(sum / repeats);
-  }
-  return means.sort((a, b) => a - b)[Math.floor(runs / 2)];
+/** Detects with default parameters, except for those given. */
+function detect(options: Partial<DetectOptions>) {
+  return opened().clip.detect({ method: "robust", r: 0.001, w: 1, exact: false, ...options });
 }
+
+/** Detects after everything that depends on the clip has been cleared. */
+function detectAgain(options: Partial<DetectOptions>) {
+  opened().clip.override({});
+  return detect(options);
+}
+
+/** Result of an operation, released outside the measured time. */
+type Result = { free(): void } | undefined;
+
+/** The operations, by name. `prepare` runs outside the measured time. */
+const operations: Record<
+  string,
+  { prepare?(): Promise<void>; run(argument: string): Result | Promise<Result> }
+> = {
+  read: {
+    async prepare() {
+      opened().bytes ??= new Uint8Array(await opened().file.arrayBuffer());
+    },
+    run: () => readBytes(opened().bytes as Uint8Array),
+  },
+  "read-file": { run: () => read(opened().file) },
+  "bvh-loader": {
+    async prepare() {
+      opened().text ??= await opened().file.text();
+    },
+    run() {
+      new BVHLoader().parse(opened().text as string);
+      return undefined;
+    },
+  },
+  positions: {
+    run() {
+      opened().clip.positions();
+      return undefined;
+    },
+  },
+  detect: { run: () => detectAgain({}) },
+  "detect-all-pairs": { run: () => detectAgain({ exact: true }) },
+  "detect-paper": { run: () => detectAgain({ method: "paper" }) },
+  "detect-another-r": { run: () => detect({ r: 0.001 + 1e-5 * (++detections % 50) }) },
+  "detect-another-w": { run: () => detect({ w: 1 + (++detections % 2) }) },
+  "cluster-paper": {
+    run: () => detect({ method: "paper", r: 0.001 + 1e-5 * (++detections % 50) }),
+  },
+  segment: { run: (method) => opened().clip.segment({ method }, () => {}) },
+  peak: {
+    run() {
+      multiplyAdds(PEAK_REPEATS);
+      return undefined;
+    },
+  },
+};
 
 const bench = {
-  /** Reads a clip for the other functions. Returns milliseconds, and bytes of the file and of memory. */
-  async parse(url: string, runs: number) {
-    const file = await (await fetch(url)).blob();
-    const before = memory.buffer.byteLength;
-    const [time] = await bestTime(runs, async () => {
-      clip?.free();
-      clip = await read(file);
-    });
-    clipFile = file;
-    return { time, bytes: file.size, memory: memory.buffer.byteLength, before };
+  /** Opens a clip, or selects it if it is open. Returns its size in bytes. */
+  async open(url: string) {
+    current = clips.get(url);
+    if (!current) {
+      const file = await (await fetch(url)).blob();
+      current = { file, clip: await read(file) };
+      clips.set(url, current);
+    }
+    return current.file.size;
   },
 
-  /** Reads a clip with three.js' loader. */
-  async parseWithLoader(url: string, runs: number) {
+  /** Reads a clip with three.js' loader only. */
+  async load(url: string) {
     const text = await (await fetch(url)).text();
-    const [time, parsed] = await bestTime(runs, () => new BVHLoader().parse(text));
-    return { time, bytes: text.length, joints: parsed.skeleton.bones.length };
+    return new BVHLoader().parse(text).skeleton.bones.length;
   },
 
-  /** Truncates the clip to its first frames. */
+  /** Truncates the open clip to its first frames. */
   async truncate(frames: number) {
-    if (!clip || !clipFile) throw new Error("no clip is open");
-    const part = await rewriteFile(clipFile, clip.cut(0, frames));
-    clip.free();
-    clip = await read(part);
-    clipFile = part;
-    return clip.info().frames;
+    const { file, clip } = opened();
+    const part = await rewriteFile(file, clip.cut(0, frames));
+    current = { file: part, clip: await read(part) };
   },
 
-  /** Returns the time of a first detection of all parts of both feet, in milliseconds. */
-  async detect(runs: number, exact: boolean, method = "robust") {
-    return medianDetectionTime(runs, () => {
-      // Overrides clear the detection cache.
-      clip?.override({});
-      return { method, r: 0.001, w: 1, exact };
-    });
-  },
-
-  /** Returns the time of a detection after a change of r, or of r and w, in milliseconds. */
-  async redetect(runs: number, what: "r" | "w", method = "robust") {
-    let run = 0;
-    return medianDetectionTime(runs, () => {
-      run++;
-      return { method, r: 0.001 + run * 1e-5, w: what === "w" ? 1 + (run % 2) : 1 };
-    });
+  /** Returns the mean time of an operation on the open clip, in milliseconds. */
+  async measure(name: string, argument = "") {
+    const operation = operations[name];
+    await operation.prepare?.();
+    let total = 0;
+    for (let runs = 1; ; runs++) {
+      const start = performance.now();
+      const result = await operation.run(argument);
+      total += performance.now() - start;
+      result?.free();
+      if (total >= MIN_DURATION) return total / runs;
+    }
   },
 
   /** Returns the input of the published method: heights and speeds of both toes, and the bandwidth. */
   toeSignals() {
-    const detection = clip?.detect({ method: "paper", r: 0.001, w: 1 });
-    if (!detection) throw new Error("no clip is open");
+    const detection = detect({ method: "paper" });
     const [heights, speeds] = (["height", "speed"] as const).map((what) =>
       ["left", "right"].map((side) => [...detection[what]("toe", side)]),
     );
@@ -113,16 +171,9 @@ const bench = {
     return memory.buffer.byteLength;
   },
 
-  /** Returns the time of a segmentation, in milliseconds. */
-  async segment(method: string, runs: number) {
-    const [time] = await bestTime(runs, () => clip?.segment({ method }, () => {}).free());
-    return time;
-  },
-
-  /** Returns the time to compute the positions of all joints in all frames, in milliseconds. */
-  async positions(runs: number) {
-    const [time] = await bestTime(runs, () => clip?.positions().length);
-    return time;
+  /** Returns the multiply-adds of a peak measurement. */
+  peakMultiplyAdds() {
+    return 48 * PEAK_REPEATS;
   },
 };
 

@@ -1,11 +1,10 @@
 """Measures the time that reference libraries take to cluster toe signals.
 
 Reads heights, speeds and the bandwidth by number of frames, as JSON from standard input. Prints
-milliseconds by library and number of frames as JSON. Missing libraries are left out.
+milliseconds of each run by library and number of frames as JSON. Missing libraries are left out.
 """
 
 import json
-import statistics
 import sys
 import time
 
@@ -30,13 +29,13 @@ def samples(signals):
 
 
 def measure(function, runs):
-    """Returns the median and the minimum of the times, which vary with the scheduling of threads."""
+    """Returns the times of all runs."""
     times = []
     for _ in range(runs):
         start = time.perf_counter()
         function()
         times.append(1000 * (time.perf_counter() - start))
-    return {"median": statistics.median(times), "minimum": min(times)}
+    return times
 
 
 def dense_eigensolver(points, gamma):

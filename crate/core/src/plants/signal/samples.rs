@@ -138,7 +138,10 @@ impl Samples {
 
     /// Returns the coordinates of one sample.
     pub fn point(&self, sample: usize) -> &[f32] {
-        let run = &self.runs[self.runs.partition_point(|run| run.sample <= sample) - 1];
+        self.point_in(&self.runs[self.runs.partition_point(|run| run.sample <= sample) - 1], sample)
+    }
+
+    fn point_in(&self, run: &Run, sample: usize) -> &[f32] {
         let start = run.start + (sample - run.sample) * run.step;
         &self.values[start..start + self.dimension]
     }
@@ -151,7 +154,13 @@ impl Samples {
 
     /// Returns the coordinates of all samples in order.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &[f32]> + Clone {
-        (0..self.len()).map(|sample| self.point(sample))
+        let mut run = 0;
+        (0..self.len()).map(move |sample| {
+            while self.runs.get(run + 1).is_some_and(|next| next.sample <= sample) {
+                run += 1;
+            }
+            self.point_in(&self.runs[run], sample)
+        })
     }
 }
 

@@ -9,6 +9,7 @@
 //! precision within a block, double precision across blocks. The relative error is below 1e-5 of
 //! double precision.
 
+use std::cell::OnceCell;
 use std::ops::Range;
 
 use crate::plants::signal::samples::Samples;
@@ -27,6 +28,9 @@ const LANES: usize = 16;
 /// Number of samples in a block, whose sums are in single precision.
 const BLOCK: usize = 128;
 
+/// Maximum number of samples whose blocks are kept between products; they occupy up to 5 MB.
+const MAX_KEPT_SAMPLES: usize = 200_000;
+
 type Lanes = [f32; LANES];
 
 /// Graph of the affinities of samples. Its matrix A is multiplied but never stored.
@@ -35,6 +39,8 @@ pub(crate) struct AffinityGraph<'a> {
     /// Factor of the coordinates.
     factor: f64,
     samples: &'a Samples,
+    /// The samples of each block, if there are few enough to keep them.
+    blocks: OnceCell<Vec<Columns>>,
 }
 
 impl<'a> AffinityGraph<'a> {
@@ -45,7 +51,7 @@ impl<'a> AffinityGraph<'a> {
             Kernel::Gaussian => std::f64::consts::LOG2_E.sqrt() / sigma,
             Kernel::Cauchy => 1.0 / sigma,
         };
-        AffinityGraph { kernel, factor, samples }
+        AffinityGraph { kernel, factor, samples, blocks: OnceCell::new() }
     }
 
     /// Returns A·`weights`: for each i, the sum over j ≠ i of `weights[j]` × affinity of samples i
@@ -65,15 +71,25 @@ impl<'a> AffinityGraph<'a> {
     pub fn multiply_for(&self, queries: &Samples, weights: &[f64]) -> Vec<f64> {
         let queries = Columns::new(queries, self.factor, 0, queries.len());
         let mut sums = vec![0.0; queries.count];
+        let mut add = |columns: &Columns, weights: &[f64]| match self.kernel {
+            Kernel::Gaussian => columns.add_to(&mut sums, &queries, weights, power_of_two),
+            Kernel::Cauchy => columns.add_to(&mut sums, &queries, weights, cauchy),
+        };
         // Block by block, so that the samples of a block stay in the processor cache.
-        for (block, weights) in weights.chunks(BLOCK).enumerate() {
-            let columns = Columns::new(self.samples, self.factor, block * BLOCK, weights.len());
-            match self.kernel {
-                Kernel::Gaussian => columns.add_to(&mut sums, &queries, weights, power_of_two),
-                Kernel::Cauchy => columns.add_to(&mut sums, &queries, weights, cauchy),
-            }
+        if self.samples.len() <= MAX_KEPT_SAMPLES {
+            let blocks = self.blocks.get_or_init(|| self.blocks().collect());
+            blocks.iter().zip(weights.chunks(BLOCK)).for_each(|(block, weights)| add(block, weights));
+        } else {
+            self.blocks().zip(weights.chunks(BLOCK)).for_each(|(block, weights)| add(&block, weights));
         }
         sums
+    }
+
+    /// Returns the samples block by block.
+    fn blocks(&self) -> impl Iterator<Item = Columns> {
+        let count = self.samples.len();
+        let block = move |start| Columns::new(self.samples, self.factor, start, BLOCK.min(count - start));
+        (0..count).step_by(BLOCK).map(block)
     }
 }
 

@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use crate::numeric::sort;
 use crate::plants::signal::samples::Samples;
@@ -33,8 +33,10 @@ pub(crate) struct Point {
 
 /// Principal axes of samples.
 pub(crate) struct PrincipalAxes {
-    mean: DVector<f64>,
-    axes: DMatrix<f64>,
+    mean: Vec<f64>,
+    /// For each coordinate of a sample its component along each axis; 0 along axes beyond the
+    /// dimension of the samples.
+    components: Vec<[f64; DIMS]>,
 }
 
 impl PrincipalAxes {
@@ -43,23 +45,32 @@ impl PrincipalAxes {
         let dimension = samples.dimension;
         let points = samples.points().step_by(samples.len().div_ceil(MAX_PCA_SAMPLES).max(1));
         let count = points.len() as f64;
-        let mut mean = DVector::zeros(dimension);
+        let mut mean = vec![0.0; dimension];
         for point in points.clone() {
             mean.iter_mut().zip(point).for_each(|(sum, value)| *sum += f64::from(*value) / count);
         }
-        let mut scatter = DMatrix::zeros(dimension, dimension);
-        let mut difference = DVector::zeros(dimension);
+        // The lower triangle; nalgebra's update by an outer product is ten times slower for few rows.
+        let mut scatter = vec![0.0; dimension * dimension];
+        let mut difference = vec![0.0; dimension];
         for point in points {
             for (difference, (value, mean)) in difference.iter_mut().zip(point.iter().zip(&mean)) {
                 *difference = f64::from(*value) - mean;
             }
-            scatter.syger(1.0, &difference, &difference, 1.0);
+            for (row, sums) in scatter.chunks_exact_mut(dimension).enumerate() {
+                for (sum, other) in sums.iter_mut().zip(&difference[..=row]) {
+                    *sum += difference[row] * other;
+                }
+            }
         }
-        let eigen = scatter.symmetric_eigen();
-        let mut order = sort::argsort_descending(eigen.eigenvalues.as_slice());
-        order.truncate(DIMS);
-        let rows: Vec<_> = order.iter().map(|&axis| eigen.eigenvectors.column(axis).transpose()).collect();
-        PrincipalAxes { mean, axes: DMatrix::from_rows(&rows) }
+        let eigen = DMatrix::from_row_slice(dimension, dimension, &scatter).symmetric_eigen();
+        let order = sort::argsort_descending(eigen.eigenvalues.as_slice());
+        let component = |coordinate: usize, axis: usize| {
+            order.get(axis).map_or(0.0, |&axis| eigen.eigenvectors[(coordinate, axis)])
+        };
+        let components = (0..dimension)
+            .map(|coordinate| std::array::from_fn(|axis| component(coordinate, axis)))
+            .collect();
+        PrincipalAxes { mean, components }
     }
 
     /// Returns the samples in principal coordinates.
@@ -71,11 +82,11 @@ impl PrincipalAxes {
     pub fn point(&self, index: usize, values: &[f32]) -> Point {
         let mut coords = [0.0; DIMS];
         let mut total = 0.0;
-        for (axis, (value, mean)) in values.iter().zip(self.mean.iter()).enumerate() {
+        for ((value, mean), components) in values.iter().zip(&self.mean).zip(&self.components) {
             let difference = f64::from(*value) - mean;
             total += difference * difference;
-            for (coord, along) in coords.iter_mut().zip(self.axes.column(axis).iter()) {
-                *coord += along * difference;
+            for (coord, component) in coords.iter_mut().zip(components) {
+                *coord += component * difference;
             }
         }
         let projected: f64 = coords.iter().map(|coord| coord * coord).sum();
@@ -135,6 +146,7 @@ pub(crate) struct Cells {
     /// Target cells, about which sums are expanded.
     pub targets: Vec<CellExtent>,
     /// Source cells, which are summed over. They are larger and fewer: their errors differ in sign.
+    /// Neighbours in this order are near each other.
     pub sources: Vec<CellExtent>,
 }
 
@@ -147,8 +159,9 @@ impl Cells {
     pub fn new(mut points: Vec<Point>, max_targets: usize, max_sources: usize) -> Cells {
         let mut open = BinaryHeap::from([Cell::new(&points, 0..points.len())]);
         let mut closed: Vec<Cell> = Vec::new();
-        let extents = |open: &BinaryHeap<Cell>, closed: &[Cell]| -> Vec<CellExtent> {
-            open.iter().chain(closed).map(|cell| (cell.range.clone(), cell.mean)).collect()
+        let extents = |open: &BinaryHeap<Cell>, closed: &[Cell]| {
+            let cells = open.iter().chain(closed).map(|cell| (cell.range.clone(), cell.mean)).collect();
+            sort::sort_by_frames(cells, |(range, _): &CellExtent| (range.start, range.end))
         };
         let mut sources = None;
         while open.len() + closed.len() < max_targets {
