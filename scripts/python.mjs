@@ -13,8 +13,9 @@ import {
   writeFileSync,
 } from "node:fs";
 import { join } from "node:path";
+import { writeNotebookPage } from "./notebook-page.mjs";
 import { ask, main, root, run, Stop, step } from "./run.mjs";
-import { CRATES, pathFlags, targetFolder, toolchain } from "./setup.mjs";
+import { CRATES, pathFlags, setup, targetFolder } from "./setup.mjs";
 import { noticesText, wheelPackages } from "./third-party.mjs";
 
 const INDEX = "The Python package index";
@@ -88,13 +89,17 @@ export function requirements() {
 /** Returns the requirement of the tool that builds the wheel. */
 const maturin = () => requirements().filter((line) => line.startsWith("maturin"))[0];
 
-/** Builds the wheel with an interpreter that has maturin, and options of it. Returns its path. */
+/**
+ * Builds the wheel with an interpreter that has maturin, and options of it. Requires the wasm module. Returns
+ * its path.
+ */
 export async function buildWheel(interpreter, options = []) {
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) {
     copyFileSync(join(root, name), join(folder, name));
   }
   const notices = noticesText(wheelPackages(), "The Python package of Plantigrade");
   writeFileSync(join(folder, "THIRD-PARTY.txt"), notices);
+  await writeNotebookPage(join(folder, "python/plantigrade/_page.html.gz"));
   const wheels = join(targetFolder(), "wheels");
   rmSync(wheels, { recursive: true, force: true });
   mkdirSync(wheels, { recursive: true });
@@ -185,8 +190,7 @@ if (process.argv[1] === import.meta.filename) {
   await main(async () => {
     const found = findPython();
     if ("message" in found) throw new Stop(found.message);
-    await toolchain();
-    await run("cargo", ["fetch", "--locked"], { source: CRATES });
+    await setup();
     const options = process.argv.slice(2);
     const zig = options.includes("--zig") ? ["ziglang"] : [];
     const interpreter = await environment(found.python, "build", [maturin(), ...zig]);

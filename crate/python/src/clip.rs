@@ -113,6 +113,28 @@ impl RawClip {
         })?)
     }
 
+    /// Returns the overrides: roles with their joint in the file, up axis and metres per unit.
+    fn overrides(&self) -> (Vec<(&'static str, Option<usize>)>, Option<String>, Option<f64>) {
+        let Overrides { roles, up, metres_per_unit, .. } = &self.0.overrides;
+        let roles = roles.iter().map(|&(role, joint)| (role.name(), joint)).collect();
+        (roles, up.map(|up| up.to_string()), *metres_per_unit)
+    }
+
+    /// Returns the clip with these overrides instead of its own; joints are those of the file.
+    fn with_overrides(
+        &self,
+        py: Python<'_>,
+        fps: f64,
+        joints: Vec<RoleJoint>,
+        up: Option<&str>,
+        unit: Option<f64>,
+    ) -> PyResult<RawClip> {
+        let mut data = self.0.clone();
+        data.overrides =
+            Overrides { roles: parse_roles(joints)?, up: params::up(up)?, metres_per_unit: unit };
+        RawClip(data).overridden(py, Some(fps), Vec::new(), None, None)
+    }
+
     /// Names of the joints and end sites.
     fn names(&self) -> Vec<String> {
         let joints = self.0.clip.joints();

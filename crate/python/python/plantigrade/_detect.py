@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from ._arrays import LabelsLike
     from ._clip import Names, Path, Roles, Source
+    from ._viewer import Viewer
 
     Params = tuple[str, float, int, float | None, float, float, bool]
     EditTuple = tuple[str, str, int, int, bool]
@@ -390,6 +391,47 @@ class Detection:
         from ._plot import plot
 
         return plot(self, axes)
+
+    def show(self, *, height: int = 560, static: bool = False) -> Viewer:
+        """Show the clip with its labels in the viewer and timeline of the app, in a notebook.
+
+        The viewer is the value of the cell. It works without a network connection. If anywidget is
+        installed (``pip install plantigrade[notebook]``), edits that are made in the viewer are those of
+        :attr:`Viewer.detection` in the next cell::
+
+            viewer = detection.show()
+            viewer
+
+        Parameters
+        ----------
+        height : int
+            Height in pixels.
+        static : bool
+            If true, the viewer is a part of the notebook, about 2.5 MB, which also works when the notebook
+            is exported as HTML; its edits do not reach Python. So it is without anywidget.
+
+        Returns
+        -------
+        Viewer
+            The viewer.
+        """
+        from ._viewer import show
+
+        return show(self, height, static)
+
+    def save_html(self, path: Path) -> None:
+        """Write a page with the viewer, the clip and its labels.
+
+        The page is a single file, which works without Python and without a network connection.
+
+        Parameters
+        ----------
+        path : path
+            File to write.
+        """
+        from ._page import page
+
+        write(path, page(self).encode())
 
     def save(self, path: Path, format: str | None = None) -> None:
         """Write the labels as a file.
