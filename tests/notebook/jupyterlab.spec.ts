@@ -23,7 +23,9 @@ viewer = plantigrade.detect("walk.bvh").show()
 viewer`;
 const count = `print(viewer.detection.contact.sum(), len(viewer.detection.intervals))`;
 
-test("edits in the viewer change the arrays of the next cell, and the reverse", async ({ page }) => {
+test("edits in the viewer change the arrays of the next cell, and the reverse", async ({
+  page,
+}) => {
   const problems: string[] = [];
   page.on("pageerror", (error) => problems.push(error.message));
   const notebook = new Notebook(page);

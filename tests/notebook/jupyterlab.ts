@@ -111,11 +111,9 @@ export class Notebook {
     await this.page.goto(`${url}/lab/tree/${name}?token=test&reset`);
     await expect(this.cell(0)).toBeVisible({ timeout: 90_000 });
     // The kernel is ready for the first cell.
-    await expect(this.page.locator(".jp-Notebook-ExecutionIndicator")).toHaveAttribute(
-      "data-status",
-      "idle",
-      { timeout: 90_000 },
-    );
+    await expect(this.page.locator("#jp-bottom-panel")).toContainText("| Idle", {
+      timeout: 90_000,
+    });
   }
 
   cell(index: number): Locator {

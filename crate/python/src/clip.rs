@@ -25,6 +25,9 @@ use crate::segmentation::RawSegmentation;
 /// A role and its joint: an index, or `None` for no joint.
 type RoleJoint = (String, Option<usize>);
 
+/// Overrides: roles with their joint in the file, up axis and metres per unit.
+type OverridesTuple = (Vec<(&'static str, Option<usize>)>, Option<String>, Option<f64>);
+
 /// Result of the clean-up for a plant: side, first frame, end, slide before and after in metres, reason why
 /// it was not corrected.
 type CleanedTuple = (&'static str, usize, usize, f64, f64, Option<String>);
@@ -114,7 +117,7 @@ impl RawClip {
     }
 
     /// Returns the overrides: roles with their joint in the file, up axis and metres per unit.
-    fn overrides(&self) -> (Vec<(&'static str, Option<usize>)>, Option<String>, Option<f64>) {
+    fn overrides(&self) -> OverridesTuple {
         let Overrides { roles, up, metres_per_unit, .. } = &self.0.overrides;
         let roles = roles.iter().map(|&(role, joint)| (role.name(), joint)).collect();
         (roles, up.map(|up| up.to_string()), *metres_per_unit)

@@ -99,7 +99,7 @@ export function Head() {
       {openClip.value && (
         <button
           type="button"
-          class="button primary share"
+          class={`button ${isHosted ? "" : "primary"} share`}
           aria-haspopup="dialog"
           onClick={openShareDialog}
         >

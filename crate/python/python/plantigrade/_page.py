@@ -39,25 +39,26 @@ def state_of(detection: Detection) -> State:
     values = {"method": method, "r": r, "w": w, "height": height, "speed": speed}
     settings: dict[str, Any] = {key: value for key, value in values.items() if value != DEFAULTS[key]}
     roles, up, unit = clip._raw.overrides()
-    original = Clip.read(clip.to_bytes(), lenient=True)
-    if original.fps != clip.fps:
-        settings["rate"] = clip.fps
     if up is not None:
         settings["up"] = up
     if unit is not None:
         settings["unit"] = unit
     if roles:
         settings["joints"] = {role: -1 if joint is None else joint for role, joint in roles}
-    edits = list(detection._edits)
+    _, changes, own = detection._corrected or (None, [], [])
+    edits = [*own, *changes, *detection._edits]
     if detection._still is not None or sigma is not None or exact or not clip._raw.has_rotations():
         # The page has no such options, and reads positions from a file.
-        plain = file_clip(original, settings)._raw.detect((method, r, w, None, height, speed, False), None)
+        file = Clip.read(clip.to_bytes(), lenient=True)
+        plain = file_clip(file, settings)._raw.detect((method, r, w, None, height, speed, False), None)
         edits = [*differences(plain, detection._detected), *edits]
     return {"settings": settings, "edits": [dict_of(edit) for edit in edits], "names": []}
 
 
 def detection_of(detection: Detection, before: State, after: State) -> Detection:
-    """Return a detection with the edits and settings of the page."""
+    """Return the detection with the edits and settings of a page that has shown another one before."""
+    if after == before:
+        return detection
     clip, params, still = detection.clip, detection._params, detection._still
     settings = after["settings"]
     if settings != before["settings"]:
@@ -69,7 +70,9 @@ def detection_of(detection: Detection, before: State, after: State) -> Detection
     # Edits of cuts have no side.
     edits = tuple(tuple_of(edit) for edit in after["edits"] if "side" in edit)
     is_same = clip is detection.clip and params == detection._params and still is detection._still
-    return type(detection)(clip, params, still, edits, detection._detected if is_same else None)
+    if is_same and detection._constraints is None:
+        return type(detection)(clip, params, still, edits, earlier=detection)
+    return type(detection)(clip, params, still, edits)
 
 
 def params_of(values: Mapping[str, Any]) -> Params:
@@ -171,7 +174,10 @@ def frame(detection: Detection, height: int) -> str:
     """Return a frame with the page, for notebooks without widgets."""
     source = page(detection).replace("&", "&amp;").replace('"', "&quot;")
     title = html.escape(f"Viewer of {name_of(detection.clip)}")
-    style = f"display: block; box-sizing: border-box; width: 100%; height: {int(height)}px; border: 0"
+    style = (
+        f"display: block; box-sizing: border-box; width: 100%; height: {int(height)}px; "
+        "border: 1px solid #8884; border-radius: 6px"
+    )
     return f'<iframe title="{title}" style="{style}" sandbox="{SANDBOX}" srcdoc="{source}"></iframe>'
 
 

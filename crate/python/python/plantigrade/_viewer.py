@@ -18,14 +18,15 @@ class Viewer:
     change :attr:`detection`.
     """
 
-    __slots__ = ("_detection", "_height", "_state", "_widget")
+    __slots__ = ("_detection", "_height", "_shown", "_shown_state", "_state", "_widget")
 
     def __init__(self, detection: Detection, height: int, widget: type[Widget] | None) -> None:
         from . import _page
 
-        self._detection = detection
+        #: What Python has shown last, from which changes start, and what is known of the page.
+        self._shown = self._detection = detection
+        self._shown_state = self._state = _page.state_of(detection)
         self._height = height
-        self._state = _page.state_of(detection)
         self._widget = None
         if widget is not None:
             self._widget = widget(
@@ -45,8 +46,8 @@ class Viewer:
         if self._widget is not None and self._widget.state != self._state:
             from ._page import detection_of
 
-            self._detection = detection_of(self._detection, self._state, self._widget.state)
             self._state = self._widget.state
+            self._detection = detection_of(self._shown, self._shown_state, self._state)
         return self._detection
 
     @detection.setter
@@ -57,13 +58,13 @@ class Viewer:
             raise PlantigradeError(
                 "a static viewer cannot change", hint="Use detection.show() to show another detection"
             )
-        own = self._detection.clip
+        own = self._shown.clip
         if detection.clip is not own and detection.clip.to_bytes() != own.to_bytes():
             raise PlantigradeError(
                 "the detection is that of another clip", hint="Use detection.show() to show another clip"
             )
-        self._detection = detection
-        self._state = state_of(detection)
+        self._shown = self._detection = detection
+        self._shown_state = self._state = state_of(detection)
         self._widget.state = self._state
 
     @property

@@ -17,8 +17,14 @@ function createFrame(name, height) {
   frame.title = `Viewer of ${name}`;
   // An origin of its own: the page cannot read the notebook.
   frame.sandbox = "allow-scripts allow-downloads allow-popups";
-  const style = { display: "block", width: "100%", height: `${height}px`, border: "0" };
-  Object.assign(frame.style, style, { boxSizing: "border-box" });
+  Object.assign(frame.style, {
+    display: "block",
+    boxSizing: "border-box",
+    width: "100%",
+    height: `${height}px`,
+    border: "1px solid #8884",
+    borderRadius: "6px",
+  });
   return frame;
 }
 

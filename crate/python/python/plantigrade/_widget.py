@@ -8,7 +8,7 @@ import anywidget
 import traitlets
 
 
-class Widget(anywidget.AnyWidget):
+class Widget(anywidget.AnyWidget):  # type: ignore[misc]
     """A frame with the page of the viewer.
 
     The page has the clip, edits and settings of this widget, and reports changes of ``state``.
