@@ -17,7 +17,7 @@ import { browser } from "./browser.mjs";
 import { writeNotebookPage } from "./notebook-page.mjs";
 import { ask, main, root, run, Stop, step } from "./run.mjs";
 import { CRATES, pathFlags, setup, targetFolder } from "./setup.mjs";
-import { noticesText, wheelPackages } from "./third-party.mjs";
+import { noticesText, sitePackages, uniquePackages, wheelPackages } from "./third-party.mjs";
 
 const INDEX = "The Python package index";
 const folder = join(root, "crate/python");
@@ -107,7 +107,9 @@ export async function buildWheel(interpreter, options = []) {
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) {
     copyFileSync(join(root, name), join(folder, name));
   }
-  const notices = noticesText(wheelPackages(), "The Python package of Plantigrade");
+  // The wheel contains the page of notebooks.
+  const packages = uniquePackages([...wheelPackages(), ...sitePackages()]);
+  const notices = noticesText(packages, "The Python package of Plantigrade");
   writeFileSync(join(folder, "THIRD-PARTY.txt"), notices);
   await writeNotebookPage(join(folder, "python/plantigrade/_page.html.gz"));
   const wheels = join(targetFolder(), "wheels");

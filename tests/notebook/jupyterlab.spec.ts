@@ -28,6 +28,11 @@ test("edits in the viewer change the arrays of the next cell, and the reverse", 
 }) => {
   const problems: string[] = [];
   page.on("pageerror", (error) => problems.push(error.message));
+  page.on("request", (request) => {
+    const { protocol, origin } = new URL(request.url());
+    const isLocal = origin === lab.url || ["blob:", "data:", "about:"].includes(protocol);
+    if (!isLocal) problems.push(`request to elsewhere: ${request.url()}`);
+  });
   const notebook = new Notebook(page);
   const cells = [
     show,
@@ -60,7 +65,7 @@ test("edits in the viewer change the arrays of the next cell, and the reverse", 
   const after = await notebook.output(1).innerText();
   expect(Number.parseInt(after, 10)).toBeLessThan(Number.parseInt(before, 10));
 
-  // Undone in the viewer, it is there again.
+  // What is undone in the viewer is undone in the array.
   await viewer.playhead.focus();
   await page.keyboard.press("Control+z");
   await notebook.run(1);
@@ -68,7 +73,15 @@ test("edits in the viewer change the arrays of the next cell, and the reverse", 
 
   // An assigned detection is shown.
   await notebook.run(2);
-  await expect(viewer.plants.getByRole("row", { name: /left, edited/ })).toHaveCount(1);
+  const edited = viewer.plants.getByRole("row", { name: /left, edited/ });
+  await expect(edited).toHaveCount(1);
+
+  // A notebook that moves the output loads the page again, which has the edits.
+  await viewer.element.evaluate((frame: HTMLIFrameElement) => {
+    frame.srcdoc = `${frame.srcdoc} `;
+  });
+  await viewer.ready();
+  await expect(edited).toHaveCount(1);
 
   // A method that is chosen in the viewer is that of the detection.
   await viewer.frame.getByRole("button", { name: "Panel" }).click();
@@ -76,4 +89,14 @@ test("edits in the viewer change the arrays of the next cell, and the reverse", 
   await notebook.run(3);
   await expect(notebook.output(3)).toContainText("height-speed");
   expect(problems).toEqual([]);
+});
+
+test("a static viewer shows the clip without a widget", async ({ page }) => {
+  const notebook = new Notebook(page);
+  const cells = ["import plantigrade\nplantigrade.detect('walk.bvh').show(static=True)"];
+  await notebook.open(lab, writeNotebook(lab, "static.ipynb", cells));
+  await notebook.run(0);
+  const viewer = new NotebookViewer(notebook.output(0));
+  await viewer.ready();
+  await expect(viewer.plants.getByRole("row")).toHaveCount(6);
 });

@@ -57,11 +57,14 @@ def test_a_static_viewer_is_a_frame_with_the_page(walk: plantigrade.Clip) -> Non
 def test_without_anywidget_the_viewer_is_static(walk_path: Path) -> None:
     code = (
         "import sys; sys.modules['anywidget'] = None; import plantigrade; "
-        f"viewer = plantigrade.detect({str(walk_path)!r}).show(); print(viewer.widget, viewer)"
+        f"viewer = plantigrade.detect({str(walk_path)!r}).show(); print(viewer.widget, viewer); "
+        "print(viewer._repr_mimebundle_()['text/html'].rpartition('</iframe>')[2])"
     )
     command = [sys.executable, "-I", "-c", code]
     output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    assert output == "None Viewer(Detection(245 frames, 5 plants, method 'robust'))\n"
+    first, hint = output.splitlines()
+    assert first == "None Viewer(Detection(245 frames, 5 plants, method 'robust'))"
+    assert "pip install plantigrade[notebook]" in hint
 
 
 def test_state_has_what_differs_from_the_defaults(walk: plantigrade.Clip) -> None:

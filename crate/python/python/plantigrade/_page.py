@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import functools
 import gzip
 import hashlib
 import html
@@ -116,6 +117,7 @@ def tuple_of(edit: Mapping[str, Any]) -> EditTuple:
     return (edit["side"], edit["part"], int(edit["start"]), int(edit["end"]), bool(edit["planted"]))
 
 
+@functools.lru_cache(maxsize=1)
 def compressed_page() -> bytes:
     """Return the page of the viewer, which gets its clip from a host, compressed with gzip."""
     path = os.path.join(os.path.dirname(__file__), "_page.html.gz")

@@ -11,6 +11,13 @@ if TYPE_CHECKING:
     from ._widget import Widget
 
 
+#: Below a viewer that is static because anywidget is missing.
+HINT = (
+    "Edits in this viewer do not reach Python. For that, install anywidget: "
+    "<code>pip install plantigrade[notebook]</code>"
+)
+
+
 class Viewer:
     """The viewer and timeline of the app in a notebook: the result of :meth:`Detection.show`.
 
@@ -18,15 +25,19 @@ class Viewer:
     change :attr:`detection`.
     """
 
-    __slots__ = ("_detection", "_height", "_shown", "_shown_state", "_state", "_widget")
+    __slots__ = ("_detection", "_height", "_hint", "_shown", "_shown_state", "_state", "_widget")
 
-    def __init__(self, detection: Detection, height: int, widget: type[Widget] | None) -> None:
+    def __init__(
+        self, detection: Detection, height: int, widget: type[Widget] | None, hint: str = ""
+    ) -> None:
         from . import _page
 
         #: What Python has shown last, from which changes start, and what is known of the page.
         self._shown = self._detection = detection
         self._shown_state = self._state = _page.state_of(detection)
         self._height = height
+        #: What is below a static viewer.
+        self._hint = hint
         self._widget = None
         if widget is not None:
             self._widget = widget(
@@ -76,7 +87,8 @@ class Viewer:
         from ._page import frame, picture
 
         if self._widget is None:
-            return {"text/html": frame(self._detection, self._height), "text/plain": repr(self)}
+            hint = f"<p>{self._hint}</p>" if self._hint else ""
+            return {"text/html": frame(self._detection, self._height) + hint, "text/plain": repr(self)}
         bundle = self._widget._repr_mimebundle_()
         data = bundle[0] if isinstance(bundle, tuple) else bundle
         # For readers of the notebook without a kernel.
@@ -93,5 +105,5 @@ def show(detection: Detection, height: int, static: bool) -> Viewer:
     try:
         from ._widget import Widget
     except ImportError:
-        return Viewer(detection, height, None)
+        return Viewer(detection, height, None, HINT)
     return Viewer(detection, height, Widget)
