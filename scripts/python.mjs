@@ -13,9 +13,11 @@ import {
   writeFileSync,
 } from "node:fs";
 import { join } from "node:path";
+import { browser } from "./browser.mjs";
+import { writeNotebookPage } from "./notebook-page.mjs";
 import { ask, main, root, run, Stop, step } from "./run.mjs";
-import { CRATES, pathFlags, targetFolder, toolchain } from "./setup.mjs";
-import { noticesText, wheelPackages } from "./third-party.mjs";
+import { CRATES, pathFlags, setup, targetFolder } from "./setup.mjs";
+import { noticesText, sitePackages, uniquePackages, wheelPackages } from "./third-party.mjs";
 
 const INDEX = "The Python package index";
 const folder = join(root, "crate/python");
@@ -25,6 +27,15 @@ const isWindows = process.platform === "win32";
 const OLDEST = [3, 10];
 /** Packages of the tests of clusters and estimators, in an environment of their own because they are large. */
 const CLUSTER = ["ray[data]==2.60.0", "scikit-learn==1.9.1", "tqdm", "pytest==9.2.0"];
+/** Packages of the tests of notebooks, in an environment of their own because they are large. */
+const NOTEBOOK = [
+  "jupyterlab==4.6.6",
+  "anywidget==0.11.0",
+  "matplotlib>=3.8",
+  "pandas>=2",
+  "pytest==9.2.0",
+];
+const NOTEBOOK_TESTS = ["test_viewer.py", "test_notebooks.py"];
 /** Maximum size of the wheel, in bytes. */
 const MAX_WHEEL = 3_000_000;
 
@@ -88,13 +99,19 @@ export function requirements() {
 /** Returns the requirement of the tool that builds the wheel. */
 const maturin = () => requirements().filter((line) => line.startsWith("maturin"))[0];
 
-/** Builds the wheel with an interpreter that has maturin, and options of it. Returns its path. */
+/**
+ * Builds the wheel with an interpreter that has maturin, and options of it. Requires the wasm module. Returns
+ * its path.
+ */
 export async function buildWheel(interpreter, options = []) {
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) {
     copyFileSync(join(root, name), join(folder, name));
   }
-  const notices = noticesText(wheelPackages(), "The Python package of Plantigrade");
+  // The wheel contains the page of notebooks.
+  const packages = uniquePackages([...wheelPackages(), ...sitePackages()]);
+  const notices = noticesText(packages, "The Python package of Plantigrade");
   writeFileSync(join(folder, "THIRD-PARTY.txt"), notices);
+  await writeNotebookPage(join(folder, "python/plantigrade/_page.html.gz"));
   const wheels = join(targetFolder(), "wheels");
   rmSync(wheels, { recursive: true, force: true });
   mkdirSync(wheels, { recursive: true });
@@ -133,22 +150,40 @@ export async function pythonTests() {
   await tool("ruff", "check", "--no-cache", folder);
   await tool("ruff", "format", "--check", "--no-cache", folder);
   const cache = ["--cache-dir", join(targetFolder(), "python/mypy")];
+  const notebooks = join(root, "docs/notebooks");
+  // Functions of a notebook are explained by its text.
+  await tool("ruff", "check", "--no-cache", "--config", config, "--extend-ignore=ANN,D", notebooks);
+  await tool("ruff", "format", "--check", "--no-cache", "--config", config, notebooks);
   await tool("mypy", "--config-file", config, ...cache, "-p", "plantigrade");
   await tool("mypy", "--strict", ...cache, join(folder, "tests/typing/user.py"));
   const pytest = (python, ...args) =>
     run(python, ["-m", "pytest", "-p", "no:cacheprovider", "-c", config, ...args], { env });
-  const others = ["test_ray.py", "test_sklearn.py"].flatMap((file) => [
+  const inTests = (files) => files.map((file) => join(folder, "tests", file));
+  const others = inTests(["test_ray.py", "test_sklearn.py", ...NOTEBOOK_TESTS]).flatMap((path) => [
     "--ignore",
-    join(folder, "tests", file),
+    path,
   ]);
   let output = await pytest(interpreter, join(folder, "tests"), ...others);
+  const notebook = await optional(() =>
+    environment(found.python, "notebook", [...NOTEBOOK, "--only-binary=:all:"]),
+  );
+  if (notebook) {
+    await installWheel(notebook, wheel);
+    output += await pytest(notebook, ...inTests(NOTEBOOK_TESTS));
+    output += await jupyterLabTests(notebook);
+  } else {
+    console.log("The viewer and the notebooks are not tested, because JupyterLab is missing.");
+    output += `${NOTEBOOK_TESTS.length + 1} skipped in 0s\n`;
+  }
   const cluster = await optional(() =>
     environment(found.python, "cluster", [...CLUSTER, "--only-binary=:all:"]),
   );
   if (cluster) {
     await installWheel(cluster, wheel);
-    const files = ["test_ray.py", "test_sklearn.py", "test_batch.py"];
-    output += await pytest(cluster, ...files.map((file) => join(folder, "tests", file)));
+    output += await pytest(
+      cluster,
+      ...inTests(["test_ray.py", "test_sklearn.py", "test_batch.py"]),
+    );
   }
   const oldest = await optional(() =>
     environment(found.python, "numpy-1.26", [
@@ -163,6 +198,20 @@ export async function pythonTests() {
     output += await pytest(oldest, join(folder, "tests"), ...others, ...selection);
   }
   return output;
+}
+
+/** Tests the viewer in JupyterLab in a browser. Returns the output. */
+async function jupyterLabTests(interpreter) {
+  const found = await optional(browser);
+  if (!found) {
+    console.log("The viewer is not tested in JupyterLab, because there is no browser.");
+    return "1 skipped in 0s\n";
+  }
+  const playwright = join(root, "node_modules/@playwright/test/cli.js");
+  const config = join(root, "tests/notebook/playwright.config.ts");
+  return run(process.execPath, [playwright, "test", "--config", config], {
+    env: { CHROMIUM_PATH: found.chromium, PLANTIGRADE_JUPYTER: interpreter },
+  });
 }
 
 /** Installs a wheel, also if one of the same version is installed. */
@@ -185,8 +234,7 @@ if (process.argv[1] === import.meta.filename) {
   await main(async () => {
     const found = findPython();
     if ("message" in found) throw new Stop(found.message);
-    await toolchain();
-    await run("cargo", ["fetch", "--locked"], { source: CRATES });
+    await setup();
     const options = process.argv.slice(2);
     const zig = options.includes("--zig") ? ["ziglang"] : [];
     const interpreter = await environment(found.python, "build", [maturin(), ...zig]);

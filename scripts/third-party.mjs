@@ -40,6 +40,12 @@ export const binaryPackages = () => nativePackages("plantigrade-cli");
 /** Returns the crates of the Python package for this system. */
 export const wheelPackages = () => nativePackages("plantigrade-python");
 
+/** Returns packages, each name and version once. */
+export function uniquePackages(packages) {
+  const byName = new Map(packages.map((info) => [`${info.name} ${info.version}`, info]));
+  return [...byName.values()];
+}
+
 function nativePackages(crate) {
   const host = /^host: (.+)$/m.exec(ask("rustc", ["-vV"]) ?? "")?.[1];
   if (!host) throw new Stop("rustc was not found. Run npm run build first.");
@@ -247,7 +253,7 @@ if (process.argv[1] === import.meta.filename) {
     for (const [name, packages] of [
       ["site", sitePackages()],
       ["npm", wasmPackages()],
-      ["python", wheelPackages()],
+      ["python", uniquePackages([...wheelPackages(), ...sitePackages()])],
       ["binary", binaryPackages()],
     ]) {
       writeFileSync(join(folder, `${name}.txt`), noticesText(packages, "Plantigrade"));

@@ -1,6 +1,6 @@
 /**
  * The player: a second build of the app as a single HTML file with empty blocks for a clip. The site
- * downloads it when a clip is shared as one file.
+ * downloads it when a clip is shared as one file; the Python package shows it in notebooks.
  */
 
 import { createHash } from "node:crypto";
@@ -44,7 +44,7 @@ export function player(): Plugin {
 }
 
 /** Builds the app as one script and one style sheet, and returns the page that contains both. */
-async function buildPage(): Promise<string> {
+export async function buildPage(): Promise<string> {
   const result = await build({
     configFile: false,
     root: import.meta.dirname,

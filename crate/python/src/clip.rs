@@ -25,6 +25,9 @@ use crate::segmentation::RawSegmentation;
 /// A role and its joint: an index, or `None` for no joint.
 type RoleJoint = (String, Option<usize>);
 
+/// Overrides: roles with their joint in the file, up axis and metres per unit.
+type OverridesTuple = (Vec<(&'static str, Option<usize>)>, Option<String>, Option<f64>);
+
 /// Result of the clean-up for a plant: side, first frame, end, slide before and after in metres, reason why
 /// it was not corrected.
 type CleanedTuple = (&'static str, usize, usize, f64, f64, Option<String>);
@@ -111,6 +114,28 @@ impl RawClip {
             data.skeleton = Skeleton::main(&data.clip, &data.overrides);
             Ok(RawClip(data))
         })?)
+    }
+
+    /// Returns the overrides: roles with their joint in the file, up axis and metres per unit.
+    fn overrides(&self) -> OverridesTuple {
+        let Overrides { roles, up, metres_per_unit, .. } = &self.0.overrides;
+        let roles = roles.iter().map(|&(role, joint)| (role.name(), joint)).collect();
+        (roles, up.map(|up| up.to_string()), *metres_per_unit)
+    }
+
+    /// Returns the clip with these overrides instead of its own; joints are those of the file.
+    fn with_overrides(
+        &self,
+        py: Python<'_>,
+        fps: f64,
+        joints: Vec<RoleJoint>,
+        up: Option<&str>,
+        unit: Option<f64>,
+    ) -> PyResult<RawClip> {
+        let mut data = self.0.clone();
+        data.overrides =
+            Overrides { roles: parse_roles(joints)?, up: params::up(up)?, metres_per_unit: unit };
+        RawClip(data).overridden(py, Some(fps), Vec::new(), None, None)
     }
 
     /// Names of the joints and end sites.

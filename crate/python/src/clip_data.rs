@@ -57,6 +57,16 @@ impl ClipData {
         }
     }
 
+    /// True if another clip is this one: read from an equal file, or of equal positions.
+    pub fn is_same(&self, other: &ClipData) -> bool {
+        Arc::ptr_eq(&self.clip, &other.clip)
+            || match (&self.file, &other.file) {
+                (Some(file), Some(other)) => file.bytes[..] == other.bytes[..],
+                (None, None) => self.clip == other.clip,
+                _ => false,
+            }
+    }
+
     /// Computes the tracks of the feet.
     pub fn feet(&self) -> Result<Feet, Failure> {
         Feet::new(&self.clip, &self.skeleton).map_err(|error| match (error, &self.points) {

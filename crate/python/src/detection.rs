@@ -6,7 +6,7 @@ use plantigrade::foot::{Part, Side};
 use plantigrade::formats::{self, GaitEvent, PlantExport, PlantFormat};
 use plantigrade::gait::Gait;
 use plantigrade::intervals::intervals;
-use plantigrade::plants::{self, Annotation, Detection, Edit, FootLabels, PartLabels};
+use plantigrade::plants::{self, Annotation, Corrections, Detection, Edit, FootLabels, PartLabels};
 use plantigrade::score;
 use plantigrade::skate::{self, Contacts};
 use pyo3::prelude::*;
@@ -15,7 +15,7 @@ use serde_json::Value;
 
 use crate::clip_data::ClipData;
 use crate::failure::Failure;
-use crate::params::{self, NoticeTuple};
+use crate::params::{self, EditArgument, EditTuple, NoticeTuple};
 
 /// The plants of a clip.
 #[pyclass(frozen)]
@@ -182,18 +182,37 @@ impl RawDetection {
         params::notices(notices.iter().chain(&skeleton.notices).chain(&self.detection.notices))
     }
 
-    /// Returns the detection with edits: side, part, first frame, end, planted. Later ones take precedence.
-    fn edited(
+    /// Returns the detection with edits. Later ones take precedence.
+    fn edited(&self, py: Python<'_>, edits: Vec<EditArgument>) -> PyResult<RawDetection> {
+        let edits = params::edits(edits)?;
+        let edited = py.detach(|| plants::apply_edits(&self.detection, &edits, self.data.clip.frame_time()));
+        Ok(RawDetection::new(self.data.clone(), edited))
+    }
+
+    /// Applies the corrections of a clip to similar motion. `example` is the detection of the clip that
+    /// `edits` belong to, if it is another one, without edits, as this one is. Returns the detection, its
+    /// changes, and the edits of this clip.
+    fn corrected(
         &self,
         py: Python<'_>,
-        edits: Vec<(String, String, usize, usize, bool)>,
-    ) -> PyResult<RawDetection> {
-        let mut parsed = Vec::new();
-        for (side, part, start, end, planted) in edits {
-            parsed.push(Edit { side: params::side(&side)?, part: params::part(&part)?, start, end, planted });
-        }
-        let edited = py.detach(|| plants::apply_edits(&self.detection, &parsed, self.data.clip.frame_time()));
-        Ok(RawDetection::new(self.data.clone(), edited))
+        example: Option<&RawDetection>,
+        edits: Vec<EditArgument>,
+    ) -> PyResult<(RawDetection, Vec<EditTuple>, Vec<EditTuple>)> {
+        let edits = params::edits(edits)?;
+        Ok(py.detach(|| {
+            let example = example.unwrap_or(self);
+            let corrections = Corrections::learn(&example.data.feet()?, &example.detection, &edits);
+            let own: &[Edit] = if example.data.is_same(&self.data) { &edits } else { &[] };
+            let mut corrected = corrections.apply(&self.data.feet()?, &self.detection, own);
+            corrected.detection.notices.push(corrected.notice());
+            let tuples = |edits: &[Edit]| edits.iter().map(params::edit_tuple).collect();
+            let changes = tuples(&corrected.changes);
+            Ok::<_, Failure>((
+                RawDetection::new(self.data.clone(), corrected.detection),
+                changes,
+                tuples(own),
+            ))
+        })?)
     }
 
     /// Returns the plants as a file.
@@ -234,6 +253,18 @@ impl RawDetection {
     fn score(&self, py: Python<'_>, labels: Vec<params::PartLabels>) -> PyResult<String> {
         let annotation = params::annotation(labels, self.data.clip.frame_count())?;
         Ok(py.detach(|| self.agreement(annotation)))
+    }
+
+    /// Edits of a file of labels for this clip.
+    fn read_edits(&self, bytes: PyBackedBytes) -> PyResult<Vec<EditTuple>> {
+        let edits = formats::read_edits(&bytes, self.data.clip.frame_count()).map_err(Failure::from)?;
+        Ok(edits.iter().map(params::edit_tuple).collect())
+    }
+
+    /// Edits that set every known label.
+    fn edits_of_labels(&self, labels: Vec<params::PartLabels>) -> PyResult<Vec<EditTuple>> {
+        let annotation = params::annotation(labels, self.data.clip.frame_count())?;
+        Ok(annotation.edits().iter().map(params::edit_tuple).collect())
     }
 
     /// Labels of a file for this clip: part, and 1, 0 or −1 for unknown in each frame of both feet.

@@ -2,7 +2,7 @@
 
 use plantigrade::foot::{Part, Side};
 use plantigrade::notice::Notice;
-use plantigrade::plants::{self, Annotation};
+use plantigrade::plants::{self, Annotation, Edit};
 use plantigrade::registry::UnknownName;
 use plantigrade::segments;
 use plantigrade::skeleton::{Role, Up};
@@ -82,6 +82,25 @@ pub fn annotation(labels: Vec<PartLabels>, frames: usize) -> Result<Annotation, 
         parts.push((part(&name)?, [known(left), known(right)]));
     }
     Ok(Annotation { parts })
+}
+
+/// An edit from Python: side, part, first frame, end, planted.
+pub type EditArgument = (String, String, usize, usize, bool);
+
+/// An edit for Python.
+pub type EditTuple = (&'static str, &'static str, usize, usize, bool);
+
+/// Parses edits.
+pub fn edits(edits: Vec<EditArgument>) -> Result<Vec<Edit>, Failure> {
+    let parse = |(side_name, part_name, start, end, planted): EditArgument| {
+        Ok(Edit { side: side(&side_name)?, part: part(&part_name)?, start, end, planted })
+    };
+    edits.into_iter().map(parse).collect()
+}
+
+/// Returns an edit for Python.
+pub fn edit_tuple(edit: &Edit) -> EditTuple {
+    (edit.side.name(), edit.part.name(), edit.start, edit.end, edit.planted)
 }
 
 /// A notice: code, text, line and column.

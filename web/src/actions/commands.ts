@@ -5,6 +5,7 @@
 
 import type { NamedSegment } from "../model/segments";
 import { batchRows } from "../store/batch";
+import { isHosted } from "../store/embedded";
 import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected, selectedCut, similar } from "../store/session";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
@@ -549,7 +550,7 @@ const list = [
     label: "Open",
     help: "Open",
     keys: [{ key: "o", mod: true }],
-    enabled: () => true,
+    enabled: () => !isHosted,
     isGlobal: true,
     run: pickFiles,
   },

@@ -9,14 +9,16 @@ import { reportOpenFailure } from "../store/errors";
 import { firstInteraction } from "../store/first-interaction";
 import { clip } from "../store/session";
 import { runDetection } from "./detect";
+import { followHost } from "./host";
 import { openingSignal, openSample, openSource, openUrl, showClip } from "./open";
 import { previewSample } from "./samples";
 import { parseLinkView } from "./view-state";
 
-/** Opens the embedded clip, follows `#url=` or `#sample=`, or starts the preview. */
+/** Opens the embedded clip or that of the host, follows `#url=` or `#sample=`, or starts the preview. */
 export async function openFromAddress(): Promise<void> {
   if (embedded) {
-    if (!clip.value) await openEmbedded(embedded);
+    if ("host" in embedded) followHost((source) => void openSource(source));
+    else if (!clip.value) await openEmbedded(embedded);
     return;
   }
   const link = parseHash(location.hash);

@@ -1,7 +1,9 @@
 /** Opening dropped, picked or pasted files. */
 
 import { tableVisible } from "../store/batch";
+import { isHosted } from "../store/embedded";
 import { reportOpenFailure } from "../store/errors";
+import { showToast } from "../store/toasts";
 import { runBatch } from "./batch";
 import { attachLabels, collectFiles, type DroppedFiles } from "./collect-files";
 import { compareWithAll } from "./compare";
@@ -23,6 +25,12 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
   const collected = await collectFiles(dropped);
   if (signal.aborted || !collected) return;
   const { clips, labels, videos, errors } = collected;
+  if (isHosted && clips.length) {
+    showToast({
+      text: "The notebook determines the clip. Show another clip in a cell of its own.",
+    });
+    return;
+  }
   const [clip, ...others] = clips;
   if (others.length || (errors.length && clip) || errors.length > 1) {
     const matched = attachLabels(clips, labels);

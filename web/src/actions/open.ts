@@ -8,6 +8,7 @@ import { fileNameOfUrl, formatHash } from "../model/link";
 import type { Source } from "../model/source";
 import type { Clip } from "../model/types";
 import { ClipSession, openSession, session } from "../store/clip-session";
+import { isFramed } from "../store/embedded";
 import { errorReport, reportOpenFailure } from "../store/errors";
 import { type Opening, opening, stopClipJobs } from "../store/jobs";
 import { segmentOptions } from "../store/settings";
@@ -127,8 +128,8 @@ export function showClip(clip: Clip, source: Source, isPreview = false) {
       }),
     );
   });
-  // A shared moment is shown as it is.
-  if (!prefersReducedMotion() && !view?.t) play();
+  // A shared moment is shown as it is. A document may have many frames with clips.
+  if (!prefersReducedMotion() && !view?.t && !isFramed) play();
 }
 
 /** Resets a segmentation template that is a frame of the previous clip. */

@@ -21,6 +21,7 @@ import {
   sameChanges,
 } from "../model/stored-changes";
 import { type ClipSession, session } from "../store/clip-session";
+import { isHosted } from "../store/embedded";
 import { dismissToast, showToast, type Toast } from "../store/toasts";
 import { activeTab, announcement, sheetOpen } from "../store/view";
 import { stemOf } from "../util/file-names";
@@ -38,11 +39,16 @@ import {
 } from "./clip-storage";
 import { download } from "./download";
 import { commitEdits, replaceEdits } from "./edit";
+import { shareWithHost } from "./host";
 
-/** Restores the stored edits and names of the open clip, and stores them when they change. */
+/**
+ * Restores the stored edits and names of the open clip, and stores them when they change. A page in a frame
+ * leaves both to its host.
+ */
 export async function restorePersisted(): Promise<void> {
   const clipSession = session.value;
   if (clipSession.isPreview) return;
+  if (isHosted) return shareWithHost(clipSession);
   const hash = await clipSession.run("hash", hashOfClip);
   if (!hash) return;
   if ("failure" in hash) {

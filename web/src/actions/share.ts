@@ -81,7 +81,7 @@ function ownHtml(): string {
 
 /** Returns the address of the app, unless it is a local one. */
 function publicHome(): Pick<EmbeddedClip, "home"> {
-  if (embedded) return embedded.home ? { home: embedded.home } : {};
+  if (embedded) return "home" in embedded && embedded.home ? { home: embedded.home } : {};
   const isLocal = /^(localhost|127\.|\[::1)/.test(location.hostname);
   return isLocal ? {} : { home: home() };
 }

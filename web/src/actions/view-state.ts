@@ -2,6 +2,7 @@
 
 import { batch } from "@preact/signals";
 import { engine } from "../engine";
+import type { DetectSettings } from "../model/host";
 import type { DetectOptions, Overrides, SegmentOptions } from "../model/types";
 import { parseViewState, shortestTime, type ViewState } from "../model/view-state";
 import { frame } from "../store/playback";
@@ -15,28 +16,35 @@ const defaults = { detect: detectOptions.peek(), segment: segmentOptions.peek() 
 
 /** Returns the view state of the page without default values. */
 export function currentViewState(): ViewState {
-  const { method, r, w, height, speed } = detectOptions.value;
   const { method: segment, dims, residual, template, published } = segmentOptions.value;
-  const { rate, up, metresPerUnit: unit, roles: joints } = overrides.value;
   return withoutUndefined({
     t: frame.value ? shortestTime(frame.value, clip.value?.rate ?? 1) : undefined,
-    method: unlessEqual(method, defaults.detect.method),
-    r: unlessEqual(r, defaults.detect.r),
-    w: unlessEqual(w, defaults.detect.w),
-    height,
-    speed,
+    ...currentDetectSettings(),
     segment: unlessEqual(segment, defaults.segment.method),
     dims,
     residual: residual === "ratio" ? residual : undefined,
     template: unlessEqual(template, "mean"),
     published: published ? "yes" : undefined,
+    lenient: source.value?.lenient ? "yes" : undefined,
+    follow: followCamera.value ? undefined : "off",
+    ...currentCamera(),
+  });
+}
+
+/** Returns the settings that determine the labels of the method, without default values. */
+export function currentDetectSettings(): DetectSettings {
+  const { method, r, w, height, speed } = detectOptions.value;
+  const { rate, up, metresPerUnit: unit, roles: joints } = overrides.value;
+  return withoutUndefined({
+    method: unlessEqual(method, defaults.detect.method),
+    r: unlessEqual(r, defaults.detect.r),
+    w: unlessEqual(w, defaults.detect.w),
+    height,
+    speed,
     rate,
     up,
     unit,
     joints: joints && Object.keys(joints).length ? joints : undefined,
-    lenient: source.value?.lenient ? "yes" : undefined,
-    follow: followCamera.value ? undefined : "off",
-    ...currentCamera(),
   });
 }
 
@@ -49,13 +57,9 @@ function currentCamera(): Pick<ViewState, "view" | "eye" | "at"> {
 
 /** Applies the settings of a view state; absent ones get their default values. */
 export function applyViewState(view: ViewState) {
-  const { method, r, w, height, speed } = view;
   const { segment, dims, residual, template, published } = view;
   batch(() => {
-    detectOptions.value = {
-      ...defaults.detect,
-      ...withoutUndefined<Partial<DetectOptions>>({ method, r, w, height, speed }),
-    };
+    detectOptions.value = detectOptionsOf(view);
     segmentOptions.value = {
       ...defaults.segment,
       ...withoutUndefined<Partial<SegmentOptions>>({
@@ -68,6 +72,14 @@ export function applyViewState(view: ViewState) {
     };
     followCamera.value = view.follow !== "off";
   });
+}
+
+/** Returns the options of a detection; absent ones have their default values. */
+export function detectOptionsOf({ method, r, w, height, speed }: DetectSettings): DetectOptions {
+  return {
+    ...defaults.detect,
+    ...withoutUndefined<Partial<DetectOptions>>({ method, r, w, height, speed }),
+  };
 }
 
 /** Returns the overrides of a view state. */

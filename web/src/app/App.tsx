@@ -5,6 +5,7 @@ import { openFromAddress } from "../actions/open-address";
 import { openPickedFiles, setFileInput } from "../actions/pick-files";
 import { Batch } from "../batch/Batch";
 import { tableVisible } from "../store/batch";
+import { isHosted } from "../store/embedded";
 import { phase } from "../store/phase";
 import { panelCollapsed, panelWidth } from "../store/preferences";
 import { openClip } from "../store/session";
@@ -72,7 +73,7 @@ export function App() {
           <Viewer />
           {clip && <VideoPane />}
         </div>
-        {clip ? <Timeline /> : <StartPage />}
+        {clip ? <Timeline /> : !isHosted && <StartPage />}
         <input
           ref={setFileInput}
           hidden

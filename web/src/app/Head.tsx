@@ -4,7 +4,7 @@ import { goHome } from "../actions/navigation";
 import { pickFiles } from "../actions/pick-files";
 import { openShareDialog } from "../actions/share";
 import { batchRows, tableVisible } from "../store/batch";
-import { embedded } from "../store/embedded";
+import { embedded, isHosted } from "../store/embedded";
 import { panelCollapsed } from "../store/preferences";
 import { edits, notices, openClip } from "../store/session";
 import { nextTheme, themeChoice } from "../store/theme";
@@ -20,7 +20,7 @@ export function Head() {
       <h1 class="brand">
         {embedded ? (
           <>
-            <Logo /> Shared clip
+            <Logo /> {isHosted ? <span class="visually-hidden">Plantigrade</span> : "Shared clip"}
           </>
         ) : (
           <button
@@ -36,7 +36,7 @@ export function Head() {
       </h1>
       <ClipSummary />
       <span class="spacer" />
-      {embedded && <MadeWith />}
+      {embedded && !isHosted && <MadeWith />}
       {batchRows.value.length > 0 && (
         <button
           type="button"
@@ -51,15 +51,18 @@ export function Head() {
         </button>
       )}
       <Review />
-      <button
-        type="button"
-        class="button icon-only theme"
-        aria-label={`Theme: ${themeChoice.value}`}
-        title={`Theme: ${themeChoice.value}`}
-        onClick={nextTheme}
-      >
-        <Icon name={themeChoice.value} />
-      </button>
+      {/* A page in a frame has the theme of its host. */}
+      {!isHosted && (
+        <button
+          type="button"
+          class="button icon-only theme"
+          aria-label={`Theme: ${themeChoice.value}`}
+          title={`Theme: ${themeChoice.value}`}
+          onClick={nextTheme}
+        >
+          <Icon name={themeChoice.value} />
+        </button>
+      )}
       <button
         type="button"
         class="button icon-only keys"
@@ -69,7 +72,7 @@ export function Head() {
       >
         ?
       </button>
-      {(openClip.value || tableVisible.value) && (
+      {(openClip.value || tableVisible.value) && !isHosted && (
         <button
           type="button"
           class="button open-file"
@@ -96,7 +99,7 @@ export function Head() {
       {openClip.value && (
         <button
           type="button"
-          class="button primary share"
+          class={`button ${isHosted ? "" : "primary"} share`}
           aria-haspopup="dialog"
           onClick={openShareDialog}
         >

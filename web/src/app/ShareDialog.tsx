@@ -1,7 +1,7 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { currentLink, savePage, savePicture } from "../actions/share";
-import { embedded } from "../store/embedded";
+import { embedded, isHosted } from "../store/embedded";
 import { playhead } from "../store/playback";
 import { clip, edits, segmentNames } from "../store/session";
 import { announcement, stageHandle } from "../store/view";
@@ -22,7 +22,7 @@ export function ShareDialog() {
   return (
     <Dialog title={`Share ${clip.value?.name ?? ""}`}>
       <div class="share-options">
-        {link ? <ShareLink link={link} /> : <NoLink />}
+        {link ? <ShareLink link={link} /> : !isHosted && <NoLink />}
         <section>
           <h3>Page</h3>
           <p>

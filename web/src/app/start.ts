@@ -2,6 +2,7 @@ import { startMeasuring } from "../actions/measure";
 import { warnBeforeLoss } from "../actions/persist";
 import { rememberVideos } from "../actions/video";
 import { engine } from "../engine";
+import { isFramed } from "../store/embedded";
 import { listenForFirstInteraction } from "../store/first-interaction";
 import { startTheme } from "../store/theme";
 
@@ -13,4 +14,16 @@ export function start() {
   startMeasuring();
   rememberVideos();
   warnBeforeLoss();
+  if (isFramed) scrollHostUntilFocused();
+}
+
+/**
+ * Leaves the wheel to the document around the frame, which otherwise could not be scrolled past it, until the
+ * page has the focus.
+ */
+function scrollHostUntilFocused() {
+  const onWheel = (event: WheelEvent) => {
+    if (!document.hasFocus()) event.stopImmediatePropagation();
+  };
+  addEventListener("wheel", onWheel, { capture: true });
 }

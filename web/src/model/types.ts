@@ -53,6 +53,9 @@ export type Up = ClipInfo["up"];
 export type Side = "left" | "right";
 export type Part = "contact" | "toe" | "heel";
 
+/** The colour theme, or that of the system. */
+export type ThemeChoice = "system" | "light" | "dark";
+
 /** Options of a detection, as the panel shows them. */
 export type DetectOptions = CoreDetectOptions &
   Required<Pick<CoreDetectOptions, "method" | "r" | "w">>;

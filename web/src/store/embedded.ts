@@ -1,4 +1,4 @@
-/** The clip that a shared single-file page contains. */
+/** The clip that a single-file page contains, or gets from its host. */
 
 import type { AnyEdit } from "../model/cut-edits";
 import { blockText, decodeBlock } from "../model/player-html";
@@ -19,9 +19,21 @@ export interface EmbeddedClip {
   home?: string;
 }
 
-/** Undefined if the page is the app itself. */
-export const embedded: EmbeddedClip | undefined =
+/** A page in a frame, which gets its clip from the document that contains the frame. */
+export interface HostedPage {
+  version: 1;
+  host: true;
+}
+
+/** What this page contains; undefined if it is the app itself. */
+export const embedded: EmbeddedClip | HostedPage | undefined =
   JSON.parse(blockText("enclosed") || "null") ?? undefined;
+
+/** True if the page gets its clip from the document that contains its frame. */
+export const isHosted = embedded !== undefined && "host" in embedded;
+
+/** True if the page is in a frame, where there is little room and other content around it. */
+export const isFramed = embedded !== undefined && parent !== window;
 
 /** Decodes the embedded clip, with its edits and names. Throws if the page is damaged. */
 export async function embeddedSource({ id, name, ...page }: EmbeddedClip): Promise<Source> {

@@ -1,6 +1,7 @@
 /** Choices of the user about the page; the browser stores them. */
 
 import { type Signal, signal } from "@preact/signals";
+import { isFramed } from "./embedded";
 
 const prefix = "plantigrade.";
 
@@ -63,8 +64,8 @@ export const panelWidth = preference("panel-width", null, isSize);
 /** Width of the video next to the view, in pixels; null for the default. */
 export const videoWidth = preference("video-width", null, isSize);
 
-/** True if the side panel is hidden. */
-export const panelCollapsed = preference("panel-collapsed", false, isBoolean);
+/** True if the side panel is hidden, as it is in a frame at first. */
+export const panelCollapsed = preference("panel-collapsed", isFramed, isBoolean);
 
 /** Groups of tracks that the timeline can hide. */
 export const trackGroups = ["parts", "curves", "segments"] as const;

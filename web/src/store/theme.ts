@@ -1,8 +1,7 @@
 /** The colour theme: the choice of the user, or that of the system. */
 
 import { computed, effect, signal } from "@preact/signals";
-
-export type ThemeChoice = "system" | "light" | "dark";
+import type { ThemeChoice } from "../model/types";
 
 const storageKey = "plantigrade.theme";
 const choices: readonly ThemeChoice[] = ["system", "light", "dark"];

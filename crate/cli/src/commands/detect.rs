@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::Parsed;
 use plantigrade::formats::{self, PlantExport};
-use plantigrade::notice::{Code, Notice};
 use plantigrade::plants::{self, Corrections, DetectError, Detection, Edit, Feet, ValidParams};
 use plantigrade::skeleton::Skeleton;
 
@@ -85,12 +84,7 @@ impl Constraints {
                 Corrections::learn(feet, detection, &edits).apply(feet, detection, &edits)
             }
         };
-        let text = match corrected.plants {
-            0 => "The corrections change no other plants.".into(),
-            1 => "The corrections were applied to 1 similar plant.".into(),
-            count => format!("The corrections were applied to {count} similar plants."),
-        };
-        corrected.detection.notices.push(Notice::new(Code::Corrections, text));
+        corrected.detection.notices.push(corrected.notice());
         Ok(corrected.detection)
     }
 }

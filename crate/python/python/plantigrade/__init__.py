@@ -21,6 +21,7 @@ from ._errors import PlantigradeError
 from ._measure import Gait, clean, gait, score
 from ._notice import Notice
 from ._segment import Motif, Segment, Segmentation, segment
+from ._viewer import Viewer
 
 __version__ = _plantigrade.VERSION
 
@@ -44,6 +45,7 @@ __all__ = [
     "Segmentation",
     "Skeleton",
     "Slide",
+    "Viewer",
     "batch",
     "clean",
     "detect",

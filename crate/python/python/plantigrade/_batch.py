@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _plantigrade
+from ._clip import as_clip
 from ._detect import detect
 from ._errors import PlantigradeError
 from ._files import write
@@ -123,6 +124,7 @@ def batch(
     os.makedirs(folder, exist_ok=True)
     results = [os.path.join(folder, f"{stem}.{extension}") for _, stem in clips]
     _check_unique(results, [path for path, _ in clips])
+    options = _with_constraints(options, len(clips))
     key = json.dumps(
         {"format": format, "version": _plantigrade.VERSION, **options}, sort_keys=True, default=repr
     )
@@ -156,6 +158,25 @@ def batch(
             file.flush()
             records[index] = _from_entry(entry, clips[index][0], results[index], is_new=True)
     return BatchResult(record for record in records if record is not None)
+
+
+def _with_constraints(options: dict[str, Any], clips: int) -> dict[str, Any]:
+    """Return options of a detection in which corrections are prepared for many clips."""
+    if options.get("constraints") is None:
+        return options
+    from ._constraints import constraints_of
+
+    options = dict(options)
+    source = options.pop("constraints_clip", None)
+    reading = {name: options[name] for name in ("roles", "up", "unit", "lenient") if name in options}
+    clip = None if source is None else as_clip(source, **reading)
+    constraints = constraints_of(options["constraints"], clip)
+    if constraints.clip is None and clips > 1:
+        raise PlantigradeError(
+            f"the constraints belong to one clip, but there are {clips} clips",
+            hint="Name the clip that they belong to with constraints_clip",
+        )
+    return {**options, "constraints": constraints}
 
 
 def _from_entry(entry: dict[str, Any], path: str, result: str, is_new: bool = False) -> BatchRecord:

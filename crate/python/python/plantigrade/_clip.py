@@ -372,6 +372,32 @@ def _overridden(
     return Clip(raw, (_overridden, (clip, fps, roles, up, unit)))
 
 
+def file_clip(clip: Clip, settings: Mapping[str, Any]) -> Clip:
+    """Return a clip read from its file, with the settings of the app instead of its overrides.
+
+    Joints of settings are those of the file, −1 for none; a clip of positions remains one.
+    """
+    joints = [
+        (str(role), None if joint < 0 else int(joint)) for role, joint in settings.get("joints", {}).items()
+    ]
+    rate = settings.get("rate") or Clip.read(clip.to_bytes(), lenient=True).fps
+    unit = settings.get("unit")
+    return _with_overrides(
+        clip, float(rate), joints, settings.get("up"), None if unit is None else float(unit)
+    )
+
+
+def _with_overrides(
+    clip: Clip,
+    fps: float,
+    joints: list[tuple[str, int | None]],
+    up: str | None,
+    unit: float | None,
+) -> Clip:
+    raw = clip._raw.with_overrides(fps, joints, up, unit)
+    return Clip(raw, (_with_overrides, (clip, fps, joints, up, unit)))
+
+
 def cleaned_clip(
     clip: Clip,
     labels: list[tuple[str, list[int], list[int]]],

@@ -12,7 +12,8 @@ from ._files import format_of, write
 from ._notice import Notice
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping, Sequence
+    from typing import TypeAlias
 
     import numpy as np
     import pandas as pd
@@ -21,11 +22,14 @@ if TYPE_CHECKING:
 
     from ._arrays import LabelsLike
     from ._clip import Names, Path, Roles, Source
+    from ._constraints import Constraints
+    from ._viewer import Viewer
 
     Params = tuple[str, float, int, float | None, float, float, bool]
     EditTuple = tuple[str, str, int, int, bool]
     Part = Literal["contact", "heel", "toe"]
     Side = Literal["left", "right"]
+    ConstraintsLike: TypeAlias = "Detection | LabelsLike | Mapping[str, Any] | Sequence[Edit] | Path | bytes"
 
 
 class Interval(NamedTuple):
@@ -174,7 +178,7 @@ class Detection:
     call and may be changed.
     """
 
-    __slots__ = ("_clip", "_detected", "_edits", "_params", "_raw", "_still")
+    __slots__ = ("_clip", "_constraints", "_corrected", "_detected", "_edits", "_params", "_raw", "_still")
 
     def __init__(
         self,
@@ -182,14 +186,29 @@ class Detection:
         params: Params,
         still: Clip | None,
         edits: tuple[EditTuple, ...] = (),
-        detected: _plantigrade.RawDetection | None = None,
+        constraints: Constraints | None = None,
+        *,
+        earlier: Detection | None = None,
     ) -> None:
+        """Detect the plants, unless an earlier detection with other edits has done so."""
         self._clip = clip
         self._params = params
         self._still = still
         self._edits = edits
-        self._detected = detected or clip._raw.detect(params, None if still is None else still._raw)
-        self._raw = self._detected.edited(list(edits)) if edits else self._detected
+        self._constraints = constraints
+        #: Labels with corrections, their changes of similar motion, and the edits of this clip.
+        self._corrected: tuple[_plantigrade.RawDetection, list[EditTuple], list[EditTuple]] | None = None
+        self._detected: _plantigrade.RawDetection
+        if earlier is not None:
+            self._detected, self._corrected = earlier._detected, earlier._corrected
+        else:
+            self._detected = clip._raw.detect(params, None if still is None else still._raw)
+            if constraints is not None:
+                from ._constraints import corrected
+
+                self._corrected = corrected(self._detected, clip, params, constraints)
+        base, _, own = self._corrected or (self._detected, [], [])
+        self._raw = base.edited([*own, *edits]) if edits else base
 
     @property
     def clip(self) -> Clip:
@@ -305,6 +324,12 @@ class Detection:
         """What was assumed, repaired or left out, by reader and method."""
         return tuple(Notice(*notice) for notice in self._raw.notices())
 
+    @property
+    def edits(self) -> tuple[Edit, ...]:
+        """Edits that were applied, the newest last."""
+        own = self._corrected[2] if self._corrected else []
+        return tuple(Edit(*edit) for edit in (*own, *self._edits))
+
     def edit(self, edits: Iterable[Edit | tuple[str, str, int, int, bool]]) -> Detection:
         """Return the detection with corrected labels.
 
@@ -313,12 +338,8 @@ class Detection:
         edits : iterable of Edit
             Frame ranges with their label; later ones take precedence, also over those of earlier calls.
         """
-        checked = [
-            (str(side), str(part), _frame(start), _frame(end), bool(planted))
-            for side, part, start, end, planted in edits
-        ]
-        all_edits = (*self._edits, *checked)
-        return Detection(self._clip, self._params, self._still, all_edits, self._detected)
+        all_edits = (*self._edits, *edit_tuples(edits))
+        return Detection(self._clip, self._params, self._still, all_edits, self._constraints, earlier=self)
 
     def slides(self) -> tuple[Slide, ...]:
         """Return the slide of each plant: those of the left foot, then those of the right."""
@@ -391,6 +412,47 @@ class Detection:
 
         return plot(self, axes)
 
+    def show(self, *, height: int = 560, static: bool = False) -> Viewer:
+        """Show the clip with its labels in the viewer and timeline of the app, in a notebook.
+
+        The viewer is the value of the cell. It works without a network connection. If anywidget is
+        installed (``pip install plantigrade[notebook]``), edits that are made in the viewer are those of
+        :attr:`Viewer.detection` in the next cell::
+
+            viewer = detection.show()
+            viewer
+
+        Parameters
+        ----------
+        height : int
+            Height in pixels.
+        static : bool
+            If true, the viewer is a part of the notebook, about 2.5 MB, which also works when the notebook
+            is exported as HTML; its edits do not reach Python. Without anywidget, the viewer is static.
+
+        Returns
+        -------
+        Viewer
+            The viewer.
+        """
+        from ._viewer import show
+
+        return show(self, height, static)
+
+    def save_html(self, path: Path) -> None:
+        """Write a page with the viewer, the clip and its labels.
+
+        The page is a single file, which works without Python and without a network connection.
+
+        Parameters
+        ----------
+        path : path
+            File to write.
+        """
+        from ._page import page
+
+        write(path, page(self).encode())
+
     def save(self, path: Path, format: str | None = None) -> None:
         """Write the labels as a file.
 
@@ -407,7 +469,7 @@ class Detection:
         write(path, self._raw.to_bytes(name))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Detection, (self._clip, self._params, self._still, self._edits)
+        return Detection, (self._clip, self._params, self._still, self._edits, self._constraints)
 
     def __repr__(self) -> str:
         plants = sum(interval.part == self.parts[0] for interval in self.intervals)
@@ -432,6 +494,8 @@ def detect(
     height: float = 0.05,
     speed: float = 0.5,
     exact: bool = False,
+    constraints: ConstraintsLike | None = None,
+    constraints_clip: Source | None = None,
 ) -> Detection:
     """Detect when each foot is planted.
 
@@ -468,6 +532,13 @@ def detect(
         Thresholds of the methods that have them, in metres and metres per second.
     exact : bool
         If true, all pairs of frames are compared in long clips too; slow, and labels rarely change.
+    constraints : Detection, path, bytes, dict, sequence of Edit or array, optional
+        Corrected labels, which are applied to similar motion as well: a detection with edits, a document
+        with edits or labels as ``--constraints`` of the command line accepts them, edits, or labels of the
+        shape (frames, 2) with −1 or NaN for frames that were not judged, or such arrays by part.
+    constraints_clip : Clip, path or array, optional
+        Clip of the same character that the corrected labels belong to; by default that of a detection, and
+        otherwise the clip that is labelled.
 
     Returns
     -------
@@ -497,11 +568,13 @@ def detect(
         unit=unit,
         lenient=lenient,
     )
-    standing = None
-    if still is not None:
-        is_clip = isinstance(still, (Clip, str, bytes, os.PathLike))
-        standing = as_clip(
-            still,
+
+    def other(source: Source | None) -> Clip | None:
+        if source is None:
+            return None
+        is_clip = isinstance(source, (Clip, str, bytes, os.PathLike))
+        return as_clip(
+            source,
             fps=None if is_clip else clip.fps,
             names=None if is_clip else names,
             roles=roles,
@@ -510,6 +583,7 @@ def detect(
             unit=unit,
             lenient=lenient,
         )
+
     params = (
         str(method),
         float(r),
@@ -519,7 +593,24 @@ def detect(
         float(speed),
         bool(exact),
     )
-    return Detection(clip, params, standing)
+    corrections = None
+    if constraints is not None:
+        from ._constraints import constraints_of
+
+        corrections = constraints_of(constraints, other(constraints_clip))
+    elif constraints_clip is not None:
+        raise PlantigradeError(
+            "constraints_clip has no constraints", hint="Pass corrected labels as constraints"
+        )
+    return Detection(clip, params, other(still), (), corrections)
+
+
+def edit_tuples(edits: Iterable[Edit | EditTuple]) -> list[EditTuple]:
+    """Return edits with checked types."""
+    return [
+        (str(side), str(part), _frame(start), _frame(end), bool(planted))
+        for side, part, start, end, planted in edits
+    ]
 
 
 def _frame(value: int) -> int:

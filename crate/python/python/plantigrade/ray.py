@@ -152,6 +152,10 @@ def run(
 
     if not ray.is_initialized():
         ray.init(address=address, log_to_driver=False, include_dashboard=False)
+    if "constraints" in options:
+        raise PlantigradeError(
+            "constraints are not supported on a cluster", hint="Use plantigrade.batch on one machine"
+        )
     encoded = json.dumps(options, sort_keys=True)
     done = _done(out, encoded)
     sources = list_inputs([inputs] if isinstance(inputs, str) else inputs)

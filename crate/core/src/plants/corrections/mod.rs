@@ -20,6 +20,7 @@ use std::sync::Arc;
 
 use crate::foot::{Part, Side};
 use crate::intervals::intervals;
+use crate::notice::{Code, Notice};
 use crate::plants::{Detection, Edit, Feet, apply_edits};
 use edges::EdgeExample;
 use example::{Example, edited_frames};
@@ -42,6 +43,18 @@ pub struct Corrected {
     pub changes: Vec<Edit>,
     /// Number of plants that were changed, added or removed outside of the edits.
     pub plants: usize,
+}
+
+impl Corrected {
+    /// Returns the notice that states to how many plants the corrections were applied.
+    pub fn notice(&self) -> Notice {
+        let text = match self.plants {
+            0 => "The corrections change no other plants.".into(),
+            1 => "The corrections were applied to 1 similar plant.".into(),
+            count => format!("The corrections were applied to {count} similar plants."),
+        };
+        Notice::new(Code::Corrections, text)
+    }
 }
 
 impl Corrections {
