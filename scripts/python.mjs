@@ -215,7 +215,7 @@ async function jupyterLabTests(interpreter) {
 }
 
 /** Installs a wheel, also if one of the same version is installed. */
-function installWheel(interpreter, wheel) {
+export function installWheel(interpreter, wheel) {
   return pip(interpreter, ["--force-reinstall", "--no-deps", wheel]);
 }
 

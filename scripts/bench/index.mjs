@@ -13,7 +13,7 @@ import { generateClips } from "./clips.mjs";
 import { detectionRows, growthRows, memoryRows, readingRows, segmentationRows } from "./core.mjs";
 import { startNative } from "./native.mjs";
 import { serveBenchPage } from "./page.mjs";
-import { pythonRows } from "./references.mjs";
+import { clusteringRows, packageRows } from "./references.mjs";
 import { toMarkdown, writeCharts } from "./report.mjs";
 import { sizeRows } from "./sizes.mjs";
 
@@ -38,10 +38,11 @@ await main(async () => {
       ...reading,
       ...(await memoryRows(where)),
       ...detection.rows,
-      ...pythonRows(detection),
+      ...(await clusteringRows(detection)),
       ...segmentation,
       ...long.rows,
       ...(await appRows(where)),
+      ...(await packageRows(where)),
       ...sizeRows(),
     ];
     writeCharts(long.growth);

@@ -1,13 +1,30 @@
-/** Benchmarks of Python libraries on the same clustering problem. */
+/** Rows on Python libraries, and on the Python package. */
 
-import { existsSync } from "node:fs";
 import { join } from "node:path";
-import { ask, root, step } from "../run.mjs";
+import {
+  buildWheel,
+  environment,
+  findPython,
+  installWheel,
+  pip,
+  requirements,
+} from "../python.mjs";
+import { ask, root, run, step } from "../run.mjs";
+import { batchFolder } from "./clips.mjs";
 import { speedRow } from "./pairs.mjs";
 
-const environment = join(root, "target/python");
-const PACKAGES = ["numpy", "scikit-learn"];
-
+/**
+ * Packages that are compared, as arguments of pip. fairmotion requires a version of torch that can no longer
+ * be installed, but its reader works without it.
+ */
+const PACKAGES = [
+  ["scikit-learn"],
+  ["gaitkit"],
+  ["pybvh"],
+  ["bvh"],
+  ["bvhio"],
+  ["--no-deps", "fairmotion"],
+];
 /** Names of the libraries in the table. */
 const TITLES = { sklearn: "scikit-learn", dense: "dense eigensolver of NumPy" };
 /** Number of frames, and the target for scikit-learn. */
@@ -19,15 +36,12 @@ const TARGETS = { 300: 100, 1000: undefined };
  * @param {{ signals: Record<number, object>, clustering: Record<number, number[]> }} detection Signals by
  *   number of frames, and our times in milliseconds.
  */
-export function pythonRows({ signals, clustering }) {
+export async function clusteringRows({ signals, clustering }) {
   step("Measuring the reference libraries");
   const script = join(root, "tests/bench/reference.py");
-  const output = ask(python(), [script], JSON.stringify(signals));
+  const interpreter = await python();
+  const output = interpreter && ask(interpreter, [script], JSON.stringify(signals));
   const results = output ? JSON.parse(output) : {};
-  if (!results.sklearn)
-    console.log(
-      "scikit-learn is not available, so it is not measured. Install it with pip to include it.",
-    );
   return Object.entries(results).flatMap(([library, times]) =>
     Object.entries(times).map(([frames, references]) => {
       const pairs = references.map((reference, run) => {
@@ -45,13 +59,47 @@ export function pythonRows({ signals, clustering }) {
   );
 }
 
-/** Returns a Python with the libraries: the installed one, or a virtual environment in `target`. */
-function python() {
-  if (ask("python3", ["-c", "import numpy, sklearn"]) !== undefined) return "python3";
-  const program = join(environment, "bin/python");
-  if (!existsSync(program)) {
-    ask("python3", ["-m", "venv", environment]);
-    ask(program, ["-m", "pip", "install", "--quiet", ...PACKAGES]);
+/**
+ * Returns rows of the Python package next to other software, measured by `python.py`; none if there is no
+ * Python.
+ * @param {{ native: { commandLine: string } }} where
+ */
+export async function packageRows({ native }) {
+  step("Measuring the Python package");
+  const interpreter = await python();
+  if (!interpreter) return [];
+  const builder = await environment(findPython().python, "test", requirements());
+  await installWheel(interpreter, await buildWheel(builder));
+  const script = join(root, "scripts/bench/python.py");
+  const output = await run(interpreter, [script, native.commandLine, batchFolder], { quiet: true });
+  const measured = JSON.parse(output).rows.filter(({ reference }) => reference);
+  return measured.map(({ name, unit, ours, reference, ratio }) => {
+    const [, work, title] = /^(.*?): (.*)$/.exec(name);
+    const isCommandLine = title === "plantigrade detect";
+    return {
+      work: `Python: ${work}`,
+      reference: isCommandLine ? "command line" : title,
+      ours,
+      referenceValue: reference,
+      ratio,
+      bound: "at least",
+      target: isCommandLine ? 0.9 : undefined,
+      text:
+        unit === "ms" ? undefined : (value) => `${Math.round(value).toLocaleString("en")} frames/s`,
+    };
+  });
+}
+
+/** Returns a Python with the libraries that can be installed, or undefined if there is no Python. */
+async function python() {
+  const found = findPython();
+  if ("message" in found) {
+    console.log(`${found.message} Python libraries are not measured.`);
+    return undefined;
   }
-  return existsSync(program) ? program : "python3";
+  const interpreter = await environment(found.python, "bench", ["numpy"]);
+  for (const packages of PACKAGES) {
+    await pip(interpreter, packages).catch(() => console.log(`Not available: ${packages.at(-1)}`));
+  }
+  return interpreter;
 }

@@ -98,7 +98,8 @@ those of at most (≤) are its time as a multiple of that of the reference. Time
 Unless stated otherwise, work is done by the WebAssembly module in Chromium on one thread, and
 "native" is the same code without a browser. Labelling is a first detection of all parts of both feet
 with everything that it needs from the clip. Clips are generated (\`crate/synth\`) at 120 Hz, with the
-number format of recording software. Python references run on the same machine. Memory of the page is
+number format of recording software. Python libraries run after the work that they are compared with,
+because their threads would disturb it. Memory of the page is
 the peak of its process. Times of the main thread are processor times, since software rendering
 competes for the same processors. \`npm run bench -- --against REF\` compares the working tree with
 another commit.
