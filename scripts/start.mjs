@@ -1,4 +1,4 @@
-/** `npm start`: sets up, builds and serves the app, and prints its address. */
+/** `npm start`: sets up, builds and serves the app, and shows its address. */
 
 import { join } from "node:path";
 import { buildSite } from "./build.mjs";

@@ -26,7 +26,7 @@ const OPERATIONS = [
 ];
 
 /**
- * Prints a table of the times of the working tree as multiples of those of another commit.
+ * Writes a table of the times of the working tree as multiples of those of another commit.
  *
  * @throws {Stop} If the commit does not exist or has no such benchmarks, and if an operation has become
  *   slower.
@@ -55,11 +55,11 @@ export async function compareWith(reference, launch) {
       env: environment,
     });
     const ours = { native: await startNative({ tree: root }) };
-    const theirs = { native: await startNative({ tree, target }) };
-    opened.push(ours.native, theirs.native);
+    const other = { native: await startNative({ tree, target }) };
+    opened.push(ours.native, other.native);
     for (const [side, folder] of [
       [ours, root],
-      [theirs, tree],
+      [other, tree],
     ]) {
       const server = await serveBenchPage({ tree: folder, launch });
       side.page = await server.open();
@@ -74,7 +74,7 @@ export async function compareWith(reference, launch) {
         const pairs = await alternate(
           PAIRS,
           timed(ours[where], operation, argument),
-          timed(theirs[where], operation, argument),
+          timed(other[where], operation, argument),
         );
         const work = [operation, argument, where === "page" ? "(wasm)" : "(native)"];
         rows.push(timeRow(work.filter(Boolean).join(" "), reference, pairs));

@@ -236,7 +236,7 @@ for (const [reason, error, message] of [
   ["full", "QuotaExceededError", "The storage of this browser is full"],
   ["denied", "SecurityError", "This browser does not store data for this page"],
 ] as const) {
-  test(`keeps edits until the page is closed if storage is ${reason}`, async ({ app, page }) => {
+  test(`has edits until the page is closed if storage is ${reason}`, async ({ app, page }) => {
     await page.addInitScript((name) => {
       const refuse = () => {
         throw new DOMException("refused", name);

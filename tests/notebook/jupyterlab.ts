@@ -70,7 +70,7 @@ function freePort(): Promise<number> {
   });
 }
 
-/** Resolves when the server says that it runs. */
+/** Resolves when the server reports that it runs. */
 function started(server: ChildProcess): Promise<void> {
   return new Promise((resolve, reject) => {
     let output = "";

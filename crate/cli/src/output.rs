@@ -31,13 +31,13 @@ ctor::declarative::ctor! {
     }
 }
 
-/// Prints a value as indented JSON.
+/// Writes a value as indented JSON.
 pub fn print_json(value: &impl Serialize) {
     let json = serde_json::to_string_pretty(value).expect("text, numbers and lists");
     print(format_args!("{json}\n"));
 }
 
-/// Prints text on standard output. Ends the program if that is impossible.
+/// Writes text on standard output. Ends the program if that is impossible.
 pub fn print(text: Arguments<'_>) {
     end_on_error(print_bytes(text.to_string().as_bytes()));
 }
@@ -55,7 +55,7 @@ pub fn print_bytes(bytes: &[u8]) -> io::Result<()> {
     })
 }
 
-/// Prints the help, the version or an error of the command line. Returns the exit code.
+/// Writes the help, the version or an error of the command line. Returns the exit code.
 pub fn print_command_line_error(error: &clap::Error) -> u8 {
     if error.use_stderr() {
         let _ = error.print();
@@ -65,7 +65,7 @@ pub fn print_command_line_error(error: &clap::Error) -> u8 {
     u8::from(error.use_stderr()) * 2
 }
 
-/// Prints a line on standard error, unless its reader has closed the pipe. Control characters are escaped.
+/// Writes a line on standard error, unless its reader has closed the pipe. Control characters are escaped.
 pub fn report(line: Arguments<'_>) {
     let line = escape(&line.to_string()) + "\n";
     let _ = io::stderr().write_all(line.as_bytes());

@@ -1,4 +1,4 @@
-//! Prints the plants of a BVH file: foot, first and last frame, and mean confidence.
+//! Writes the plants of a BVH file: foot, first and last frame, and mean confidence.
 //!
 //! ```sh
 //! cargo run --example detect -- samples/curved-walk.bvh

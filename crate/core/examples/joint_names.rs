@@ -1,4 +1,4 @@
-//! Prints `docs/joint-names.md`, the table of all known joint names.
+//! Writes `docs/joint-names.md`, the table of all known joint names.
 //!
 //! Run with `cargo run -p plantigrade --example joint_names > docs/joint-names.md`.
 

@@ -1,4 +1,4 @@
-//! Prints the segments of a BVH file by one method: start and end in seconds, and the label.
+//! Writes the segments of a BVH file by one method: start and end in seconds, and the label.
 //!
 //! ```sh
 //! cargo run --example segment -- samples/limp-to-run.bvh lsd

@@ -44,7 +44,7 @@ fn check(name: &str, target: fn(&[u8]), mutations: usize) {
     drop(running);
 }
 
-/// Runs a target, and prints the input if it fails. Printing every input would allocate memory in the thread
+/// Runs a target, and writes the input if it fails. Printing every input would allocate memory in the thread
 /// that collects the output, which counts for the next test.
 fn run(target: fn(&[u8]), input: &[u8], description: impl FnOnce() -> String) {
     let outcome = catch_unwind(|| targets::run(&ALLOCATOR, target, input));

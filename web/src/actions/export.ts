@@ -52,7 +52,7 @@ export async function exportGait({ name, extension, mediaType }: FileFormat): Pr
 }
 
 /**
- * Opens the report of the gait in a new window and prints it; with several actions and none chosen, the
+ * Opens the report of the gait in a new window and starts printing; with several actions and none chosen, the
  * report compares them. Where windows are blocked, the report is downloaded.
  */
 export async function printGaitReport(): Promise<void> {

@@ -23,7 +23,7 @@ function Unreadable() {
     <div class="storage-notice">
       <p>
         {isNewer
-          ? "This browser has edits of this clip from a newer version of the app, which this version cannot read. Reload the page to get the newer version. The edits are kept, also if you edit the clip here."
+          ? "This browser has edits of this clip from a newer version of the app, which this version cannot read. Reload the page to get the newer version. The edits are preserved, also if you edit the clip here."
           : "This browser has stored edits of this clip that are damaged and cannot be read. They are preserved, but not applied."}
       </p>
       <p class="storage-actions">

@@ -32,7 +32,7 @@ export const embedded: EmbeddedClip | HostedPage | undefined =
 /** True if the page gets its clip from the document that contains its frame. */
 export const isHosted = embedded !== undefined && "host" in embedded;
 
-/** True if the page is in a frame, where there is little room and other content around it. */
+/** True if the page is in a frame, where space is small and other content surrounds it. */
 export const isFramed = embedded !== undefined && parent !== window;
 
 /** Decodes the embedded clip, with its edits and names. Throws if the page is damaged. */

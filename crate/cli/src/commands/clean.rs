@@ -32,7 +32,7 @@ pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
     Ok(failures)
 }
 
-/// Cleans a clip, writes the result and prints a summary and the notices.
+/// Cleans a clip, writes the result and reports a summary and the notices.
 fn clean(
     input: &Input,
     loaded: &LoadedClip,

@@ -63,7 +63,7 @@ pub fn run(args: &GaitArgs) -> Result<usize, UsageError> {
     }
 }
 
-/// Prints the measures of all inputs. Returns the number of inputs that failed.
+/// Writes the measures of all inputs. Returns the number of inputs that failed.
 fn print_records(args: &GaitArgs, inputs: &[Input]) -> usize {
     let (records, failures) = parallel::map(inputs, args.jobs, |input| records(input, args));
     let records: Vec<Record> = records.into_iter().flatten().collect();

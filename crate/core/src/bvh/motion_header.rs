@@ -28,7 +28,7 @@ pub(super) struct MotionHeader {
     frame_time_text: Option<Statement>,
 }
 
-/// What reading the header changes besides.
+/// What reading the header changes as well.
 pub(super) struct HeaderContext<'a> {
     pub decimals: &'a mut Decimals,
     pub layout: &'a mut Layout,

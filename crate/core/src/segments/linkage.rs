@@ -5,7 +5,7 @@ use crate::segments::progress::Cancelled;
 /// Returns the first member of each item's group.
 ///
 /// Groups are merged while their average distance is at most `max_distance`, the nearest first. All
-/// distances among the first `max_compared` items are computed, which limits memory and time; further
+/// distances between the first `max_compared` items are computed, which limits memory and time; further
 /// items join the group whose first member is nearest, or start a group. `checkpoint` is called regularly
 /// and may cancel.
 pub(crate) fn groups(

@@ -22,7 +22,7 @@ const PAIR_SECONDS: f64 = 0.04;
 
 /// Weights of the evidence for an up axis.
 ///
-/// Set by hand so that each situation of the tests is decided: standing, walking, sitting, lying,
+/// Set by hand so that each situation of the tests is decided: standing, walking, sitting, supine,
 /// crawling, push-ups, handstands, and characters that are upside down or in another axis than their
 /// rest pose.
 mod weight {

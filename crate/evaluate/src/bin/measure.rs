@@ -1,4 +1,4 @@
-//! Executes one measured operation per line of standard input and prints its time in milliseconds.
+//! Executes one measured operation per line of standard input and writes its time in milliseconds.
 //!
 //! `npm run bench` alternates these operations with others, in this process or elsewhere, so that both
 //! run under the same load. Operations are those of the core and, as references, those of other crates

@@ -97,7 +97,7 @@ fn read_truth(clip: &Path, name: &str) -> Result<Option<(PathBuf, String)>, Inpu
     Ok(None)
 }
 
-/// Prints precision, recall and F1 at each tolerance, by clip and pooled.
+/// Writes precision, recall and F1 at each tolerance, by clip and pooled.
 fn print(trials: &[Trial]) {
     let headers = Tolerance::REPORTED.map(|tolerance| match tolerance {
         Tolerance::Seconds(seconds) => format!("±{seconds} s"),
@@ -129,7 +129,7 @@ fn row(name: &str, tallies: &Tallies) -> String {
     format!("{name:<24}{detected:>9}{total:>6}{}", tallies.map(cells).concat())
 }
 
-/// Prints frame accuracy and adjusted Rand index, by clip and for all clips: pooled frames and the mean
+/// Writes frame accuracy and adjusted Rand index, by clip and for all clips: pooled frames and the mean
 /// index.
 fn print_classes(trials: &[Trial]) {
     output::print(format_args!(

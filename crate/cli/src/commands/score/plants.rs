@@ -74,7 +74,7 @@ fn pairs(trial: &Trial, part: Part) -> Option<[Pair<'_>; 2]> {
     Some(Side::BOTH.map(|side| (labels.foot(side).planted.as_slice(), truth[side as usize].as_slice())))
 }
 
-/// Prints the scores of one part: lenient and strict accuracy, by clip and pooled, and precision,
+/// Writes the scores of one part: lenient and strict accuracy, by clip and pooled, and precision,
 /// recall and timing of the plants.
 fn print(part: Part, trials: &[Trial]) {
     let periods: Vec<String> = FUZZY_PERIODS.iter().map(|fuzzy| format!("p = {fuzzy}")).collect();

@@ -28,7 +28,7 @@ const LANES: usize = 16;
 /// Number of samples in a block, whose sums are in single precision.
 const BLOCK: usize = 128;
 
-/// Maximum number of samples whose blocks are kept between products; they occupy up to 5 MB.
+/// Maximum number of samples whose blocks are stored between products; they occupy up to 5 MB.
 const MAX_KEPT_SAMPLES: usize = 200_000;
 
 type Lanes = [f32; LANES];
