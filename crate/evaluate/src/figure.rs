@@ -6,6 +6,7 @@ use std::path::Path;
 use anyhow::anyhow;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Colours of series, distinguishable with colour-vision deficiencies.
 const COLOURS: [RGBColor; 6] = [
@@ -16,6 +17,9 @@ const COLOURS: [RGBColor; 6] = [
     RGBColor(93, 106, 120),
     RGBColor(192, 40, 70),
 ];
+
+/// Width of figures, in pixels.
+const WIDTH: u32 = 760;
 
 /// Colour of bands.
 const BAND_COLOUR: RGBColor = RGBColor(93, 106, 120);
@@ -91,12 +95,72 @@ impl Panel<'_> {
 /// Draws panels below one another.
 pub fn draw(path: &Path, panels: &[Panel]) -> anyhow::Result<()> {
     let height = if panels.len() == 1 { 380 } else { 240 * panels.len() as u32 };
-    let area = SVGBackend::new(path, (760, height)).into_drawing_area();
+    draw_on_white(path, (WIDTH, height), |area| {
+        for (part, panel) in area.split_evenly((panels.len(), 1)).iter().zip(panels) {
+            draw_panel(part, panel)?;
+        }
+        Ok(())
+    })
+}
+
+/// A matrix of amounts.
+pub struct Matrix<'a> {
+    /// Title above the matrix.
+    pub title: &'a str,
+    /// Names of the rows.
+    pub rows: &'a [&'a str],
+    /// Title and names of the columns.
+    pub columns: (&'a str, &'a [&'a str]),
+    /// Amount of each row in each column.
+    pub amounts: &'a [Vec<f64>],
+}
+
+/// Draws a matrix whose cells are as dark as their fraction of the row.
+pub fn draw_matrix(path: &Path, matrix: &Matrix) -> anyhow::Result<()> {
+    const CELL: (i32, i32) = (64, 30);
+    const ORIGIN: (i32, i32) = (230, 84);
+    let height = ORIGIN.1 + CELL.1 * matrix.rows.len() as i32 + 16;
+    draw_on_white(path, (WIDTH, height as u32), |area| {
+        let text = |text: &str, size: i32, position: (i32, i32), horizontal: HPos, colour: &RGBColor| {
+            let style = ("sans-serif", size).into_text_style(area).color(colour);
+            area.draw_text(text, &style.pos(Pos::new(horizontal, VPos::Center)), position)
+        };
+        let (title, names) = matrix.columns;
+        let column_middle = |column: usize| ORIGIN.0 + CELL.0 * column as i32 + CELL.0 / 2;
+        let row_middle = |row: usize| ORIGIN.1 + CELL.1 * row as i32 + CELL.1 / 2;
+        text(matrix.title, 15, (WIDTH as i32 / 2, 18), HPos::Center, &BLACK)?;
+        text(title, 12, (ORIGIN.0, ORIGIN.1 - 34), HPos::Left, &BLACK)?;
+        for (column, name) in names.iter().enumerate() {
+            text(name, 13, (column_middle(column), ORIGIN.1 - 12), HPos::Center, &BLACK)?;
+        }
+        for (row, (name, amounts)) in matrix.rows.iter().zip(matrix.amounts).enumerate() {
+            text(name, 13, (ORIGIN.0 - 12, row_middle(row)), HPos::Right, &BLACK)?;
+            let total = amounts.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+            for (column, amount) in amounts.iter().enumerate() {
+                let (x, y) = (ORIGIN.0 + CELL.0 * column as i32, ORIGIN.1 + CELL.1 * row as i32);
+                let corners = [(x + 1, y + 1), (x + CELL.0 - 1, y + CELL.1 - 1)];
+                let fraction = amount / total;
+                area.draw(&Rectangle::new(corners, COLOURS[0].mix(0.06 + 0.94 * fraction).filled()))?;
+                if *amount > 0.0 {
+                    let colour = if fraction > 0.5 { &WHITE } else { &BLACK };
+                    let middle = (column_middle(column), row_middle(row));
+                    text(&format!("{amount:.1}"), 12, middle, HPos::Center, colour)?;
+                }
+            }
+        }
+        Ok(())
+    })
+}
+
+fn draw_on_white(
+    path: &Path,
+    size: (u32, u32),
+    content: impl FnOnce(&DrawingArea<SVGBackend, Shift>) -> Result<(), Box<dyn std::error::Error>>,
+) -> anyhow::Result<()> {
+    let area = SVGBackend::new(path, size).into_drawing_area();
     let result = (|| {
         area.fill(&WHITE).map_err(|error| error.to_string())?;
-        for (part, panel) in area.split_evenly((panels.len(), 1)).iter().zip(panels) {
-            draw_panel(part, panel).map_err(|error| error.to_string())?;
-        }
+        content(&area).map_err(|error| error.to_string())?;
         area.present().map_err(|error| error.to_string())
     })();
     result.map_err(|error: String| anyhow!("cannot draw {}: {error}", path.display()))

@@ -11,6 +11,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use super::class_references::{Classes, kmeans_of_segment_means, spectral_clusters_of_frames};
 use super::{params_of, two_decimals};
+use crate::figure::{Matrix, draw_matrix};
 use crate::report::Report;
 
 /// A clip with annotated or generated actions.
@@ -174,8 +175,8 @@ fn common_names(clips: &[ActionClip]) -> String {
     )
 }
 
-/// Adds the seconds that each annotated action of a clip has in each detected action.
-pub fn confusion(report: &mut Report, case: &ClassCase, method: Method) {
+/// Adds a figure of the seconds that each annotated action of a clip has in each detected action.
+pub fn confusion(report: &mut Report, case: &ClassCase, name: &str, method: Method) -> anyhow::Result<()> {
     let detected = actions_of(case.clip, method);
     let mut columns: Vec<&str> = detected.iter().map(|(_, name)| name.as_str()).collect();
     columns.sort_unstable();
@@ -195,17 +196,19 @@ pub fn confusion(report: &mut Report, case: &ClassCase, method: Method) {
                 detected.map(move |(other, _)| overlap(range, other))
             })
             .sum();
-        format!("{:.1}", frames as f64 * case.clip.frame_time())
+        frames as f64 * case.clip.frame_time()
     };
-    let table: Vec<Vec<String>> = rows
-        .iter()
-        .map(|row| {
-            let cells = columns.iter().map(|column| seconds(row, column));
-            std::iter::once((*row).to_owned()).chain(cells).collect()
-        })
-        .collect();
-    let head: Vec<&str> = std::iter::once("seconds").chain(columns.iter().copied()).collect();
-    report.table(&head, &table);
+    let amounts: Vec<Vec<f64>> =
+        rows.iter().map(|row| columns.iter().map(|column| seconds(row, column)).collect()).collect();
+    let path = report.figure(
+        "actions-confusion",
+        &format!("Seconds of each annotated action of {name} in each action of `{}`", method.name()),
+    );
+    let title = format!("{name}: seconds of annotated actions in the actions of {}", method.name());
+    draw_matrix(
+        &path,
+        &Matrix { title: &title, rows: &rows, columns: ("Detected actions", &columns), amounts: &amounts },
+    )
 }
 
 const INTRODUCTION: &str = "\

@@ -45,7 +45,7 @@ pub fn write(report: &mut Report, corpus: &Path) -> anyhow::Result<()> {
     first_trial(report, &recorded, &cuts);
     second_trial(report, &recorded, &cuts);
     cut_list(report, &recorded, &cuts);
-    classes(report, &recorded);
+    classes(report, &recorded)?;
     report.text(CLAIMS);
     figures::residuals(report, &recorded)?;
     figures::distances(report, &recorded)?;
@@ -155,7 +155,7 @@ fn cut_list(report: &mut Report, recorded: &Recorded, cuts: &[VariantCuts]) {
 }
 
 /// Adds the agreement of the actions with the annotated ones.
-fn classes(report: &mut Report, recorded: &Recorded) {
+fn classes(report: &mut Report, recorded: &Recorded) -> anyhow::Result<()> {
     let cases: Vec<ClassCase> = recorded
         .cases
         .iter()
@@ -168,8 +168,7 @@ fn classes(report: &mut Report, recorded: &Recorded) {
          trials in sight.",
     );
     classes::table(report, &cases, &["86_01", "13_30"]);
-    report.text("Annotated actions of 86_01 and the actions of `auto`:");
-    classes::confusion(report, &cases[0], Method::Auto);
+    classes::confusion(report, &cases[0], "86_01", Method::Auto)
 }
 
 /// Adds the distribution of the amplitudes of the `lsd` curve.
