@@ -135,6 +135,14 @@ def widget_class() -> Any:
     return Widget
 
 
+def test_import_and_detection_load_no_widgets(widget_class: Any, walk_path: Path) -> None:
+    code = f"import sys, plantigrade; plantigrade.detect({str(walk_path)!r}).contact; print(*sys.modules)"
+    command = [sys.executable, "-I", "-c", code]
+    output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    loaded = {name.split(".")[0] for name in output.split()}
+    assert not loaded & {"anywidget", "ipywidgets", "traitlets", "IPython", "gzip"}
+
+
 def test_the_widget_has_page_and_clip(widget_class: Any, walk: plantigrade.Clip) -> None:
     viewer = plantigrade.detect(walk).show()
     widget = viewer.widget
