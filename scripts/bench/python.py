@@ -7,8 +7,9 @@ PROGRAM is the command line, CLIPS_FOLDER has BVH files. Prints rows as JSON, or
 
 - ``name``: what is compared, and with what.
 - ``ours``, ``reference``: median of the package and of the other software, in ``unit``.
-- ``ratio``: how many times as fast the package is: ``median``, and the quartiles ``low`` and ``high``. Each run of
-  the package is compared with the run of the other software next to it, so that the load of the machine affects both.
+- ``ratio``: how many times as fast the package is: ``median``, and its 95 % confidence interval, ``low`` and
+  ``high``. Each run of the package is compared with the run of the other software next to it, so that the load of
+  the machine affects both.
 - ``note``: why there is no reference, or what differs.
 
 The other packages are those that are installed::
@@ -59,6 +60,19 @@ def seconds(task: Task) -> float:
     return time.perf_counter() - start
 
 
+def median_interval(values: list[float]) -> tuple[float, float]:
+    """Return the 95 % confidence interval of the median by order statistics; the range of few values."""
+    count = len(values)
+    rank, probability = 0, 0.5**count
+    below = probability
+    while below <= 0.025:
+        rank += 1
+        probability *= (count - rank + 1) / rank
+        below += probability
+    ordered = sorted(values)
+    return ordered[max(rank, 1) - 1], ordered[count - max(rank, 1)]
+
+
 def compare(name: str, unit: str, amount: float, ours: Task, reference: Task, note: str = "") -> Row:
     """Return a row. `amount` is the number of frames of a rate; 0 if the unit is ms."""
     try:
@@ -77,7 +91,7 @@ def compare(name: str, unit: str, amount: float, ours: Task, reference: Task, no
             own = seconds(ours)
             pairs.append((own, seconds(reference)))
     ratios = [other / own for own, other in pairs]
-    low, _, high = statistics.quantiles(ratios, n=4, method="inclusive")
+    low, high = median_interval(ratios)
     ratio = {"median": statistics.median(ratios), "low": low, "high": high}
     return {
         "name": name,
