@@ -16,7 +16,16 @@ import {
 } from "../wasm/plantigrade";
 import { holdLock } from "./hold-lock";
 import { clipToPlain, detectionToPlain, transferables } from "./to-plain";
-import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
+import {
+  methodReady,
+  readClip,
+  secondReady,
+  sha256,
+  startWasm,
+  throttle,
+  toResult,
+  wasmReady,
+} from "./wasm-runtime";
 
 export type BatchResult = Result<{ summary: ClipSummary; files: SavedFile[] }>;
 export type CompanionResult = Result<{ clip: Clip; detection: Detection | null }>;
@@ -37,7 +46,7 @@ const api = {
     changesOf: ChangesOf,
     onProgress?: OnProgress,
   ): Promise<BatchResult> {
-    await wasmReady;
+    await secondReady();
     const started = performance.now();
     const opened = await toResult(() => readClip(file, false, throttle(onProgress)));
     if (!opened.ok) return opened;
@@ -67,6 +76,7 @@ const api = {
     const wasmClip = opened.value;
     const hash = await sha256(file);
     const changes = hash ? await changesOf(hash) : { edits: [] };
+    await methodReady(options);
     const detected = await toResult(() => wasmClip.detect(options));
     if (detected.ok) detected.value.edit(plantEditsOf(changes.edits));
     const clip = clipToPlain(wasmClip, name);
