@@ -117,7 +117,10 @@ async function compileModule(cargoOptions, compilerOptions) {
   await run("cargo", ["fetch", "--locked"], { source: CRATES });
   const crate = ["-p", "plantigrade-wasm", "--lib", ...cargoOptions];
   const flags = `target.${WASM}.rustflags=${JSON.stringify(moduleFlags())}`;
-  const build = ["rustc", "--locked", "--release", "--target", WASM, ...crate, "--config", flags];
+  // Numbers are written with a small table instead of one of 17 kB, which does not compress.
+  const zmij = 'profile.release.package.zmij.opt-level="s"';
+  const config = ["--config", flags, "--config", zmij];
+  const build = ["rustc", "--locked", "--release", "--target", WASM, ...crate, ...config];
   await run("cargo", [...build, "--", ...compilerOptions], { source: CRATES });
   return join(targetFolder(), WASM, "release/plantigrade_wasm.wasm");
 }

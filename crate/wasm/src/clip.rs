@@ -178,13 +178,7 @@ impl WasmClip {
     /// If an override names something that does not exist; the clip is then unchanged.
     #[wasm_bindgen(js_name = override)]
     pub fn apply(&mut self, overrides: Ts<Overrides>) -> Result<(), Failure> {
-        let overrides = from_js(&overrides)?;
-        let checked = overrides.check(self.clip.joints().len())?;
-        let frame_time = overrides.rate.map_or(self.original_frame_time, |rate| 1.0 / rate);
-        Arc::make_mut(&mut self.clip).set_frame_time(frame_time);
-        self.skeleton = Skeleton::main(&self.clip, &checked);
-        self.detector = None;
-        Ok(())
+        override_clip(self, overrides)
     }
 
     /// Detects the plants.
@@ -231,11 +225,25 @@ impl WasmClip {
 }
 
 second_module! {
+    "19" fn override_clip(clip: &mut WasmClip, overrides: Ts<Overrides>) -> Result<(), Failure> {
+        let overrides = from_js(&overrides)?;
+        let checked = overrides.check(clip.clip.joints().len())?;
+        let frame_time = overrides.rate.map_or(clip.original_frame_time, |rate| 1.0 / rate);
+        Arc::make_mut(&mut clip.clip).set_frame_time(frame_time);
+        clip.skeleton = Skeleton::main(&clip.clip, &checked);
+        clip.detector = None;
+        Ok(())
+    }
+
     "00" fn detect_by_any(clip: &mut WasmClip, params: ValidParams) -> Result<WasmDetection, Failure> {
         clip.detect_with(|detector| detector.detect(params), |feet| plants::detect_once(feet, params))
     }
 
-    "01" fn similar(clip: &WasmClip, detection: &WasmDetection, edits: Vec<Ts<EditInfo>>) -> Result<Ts<SimilarInfo>, Failure> {
+    "01" fn similar(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        edits: Vec<Ts<EditInfo>>,
+    ) -> Result<Ts<SimilarInfo>, Failure> {
         let edits = edits_from_js(&edits)?;
         let new_feet;
         let feet = match &clip.detector {
@@ -253,7 +261,13 @@ second_module! {
         })
     }
 
-    "02" fn save(clip: &WasmClip, detection: &WasmDetection, format: &str, name: String, sha256: Option<String>) -> Result<Vec<u8>, Failure> {
+    "02" fn save(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        format: &str,
+        name: String,
+        sha256: Option<String>,
+    ) -> Result<Vec<u8>, Failure> {
         let format: PlantFormat = parse_name(format)?;
         Ok(format.write(&PlantExport {
             source: clip.source(name, sha256),

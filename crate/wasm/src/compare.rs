@@ -159,7 +159,11 @@ second_module! {
         annotation.0.edits().into_iter().map(|edit| to_js(&EditInfo::from(edit))).collect()
     }
 
-    "07" fn score(annotation: &WasmAnnotation, clip: &WasmClip, detection: &WasmDetection) -> Result<Vec<Ts<ScoreInfo>>, Failure> {
+    "07" fn score(
+        annotation: &WasmAnnotation,
+        clip: &WasmClip,
+        detection: &WasmDetection,
+    ) -> Result<Vec<Ts<ScoreInfo>>, Failure> {
         let scores = score::compare(detection.core(), &annotation.0, clip.core().frame_time());
         scores.into_iter().map(|score| to_js(&ScoreInfo::from(score))).collect()
     }

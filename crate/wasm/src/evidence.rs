@@ -141,7 +141,12 @@ second_module! {
         })
     }
 
-    "09" fn decision_field(detection: &WasmDetection, part: &str, heights: &[f64], speeds: &[f64]) -> Result<Vec<f32>, Failure> {
+    "09" fn decision_field(
+        detection: &WasmDetection,
+        part: &str,
+        heights: &[f64],
+        speeds: &[f64],
+    ) -> Result<Vec<f32>, Failure> {
         let field = detection.evidence_of(part)?.field.as_ref();
         let field = field.ok_or(ArgumentError::NoField)?;
         let units = |metres: &[f64]| -> Vec<f64> {

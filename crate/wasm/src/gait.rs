@@ -361,7 +361,11 @@ impl From<Spread> for MeanSd {
 }
 
 second_module! {
-    "0b" fn gait(clip: &WasmClip, detection: &WasmDetection, frames: Option<Vec<usize>>) -> Result<Ts<GaitInfo>, Failure> {
+    "0b" fn gait(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        frames: Option<Vec<usize>>,
+    ) -> Result<Ts<GaitInfo>, Failure> {
         let feet = Feet::new(clip.core(), clip.skeleton())?;
         let legs = Legs::new(clip.core(), clip.skeleton());
         let ranges = frames.map(|frames| clip.ranges(&frames)).transpose()?;
@@ -370,7 +374,14 @@ second_module! {
         to_js(&GaitInfo::from(analysis))
     }
 
-    "0c" fn save_gait(clip: &WasmClip, detection: &WasmDetection, actions: Vec<Ts<ActionInfo>>, format: &str, name: String, sha256: Option<String>) -> Result<String, Failure> {
+    "0c" fn save_gait(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        actions: Vec<Ts<ActionInfo>>,
+        format: &str,
+        name: String,
+        sha256: Option<String>,
+    ) -> Result<String, Failure> {
         let format: GaitFormat = parse_name(format)?;
         let feet = Feet::new(clip.core(), clip.skeleton())?;
         let actions = actions.iter().map(|action| {

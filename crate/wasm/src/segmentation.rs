@@ -227,7 +227,11 @@ fn to_f32(values: &[f64]) -> Vec<f32> {
 }
 
 second_module! {
-    "0d" fn segment(clip: &WasmClip, options: Ts<SegmentOptions>, progress: &Function) -> Result<WasmSegmentation, Failure> {
+    "0d" fn segment(
+        clip: &WasmClip,
+        options: Ts<SegmentOptions>,
+        progress: &Function,
+    ) -> Result<WasmSegmentation, Failure> {
         let params = segments::Params::try_from(&from_js(&options)?)?.check()?;
         let mut report = |fraction: f64| {
             // An error in the callback does not stop the segmentation.
@@ -238,7 +242,14 @@ second_module! {
         Ok(WasmSegmentation { detected: current.segments.clone(), current })
     }
 
-    "0e" fn save_segments(clip: &WasmClip, segmentation: &WasmSegmentation, labels: Vec<String>, format: &str, name: String, sha256: Option<String>) -> Result<Vec<u8>, Failure> {
+    "0e" fn save_segments(
+        clip: &WasmClip,
+        segmentation: &WasmSegmentation,
+        labels: Vec<String>,
+        format: &str,
+        name: String,
+        sha256: Option<String>,
+    ) -> Result<Vec<u8>, Failure> {
         let format: SegmentFormat = parse_name(format)?;
         let source = clip.source(name, sha256);
         let mut document = SegmentsDocument::new(
@@ -260,7 +271,10 @@ second_module! {
         Ok(Rewriter::new(clip.layout().clone(), clip.core().clone(), start..end).into())
     }
 
-    "10" fn edit_cuts(segmentation: &mut WasmSegmentation, edits: Vec<Ts<CutEditInfo>>) -> Result<(), Failure> {
+    "10" fn edit_cuts(
+        segmentation: &mut WasmSegmentation,
+        edits: Vec<Ts<CutEditInfo>>,
+    ) -> Result<(), Failure> {
         let edits = edits.iter().map(|edit| {
             let CutEditInfo { cut, present } = from_js(edit)?;
             Ok(CutEdit { frame: cut, present })
@@ -286,7 +300,11 @@ second_module! {
         })
     }
 
-    "14" fn score(annotation: &WasmSegmentAnnotation, clip: &WasmClip, segmentation: &WasmSegmentation) -> Result<Vec<Ts<CutScore>>, Failure> {
+    "14" fn score(
+        annotation: &WasmSegmentAnnotation,
+        clip: &WasmClip,
+        segmentation: &WasmSegmentation,
+    ) -> Result<Vec<Ts<CutScore>>, Failure> {
         let score = |within: f64| {
             let tolerance = Tolerance::Seconds(within);
             let tally =

@@ -147,7 +147,12 @@ second_module! {
         skate.plants.iter().map(|slide| to_js(&SlideInfo::from(slide))).collect()
     }
 
-    "16" fn clean(clip: &WasmClip, detection: &WasmDetection, keep_spikes: bool, only: Vec<Ts<FootFrames>>) -> Result<WasmCleanedClip, Failure> {
+    "16" fn clean(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        keep_spikes: bool,
+        only: Vec<Ts<FootFrames>>,
+    ) -> Result<WasmCleanedClip, Failure> {
         let contacts = Contacts::from(detection.core());
         let selected = only.iter().map(|range| {
             let FootFrames { side, start, end } = from_js(range)?;

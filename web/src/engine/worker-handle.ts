@@ -71,10 +71,8 @@ async function watch(
 
 /** What every worker offers that waits for the wasm module. */
 interface WasmApi extends WatchedApi {
-  startWasm(
-    module: WebAssembly.Module,
-    requestSecondModule: () => Promise<WebAssembly.Module>,
-  ): void;
+  startWasm(module: WebAssembly.Module, requestSecondModule: () => Promise<void>): void;
+  startSecondModule(module: WebAssembly.Module): Promise<void>;
 }
 
 /** Wraps a worker that waits for the wasm module, and sends it; the worker requests the second one. */
@@ -83,7 +81,7 @@ export function wrapWasmWorker<Api extends WasmApi>(
   onBroken: (reason: Error) => void,
 ): WorkerHandle<Api> {
   const handle = wrapWorker<Api>(worker, onBroken);
-  const request = Comlink.proxy(secondModule);
+  const request = Comlink.proxy(async () => handle.calls.startSecondModule(await secondModule()));
   wasmModule().then((module) => handle.calls.startWasm(module, request), onBroken);
   return handle;
 }

@@ -21,6 +21,7 @@ import {
   readClip,
   secondReady,
   sha256,
+  startSecondModule,
   startWasm,
   throttle,
   toResult,
@@ -36,6 +37,7 @@ type ChangesOf = (hash: string) => Promise<StoredChanges>;
 const api = {
   holdLock,
   startWasm,
+  startSecondModule,
 
   /** Detects and segments one file, and returns its summary and the requested files. */
   async summarize(

@@ -61,6 +61,7 @@ import {
   methodReady,
   readClip,
   sha256,
+  startSecondModule,
   startWasm,
   throttle,
   toResult,
@@ -95,6 +96,7 @@ let openClip: OpenClip | undefined;
 const api = {
   holdLock,
   startWasm,
+  startSecondModule,
 
   /** Reads a clip and replaces the open one if it succeeds. */
   async open(file: Blob, name: string, lenient: boolean, onProgress?: OnProgress): Promise<Opened> {
@@ -334,8 +336,8 @@ export type ClipApi = typeof api;
 const firstCalls: readonly (keyof ClipApi)[] = [
   "holdLock",
   "startWasm",
+  "startSecondModule",
   "open",
-  "override",
   "detect",
   "edit",
   "hash",

@@ -7,8 +7,8 @@ import { readChunks } from "./read-blob";
 
 const PROGRESS_INTERVAL_MS = 50;
 
-/** Requests the second module from the page, which compiles it once for all workers. */
-type RequestModule = () => Promise<WebAssembly.Module>;
+/** Has the page, which compiles the second module once for all workers, call `startSecondModule`. */
+type RequestModule = () => Promise<void>;
 
 let resolveModule: (module: WebAssembly.Module) => void;
 let requestSecondModule: RequestModule;
@@ -45,8 +45,16 @@ export function secondReady(): Promise<unknown> {
 }
 
 async function loadSecond() {
+  await wasmReady;
+  await requestSecondModule();
+}
+
+/**
+ * Starts the second module. The page sends it by this call: in a page from disk, an answer to a request, which
+ * takes another channel, cannot contain a module.
+ */
+export async function startSecondModule(module: WebAssembly.Module): Promise<void> {
   const first = await wasmReady;
-  const module = await requestSecondModule();
   // It puts its functions and data into the table and the memory of the first module.
   await WebAssembly.instantiate(module, { __wasm_split: { ...first } });
 }
