@@ -1,5 +1,5 @@
 /**
- * The page of notebooks: the player with the wasm module, compressed, which gets its clip from the notebook that
+ * The page of notebooks: the player with the wasm modules, compressed, which gets its clip from the notebook that
  * contains its frame.
  */
 
@@ -13,14 +13,16 @@ import { writeSiteNotices } from "./third-party.mjs";
 
 /** Contents of the blocks of the page; see `web/src/model/player-html.ts` and `web/src/store/embedded.ts`. */
 function blocks() {
-  const module = readFileSync(join(root, "web/src/wasm/plantigrade_bg.wasm"));
+  const module = (name) =>
+    gzipSync(readFileSync(join(root, "web/src/wasm", name)), { level: 9 }).toString("base64");
   return {
     enclosed: JSON.stringify({ version: 1, host: true }),
-    core: gzipSync(module, { level: 9 }).toString("base64"),
+    core: module("plantigrade_bg.wasm"),
+    second: module("plantigrade_second.wasm"),
   };
 }
 
-/** Writes the page; requires the wasm module. A page of the same sources is not built again. */
+/** Writes the page; requires the wasm modules. A page of the same sources is not built again. */
 export async function writeNotebookPage(path) {
   const stamp = join(targetFolder(), "python/notebook-page.txt");
   writeSiteNotices();

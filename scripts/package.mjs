@@ -1,24 +1,22 @@
-/** `npm run package`: builds the npm package in target/npm from the wasm module and crate/wasm/npm. */
+/** `npm run package`: builds the npm package in target/npm from crate/wasm and crate/wasm/npm. */
 
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { main, root, run, step } from "./run.mjs";
-import { setup } from "./setup.mjs";
+import { setup, singleModule } from "./setup.mjs";
 import { noticesText, wasmPackages } from "./third-party.mjs";
 
 /** Folder of the built package. */
 const folder = join(root, "target/npm");
 
-/** Builds the package; requires the wasm module. */
+/** Builds the package; requires the tools that setup builds. */
 export async function buildPackage() {
   step("Building the npm package");
   const sources = join(root, "crate/wasm/npm");
-  const module = join(root, "web/src/wasm");
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
-  for (const name of ["plantigrade.js", "plantigrade.d.ts", "plantigrade_bg.wasm"]) {
-    copyFileSync(join(module, name), join(folder, name));
-  }
+  await singleModule(folder);
+  rmSync(join(folder, "plantigrade_bg.wasm.d.ts"));
   for (const name of ["README.md", "package.json", "index.ts"]) {
     copyFileSync(join(sources, name), join(folder, name));
   }

@@ -1,4 +1,4 @@
-/** Sets up a new machine: npm packages, the Rust toolchain, and the wasm module with its bindings. */
+/** Sets up a new machine: npm packages, the Rust toolchain, and the wasm modules with their bindings. */
 
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -9,7 +9,7 @@ import { ask, root, run, Stop, step } from "./run.mjs";
 const WASM = "wasm32-unknown-unknown";
 export const CRATES = "The crates registry (crates.io)";
 
-/** Installs what is missing and builds the wasm module. */
+/** Installs what is missing and builds the wasm modules. */
 export async function setup() {
   checkNode();
   await packages();
@@ -89,33 +89,48 @@ export function pathFlags() {
   return prefixes.map((prefix) => `--remap-path-prefix=${prefix}=`);
 }
 
-/** Compiles the core to wasm and generates its JavaScript bindings and types. */
+/** Folder of the bindings and the two modules of the app. */
+const bindingsFolder = join(root, "web/src/wasm");
+
+/** Compiles the core to two wasm modules of the app, and generates their JavaScript bindings and types. */
 async function bindings() {
-  step("Building the WebAssembly module");
-  await run("cargo", ["fetch", "--locked"], { source: CRATES });
-  await run(
-    "cargo",
-    [
-      "build",
-      "--locked",
-      "--release",
-      "--target",
-      WASM,
-      "-p",
-      "plantigrade-wasm",
-      "--config",
-      `target.${WASM}.rustflags=${JSON.stringify(moduleFlags())}`,
-    ],
-    { source: CRATES },
-  );
+  step("Building the WebAssembly modules");
+  const module = await compileModule(["--features", "split"], ["-Clink-arg=--emit-relocs"]);
   await bindgen();
-  const out = join(root, "web/src/wasm");
-  mkdirSync(out, { recursive: true });
-  const module = join(targetFolder(), WASM, "release/plantigrade_wasm.wasm");
+  mkdirSync(bindingsFolder, { recursive: true });
+  const first = join(targetFolder(), "first.wasm");
+  await run(tool("wasm-split"), [module, first, join(bindingsFolder, "plantigrade_second.wasm")]);
+  // The second module imports the table of functions, which is among the exports of the linker.
+  await bind(first, bindingsFolder, ["--keep-lld-exports"]);
+}
+
+/** Writes the core as one wasm module, with its bindings and types, to a folder. */
+export async function singleModule(folder) {
+  step("Building the WebAssembly module");
+  const module = await compileModule([], []);
+  await bindgen();
+  await bind(module, folder, []);
+}
+
+/** Compiles the bindings for the browser and returns the path of the module. */
+async function compileModule(cargoOptions, compilerOptions) {
+  await run("cargo", ["fetch", "--locked"], { source: CRATES });
+  const crate = ["-p", "plantigrade-wasm", "--lib", ...cargoOptions];
+  const flags = `target.${WASM}.rustflags=${JSON.stringify(moduleFlags())}`;
+  // Numbers are written with a small table instead of one of 17 kB, which does not compress.
+  const zmij = 'profile.release.package.zmij.opt-level="s"';
+  const config = ["--config", flags, "--config", zmij];
+  const build = ["rustc", "--locked", "--release", "--target", WASM, ...crate, ...config];
+  await run("cargo", [...build, "--", ...compilerOptions], { source: CRATES });
+  return join(targetFolder(), WASM, "release/plantigrade_wasm.wasm");
+}
+
+/** Generates the JavaScript bindings and types of a module. */
+async function bind(module, folder, options) {
   // Function names would make up a tenth of the module.
   const strip = ["--remove-name-section", "--remove-producers-section"];
-  const args = ["--target", "web", ...strip, "--out-name", "plantigrade", "--out-dir", out, module];
-  await run(tool("wasm-bind"), args);
+  const names = ["--target", "web", "--out-name", "plantigrade", "--out-dir", folder];
+  await run(tool("wasm-bind"), [...names, ...strip, ...options, module]);
 }
 
 /** Builds the tools that generate the bindings and run their tests. */

@@ -56,6 +56,7 @@ const checks = {
   wasm: ["WebAssembly in a page and in a worker", wasm],
   web: ["Web units", () => node("vitest/vitest.mjs", "run", "--root", "web")],
   package: ["The npm package", packageTests],
+  size: ["Download size", sizeTests],
   python: ["The Python package", pythonTests],
   browser: ["The app in a browser", browserTests],
 };
@@ -96,6 +97,19 @@ async function wasm() {
   return output;
 }
 
+let siteBuild;
+
+/** Builds the site once for all checks. */
+function site() {
+  siteBuild ??= buildSite();
+  return siteBuild;
+}
+
+async function sizeTests() {
+  await site();
+  return nodeTest("tests/site/size.test.mjs");
+}
+
 async function packageTests() {
   await buildPackage();
   return nodeTest("tests/package/package.test.mjs");
@@ -103,7 +117,7 @@ async function packageTests() {
 
 async function browserTests() {
   const { chromium } = await browser();
-  await buildSite();
+  await site();
   return run(process.execPath, [join(root, "node_modules/@playwright/test/cli.js"), "test"], {
     env: { CHROMIUM_PATH: chromium },
   });

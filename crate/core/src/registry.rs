@@ -20,13 +20,20 @@ pub(crate) fn position(kind: &'static str, names: &[&'static str], name: &str) -
 
 /// Declares an enum and the entry of each variant: `Variant => path::ENTRY`.
 ///
-/// The entries are constants of one type with the fields `name`, `title` and `description`. The first
-/// variant is the default. To add an item, write its entry and add one line to the enum.
+/// The entries are constants of one type with the fields `name`, `title` and `description`, and those that
+/// are listed after `with`; each of them becomes a method. The first variant is the default. To add an
+/// item, write its entry and add one line to the enum.
+///
+/// The methods return constants and do not refer to the entries: a program that only lists the items does
+/// not contain their functions.
 macro_rules! registry {
     (
         $(#[$attribute:meta])*
         pub enum $Item:ident: $Entry:ty as $kind:literal {
             $($(#[$variant_attribute:meta])* $Variant:ident => $entry:expr,)+
+        }
+        with {
+            $($(#[$field_attribute:meta])* $field:ident: $Field:ty,)*
         }
     ) => {
         $(#[$attribute])*
@@ -44,21 +51,17 @@ macro_rules! registry {
                     $($Item::$Variant => &$entry,)+
                 }
             }
+        }
 
+        $crate::registry::registry! {
+            @fields $Item [$($Variant => $entry),+]
             /// Returns the name for the command line and documents.
-            pub fn name(self) -> &'static str {
-                self.entry().name
-            }
-
+            name: &'static str,
             /// Returns the display name.
-            pub fn title(self) -> &'static str {
-                self.entry().title
-            }
-
+            title: &'static str,
             /// Returns a description in one sentence.
-            pub fn description(self) -> &'static str {
-                self.entry().description
-            }
+            description: &'static str,
+            $($(#[$field_attribute])* $field: $Field,)*
         }
 
         impl std::fmt::Display for $Item {
@@ -73,6 +76,22 @@ macro_rules! registry {
             fn from_str(name: &str) -> Result<$Item, $crate::registry::UnknownName> {
                 const NAMES: &[&str] = &[$($entry.name),+];
                 Ok($Item::ALL[$crate::registry::position($kind, NAMES, name)?])
+            }
+        }
+    };
+    (@fields $Item:ident $entries:tt $($(#[$attribute:meta])* $field:ident: $Field:ty,)*) => {
+        $($crate::registry::registry! { @field $Item $entries $(#[$attribute])* $field: $Field })*
+    };
+    (
+        @field $Item:ident [$($Variant:ident => $entry:expr),+]
+        $(#[$attribute:meta])* $field:ident: $Field:ty
+    ) => {
+        impl $Item {
+            $(#[$attribute])*
+            pub fn $field(self) -> $Field {
+                match self {
+                    $($Item::$Variant => const { $entry.$field },)+
+                }
             }
         }
     };

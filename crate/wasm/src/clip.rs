@@ -6,7 +6,7 @@ use js_sys::Float32Array;
 use plantigrade::bvh::{Clip, Layout, Options, Parsed, Reader, Rewriter};
 use plantigrade::formats::{PlantExport, PlantFormat, Source};
 use plantigrade::notice::Notice;
-use plantigrade::plants::{self, Corrections, Detector, Feet, Params};
+use plantigrade::plants::{self, Corrections, Detection, Detector, Feet, Method, Params, ValidParams};
 use plantigrade::skeleton::{self, Role, Skeleton};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -14,6 +14,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::detection::{WasmDetection, edits_from_js};
 use crate::names;
 use crate::positions;
+use crate::second::second_module;
 use crate::types::{
     ClipInfo, DetectOptions, EditInfo, Failure, Overrides, SimilarInfo, from_js, parse_name, to_js,
 };
@@ -64,6 +65,26 @@ impl WasmClip {
         &self.clip
     }
 
+    /// Detects with the cached detector or, in a long clip, once.
+    fn detect_with(
+        &mut self,
+        repeatedly: impl FnOnce(&mut Detector) -> Detection,
+        once: impl FnOnce(Feet) -> Detection,
+    ) -> Result<WasmDetection, Failure> {
+        let detection = match &mut self.detector {
+            Some(detector) => repeatedly(detector),
+            None => {
+                let feet = Feet::new(&self.clip, &self.skeleton)?;
+                if feet.frame_count() > MAX_CACHED_FRAMES {
+                    once(feet)
+                } else {
+                    repeatedly(self.detector.insert(Detector::new(feet)))
+                }
+            }
+        };
+        Ok(WasmDetection::new(detection, &self.skeleton, self.clip.frame_time()))
+    }
+
     pub(crate) fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
@@ -90,7 +111,7 @@ pub struct WasmRewriter(Rewriter);
 impl WasmRewriter {
     /// Reads the next chunk of the file and returns the next bytes of the result.
     pub fn push(&mut self, chunk: &[u8]) -> Vec<u8> {
-        self.0.push(chunk)
+        rewrite(self, chunk)
     }
 
     /// Ends the file, consumes the writer and returns the last bytes of the result.
@@ -98,7 +119,7 @@ impl WasmRewriter {
     /// # Errors
     /// If the file is shorter than the one that the clip was read from.
     pub fn finish(self) -> Result<Vec<u8>, Failure> {
-        Ok(self.0.finish()?)
+        finish_rewriting(self)
     }
 }
 
@@ -157,13 +178,7 @@ impl WasmClip {
     /// If an override names something that does not exist; the clip is then unchanged.
     #[wasm_bindgen(js_name = override)]
     pub fn apply(&mut self, overrides: Ts<Overrides>) -> Result<(), Failure> {
-        let overrides = from_js(&overrides)?;
-        let checked = overrides.check(self.clip.joints().len())?;
-        let frame_time = overrides.rate.map_or(self.original_frame_time, |rate| 1.0 / rate);
-        Arc::make_mut(&mut self.clip).set_frame_time(frame_time);
-        self.skeleton = Skeleton::main(&self.clip, &checked);
-        self.detector = None;
-        Ok(())
+        override_clip(self, overrides)
     }
 
     /// Detects the plants.
@@ -172,18 +187,14 @@ impl WasmClip {
     /// If the clip has no motion or no feet, or an option is invalid.
     pub fn detect(&mut self, options: Ts<DetectOptions>) -> Result<WasmDetection, Failure> {
         let params = Params::try_from(&from_js(&options)?)?.check()?;
-        let detection = match &mut self.detector {
-            Some(detector) => detector.detect(params),
-            None => {
-                let feet = Feet::new(&self.clip, &self.skeleton)?;
-                if feet.frame_count() > MAX_CACHED_FRAMES {
-                    plants::detect_once(feet, params)
-                } else {
-                    self.detector.insert(Detector::new(feet)).detect(params)
-                }
-            }
-        };
-        Ok(WasmDetection::new(detection, &self.skeleton, self.clip.frame_time()))
+        if params.method() == Method::default() {
+            self.detect_with(
+                |detector| detector.detect_by_default(params),
+                |feet| plants::detect_once_by_default(feet, params),
+            )
+        } else {
+            detect_by_any(self, params)
+        }
     }
 
     /// Returns the changes of a detection by which edits apply to similar motion.
@@ -195,21 +206,7 @@ impl WasmClip {
         detection: &WasmDetection,
         edits: Vec<Ts<EditInfo>>,
     ) -> Result<Ts<SimilarInfo>, Failure> {
-        let edits = edits_from_js(&edits)?;
-        let new_feet;
-        let feet = match &self.detector {
-            Some(detector) => detector.feet(),
-            None => {
-                new_feet = Feet::new(&self.clip, &self.skeleton)?;
-                &new_feet
-            }
-        };
-        let corrections = Corrections::learn(feet, detection.detected(), &edits);
-        let corrected = corrections.apply(feet, detection.detected(), &edits);
-        to_js(&SimilarInfo {
-            changes: corrected.changes.into_iter().map(Into::into).collect(),
-            plants: corrected.plants,
-        })
+        similar(self, detection, edits)
     }
 
     /// Returns the plants of a detection as a file in a format that `plantFormats` lists.
@@ -223,13 +220,69 @@ impl WasmClip {
         name: String,
         sha256: Option<String>,
     ) -> Result<Vec<u8>, Failure> {
+        save(self, detection, format, name, sha256)
+    }
+}
+
+second_module! {
+    "19" fn override_clip(clip: &mut WasmClip, overrides: Ts<Overrides>) -> Result<(), Failure> {
+        let overrides = from_js(&overrides)?;
+        let checked = overrides.check(clip.clip.joints().len())?;
+        let frame_time = overrides.rate.map_or(clip.original_frame_time, |rate| 1.0 / rate);
+        Arc::make_mut(&mut clip.clip).set_frame_time(frame_time);
+        clip.skeleton = Skeleton::main(&clip.clip, &checked);
+        clip.detector = None;
+        Ok(())
+    }
+
+    "00" fn detect_by_any(clip: &mut WasmClip, params: ValidParams) -> Result<WasmDetection, Failure> {
+        clip.detect_with(|detector| detector.detect(params), |feet| plants::detect_once(feet, params))
+    }
+
+    "01" fn similar(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        edits: Vec<Ts<EditInfo>>,
+    ) -> Result<Ts<SimilarInfo>, Failure> {
+        let edits = edits_from_js(&edits)?;
+        let new_feet;
+        let feet = match &clip.detector {
+            Some(detector) => detector.feet(),
+            None => {
+                new_feet = Feet::new(&clip.clip, &clip.skeleton)?;
+                &new_feet
+            }
+        };
+        let corrections = Corrections::learn(feet, detection.detected(), &edits);
+        let corrected = corrections.apply(feet, detection.detected(), &edits);
+        to_js(&SimilarInfo {
+            changes: corrected.changes.into_iter().map(Into::into).collect(),
+            plants: corrected.plants,
+        })
+    }
+
+    "02" fn save(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        format: &str,
+        name: String,
+        sha256: Option<String>,
+    ) -> Result<Vec<u8>, Failure> {
         let format: PlantFormat = parse_name(format)?;
         Ok(format.write(&PlantExport {
-            source: self.source(name, sha256),
-            clip: &self.clip,
-            notices: &self.notices,
-            skeletons: vec![(&self.skeleton, detection.core())],
+            source: clip.source(name, sha256),
+            clip: &clip.clip,
+            notices: &clip.notices,
+            skeletons: vec![(&clip.skeleton, detection.core())],
             as_array: false,
         }))
+    }
+
+    "03" fn rewrite(rewriter: &mut WasmRewriter, chunk: &[u8]) -> Vec<u8> {
+        rewriter.0.push(chunk)
+    }
+
+    "04" fn finish_rewriting(rewriter: WasmRewriter) -> Result<Vec<u8>, Failure> {
+        Ok(rewriter.0.finish()?)
     }
 }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::second::second_module;
 use crate::types::{ArgumentError, EditInfo, Failure, parse_side, to_js};
 use crate::{WasmClip, WasmDetection};
 
@@ -23,7 +24,7 @@ impl WasmAnnotation {
     /// If the file has none of these formats, or belongs to another clip.
     #[wasm_bindgen(constructor)]
     pub fn new(file: &[u8], frames: usize) -> Result<WasmAnnotation, Failure> {
-        Ok(WasmAnnotation(formats::read_plants(file, frames)?))
+        read(file, frames)
     }
 
     /// Names of the labelled parts.
@@ -46,7 +47,7 @@ impl WasmAnnotation {
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn edits(&self) -> Result<Vec<Ts<EditInfo>>, Failure> {
-        self.0.edits().into_iter().map(|edit| to_js(&EditInfo::from(edit))).collect()
+        edits(self)
     }
 
     /// Agreement of a detection with these labels, for each part that both label.
@@ -54,8 +55,7 @@ impl WasmAnnotation {
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn score(&self, clip: &WasmClip, detection: &WasmDetection) -> Result<Vec<Ts<ScoreInfo>>, Failure> {
-        let scores = score::compare(detection.core(), &self.0, clip.core().frame_time());
-        scores.into_iter().map(|score| to_js(&ScoreInfo::from(score))).collect()
+        score(self, clip, detection)
     }
 }
 
@@ -147,5 +147,24 @@ impl From<PartScore> for ScoreInfo {
             events: EventScoreInfo { precision, recall, f1, onset, offset },
             disagreements: score.disagreements.iter().map(disagreement).collect(),
         }
+    }
+}
+
+second_module! {
+    "05" fn read(file: &[u8], frames: usize) -> Result<WasmAnnotation, Failure> {
+        Ok(WasmAnnotation(formats::read_plants(file, frames)?))
+    }
+
+    "06" fn edits(annotation: &WasmAnnotation) -> Result<Vec<Ts<EditInfo>>, Failure> {
+        annotation.0.edits().into_iter().map(|edit| to_js(&EditInfo::from(edit))).collect()
+    }
+
+    "07" fn score(
+        annotation: &WasmAnnotation,
+        clip: &WasmClip,
+        detection: &WasmDetection,
+    ) -> Result<Vec<Ts<ScoreInfo>>, Failure> {
+        let scores = score::compare(detection.core(), &annotation.0, clip.core().frame_time());
+        scores.into_iter().map(|score| to_js(&ScoreInfo::from(score))).collect()
     }
 }

@@ -6,6 +6,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::detection::WasmDetection;
+use crate::second::second_module;
 use crate::types::{ArgumentError, Failure, parse_side, to_js};
 
 /// The clustering of the samples of a part.
@@ -77,18 +78,7 @@ impl WasmDetection {
     /// # Errors
     /// If the part does not exist or was not clustered; the same holds for all evidence.
     pub fn evidence(&self, part: &str) -> Result<Ts<EvidenceInfo>, Failure> {
-        let evidence = self.evidence_of(part)?;
-        to_js(&EvidenceInfo {
-            knee: evidence.knee,
-            sigma: evidence.sigma,
-            sigma_is_limited: evidence.sigma_is_limited,
-            r: self.core().params.tolerance(),
-            tolerance: evidence.tolerance,
-            threshold: evidence.threshold,
-            planted_is_high: evidence.planted_is_high,
-            planted_median: evidence.planted_median,
-            has_field: evidence.field.is_some(),
-        })
+        evidence(self, part)
     }
 
     /// Norms of the samples of both feet, ascending.
@@ -119,12 +109,7 @@ impl WasmDetection {
     /// heights × speeds, row by row.
     #[wasm_bindgen(js_name = decisionField)]
     pub fn decision_field(&self, part: &str, heights: &[f64], speeds: &[f64]) -> Result<Vec<f32>, Failure> {
-        let field = self.evidence_of(part)?.field.as_ref();
-        let field = field.ok_or(ArgumentError::NoField)?;
-        let units = |metres: &[f64]| -> Vec<f64> {
-            metres.iter().map(|metres| metres / self.metres_per_unit()).collect()
-        };
-        Ok(to_f32(&field.sqrt_degrees(&units(heights), &units(speeds))))
+        decision_field(self, part, heights, speeds)
     }
 
     /// The height and speed thresholds of the method; absent if it has none.
@@ -132,11 +117,46 @@ impl WasmDetection {
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn thresholds(&self) -> Result<Ts<ThresholdInfo>, Failure> {
-        let Thresholds { height, speed } = self.core().params.thresholds();
-        to_js(&ThresholdInfo { height, speed })
+        thresholds(self)
     }
 }
 
 fn to_f32(values: &[f64]) -> Vec<f32> {
     values.iter().map(|&value| value as f32).collect()
+}
+
+second_module! {
+    "08" fn evidence(detection: &WasmDetection, part: &str) -> Result<Ts<EvidenceInfo>, Failure> {
+        let evidence = detection.evidence_of(part)?;
+        to_js(&EvidenceInfo {
+            knee: evidence.knee,
+            sigma: evidence.sigma,
+            sigma_is_limited: evidence.sigma_is_limited,
+            r: detection.core().params.tolerance(),
+            tolerance: evidence.tolerance,
+            threshold: evidence.threshold,
+            planted_is_high: evidence.planted_is_high,
+            planted_median: evidence.planted_median,
+            has_field: evidence.field.is_some(),
+        })
+    }
+
+    "09" fn decision_field(
+        detection: &WasmDetection,
+        part: &str,
+        heights: &[f64],
+        speeds: &[f64],
+    ) -> Result<Vec<f32>, Failure> {
+        let field = detection.evidence_of(part)?.field.as_ref();
+        let field = field.ok_or(ArgumentError::NoField)?;
+        let units = |metres: &[f64]| -> Vec<f64> {
+            metres.iter().map(|metres| metres / detection.metres_per_unit()).collect()
+        };
+        Ok(to_f32(&field.sqrt_degrees(&units(heights), &units(speeds))))
+    }
+
+    "0a" fn thresholds(detection: &WasmDetection) -> Result<Ts<ThresholdInfo>, Failure> {
+        let Thresholds { height, speed } = detection.core().params.thresholds();
+        to_js(&ThresholdInfo { height, speed })
+    }
 }

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::second::second_module;
 use crate::types::{ArgumentError, Failure, FormatInfo, from_js, parse_name, to_js};
 use crate::{WasmClip, WasmDetection};
 
@@ -243,12 +244,7 @@ impl WasmClip {
         detection: &WasmDetection,
         frames: Option<Vec<usize>>,
     ) -> Result<Ts<GaitInfo>, Failure> {
-        let feet = Feet::new(self.core(), self.skeleton())?;
-        let legs = Legs::new(self.core(), self.skeleton());
-        let ranges = frames.map(|frames| self.ranges(&frames)).transpose()?;
-        let analysis =
-            GaitAnalysis::from_detection(&feet, legs.as_ref(), detection.core(), ranges.as_deref());
-        to_js(&GaitInfo::from(analysis))
+        gait(self, detection, frames)
     }
 
     /// Returns the gait of a detection as a file in a format that `gaitFormats` lists: of the whole clip or,
@@ -265,17 +261,7 @@ impl WasmClip {
         name: String,
         sha256: Option<String>,
     ) -> Result<String, Failure> {
-        let format: GaitFormat = parse_name(format)?;
-        let feet = Feet::new(self.core(), self.skeleton())?;
-        let actions = actions.iter().map(|action| {
-            let ActionInfo { name, frames } = from_js(action)?;
-            Ok(ActionRanges { name, frames: self.ranges(&frames)? })
-        });
-        let actions = actions.collect::<Result<Vec<_>, Failure>>()?;
-        let actions = (!actions.is_empty()).then_some(actions);
-        let gait = SkeletonGait::new(self.core(), self.skeleton(), &feet, detection.core(), actions);
-        let source = self.source(name, sha256);
-        Ok(format.write(&GaitExport { source, clip: self.core(), skeletons: vec![gait] }))
+        save_gait(self, detection, actions, format, name, sha256)
     }
 }
 
@@ -371,5 +357,41 @@ impl From<Step> for StepInfo {
 impl From<Spread> for MeanSd {
     fn from(Spread { mean, sd, count }: Spread) -> MeanSd {
         MeanSd { mean, sd, count }
+    }
+}
+
+second_module! {
+    "0b" fn gait(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        frames: Option<Vec<usize>>,
+    ) -> Result<Ts<GaitInfo>, Failure> {
+        let feet = Feet::new(clip.core(), clip.skeleton())?;
+        let legs = Legs::new(clip.core(), clip.skeleton());
+        let ranges = frames.map(|frames| clip.ranges(&frames)).transpose()?;
+        let analysis =
+            GaitAnalysis::from_detection(&feet, legs.as_ref(), detection.core(), ranges.as_deref());
+        to_js(&GaitInfo::from(analysis))
+    }
+
+    "0c" fn save_gait(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        actions: Vec<Ts<ActionInfo>>,
+        format: &str,
+        name: String,
+        sha256: Option<String>,
+    ) -> Result<String, Failure> {
+        let format: GaitFormat = parse_name(format)?;
+        let feet = Feet::new(clip.core(), clip.skeleton())?;
+        let actions = actions.iter().map(|action| {
+            let ActionInfo { name, frames } = from_js(action)?;
+            Ok(ActionRanges { name, frames: clip.ranges(&frames)? })
+        });
+        let actions = actions.collect::<Result<Vec<_>, Failure>>()?;
+        let actions = (!actions.is_empty()).then_some(actions);
+        let gait = SkeletonGait::new(clip.core(), clip.skeleton(), &feet, detection.core(), actions);
+        let source = clip.source(name, sha256);
+        Ok(format.write(&GaitExport { source, clip: clip.core(), skeletons: vec![gait] }))
     }
 }

@@ -10,6 +10,7 @@ mod evidence;
 mod gait;
 mod names;
 mod positions;
+mod second;
 mod segmentation;
 mod skate;
 mod types;

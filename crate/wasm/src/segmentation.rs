@@ -12,6 +12,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::second::second_module;
 use crate::types::{
     ArgumentError, CutEditInfo, Failure, FormatInfo, NoticeInfo, SegmentInfo, SegmentMethodInfo,
     SegmentOptions, from_js, parse_name, to_js,
@@ -56,14 +57,7 @@ impl WasmClip {
         options: Ts<SegmentOptions>,
         progress: &Function,
     ) -> Result<WasmSegmentation, Failure> {
-        let params = segments::Params::try_from(&from_js(&options)?)?.check()?;
-        let mut report = |fraction: f64| {
-            // An error in the callback does not stop the segmentation.
-            let _ = progress.call1(&JsValue::NULL, &fraction.into());
-            Ok(())
-        };
-        let current = segments::segment(self.core(), self.skeleton(), params, &mut report)?;
-        Ok(WasmSegmentation { detected: current.segments.clone(), current })
+        segment(self, options, progress)
     }
 
     /// Returns the segments with the given labels as a file in a format that `segmentFormats` lists.
@@ -79,17 +73,7 @@ impl WasmClip {
         name: String,
         sha256: Option<String>,
     ) -> Result<Vec<u8>, Failure> {
-        let format: SegmentFormat = parse_name(format)?;
-        let source = self.source(name, sha256);
-        let mut document = SegmentsDocument::new(
-            source,
-            self.core(),
-            self.skeleton(),
-            &segmentation.current,
-            self.notices(),
-        );
-        document.set_labels(&labels);
-        Ok(format.write(&SegmentExport { documents: vec![document], as_array: false }))
+        save_segments(self, segmentation, labels, format, name, sha256)
     }
 
     /// Returns a writer of the frames `start..end`, to which the file of the clip is given.
@@ -97,11 +81,7 @@ impl WasmClip {
     /// # Errors
     /// If the range is empty or extends beyond the clip.
     pub fn cut(&self, start: usize, end: usize) -> Result<WasmRewriter, Failure> {
-        let frames = self.core().frame_count();
-        if start >= end || end > frames {
-            return Err(ArgumentError::FrameRange { start, end, frames }.into());
-        }
-        Ok(Rewriter::new(self.layout().clone(), self.core().clone(), start..end).into())
+        cut(self, start, end)
     }
 }
 
@@ -114,13 +94,7 @@ impl WasmSegmentation {
     /// If an entry is not a valid edit.
     #[wasm_bindgen(js_name = editCuts)]
     pub fn edit_cuts(&mut self, edits: Vec<Ts<CutEditInfo>>) -> Result<(), Failure> {
-        let edits = edits.iter().map(|edit| {
-            let CutEditInfo { cut, present } = from_js(edit)?;
-            Ok(CutEdit { frame: cut, present })
-        });
-        let edits = edits.collect::<Result<Vec<CutEdit>, Failure>>()?;
-        self.current.segments = segments::edit_cuts(&self.detected, &edits);
-        Ok(())
+        edit_cuts(self, edits)
     }
 
     /// The segments in order; they cover the clip without gaps.
@@ -128,7 +102,7 @@ impl WasmSegmentation {
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn segments(&self) -> Result<Vec<Ts<SegmentInfo>>, Failure> {
-        self.current.segments.iter().map(|segment| to_js(&SegmentInfo::from(segment))).collect()
+        segments_to_js(&self.current.segments)
     }
 
     /// Transitions between actions, as half-open frame ranges: start, end, start, end, ….
@@ -188,7 +162,7 @@ impl WasmSegmentation {
 /// True if a text contains segments, valid or not, of the clip with that name (without extension).
 #[wasm_bindgen(js_name = hasSegments)]
 pub fn has_segments(text: &str, clip: &str) -> bool {
-    formats::has_segments(text, clip)
+    contains_segments(text, clip)
 }
 
 /// Segments of the clip read from a file.
@@ -207,11 +181,7 @@ impl WasmSegmentAnnotation {
     /// If the text has none of these formats, or belongs to another clip.
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str, name: &str, clip: &WasmClip) -> Result<WasmSegmentAnnotation, Failure> {
-        let (frames, rate) = (clip.core().frame_count(), clip.core().rate());
-        Ok(WasmSegmentAnnotation {
-            segments: formats::read_segments(text, name, frames, rate)?,
-            cuts: formats::read_cuts(text, name, frames, rate)?,
-        })
+        read(text, name, clip)
     }
 
     /// The segments in order; they cover the clip without gaps.
@@ -219,7 +189,7 @@ impl WasmSegmentAnnotation {
     /// # Errors
     /// Only if the conversion to JavaScript fails.
     pub fn segments(&self) -> Result<Vec<Ts<SegmentInfo>>, Failure> {
-        self.segments.iter().map(|segment| to_js(&SegmentInfo::from(segment))).collect()
+        segments_to_js(&self.segments)
     }
 
     /// Agreement of the cuts of a segmentation with these, within 0.5 s and within 1 s.
@@ -231,14 +201,7 @@ impl WasmSegmentAnnotation {
         clip: &WasmClip,
         segmentation: &WasmSegmentation,
     ) -> Result<Vec<Ts<CutScore>>, Failure> {
-        let score = |within: f64| {
-            let tolerance = Tolerance::Seconds(within);
-            let tally =
-                score::cuts(&segmentation.current.cuts(), &self.cuts, clip.core().frame_time(), tolerance);
-            let (precision, recall, f1) = (tally.precision(), tally.recall(), tally.f1());
-            to_js(&CutScore { within, precision, recall, f1 })
-        };
-        [0.5, 1.0].into_iter().map(score).collect()
+        score(self, clip, segmentation)
     }
 }
 
@@ -261,4 +224,94 @@ fn bounds(frames: &Range<usize>) -> [u32; 2] {
 
 fn to_f32(values: &[f64]) -> Vec<f32> {
     values.iter().map(|&value| value as f32).collect()
+}
+
+second_module! {
+    "0d" fn segment(
+        clip: &WasmClip,
+        options: Ts<SegmentOptions>,
+        progress: &Function,
+    ) -> Result<WasmSegmentation, Failure> {
+        let params = segments::Params::try_from(&from_js(&options)?)?.check()?;
+        let mut report = |fraction: f64| {
+            // An error in the callback does not stop the segmentation.
+            let _ = progress.call1(&JsValue::NULL, &fraction.into());
+            Ok(())
+        };
+        let current = segments::segment(clip.core(), clip.skeleton(), params, &mut report)?;
+        Ok(WasmSegmentation { detected: current.segments.clone(), current })
+    }
+
+    "0e" fn save_segments(
+        clip: &WasmClip,
+        segmentation: &WasmSegmentation,
+        labels: Vec<String>,
+        format: &str,
+        name: String,
+        sha256: Option<String>,
+    ) -> Result<Vec<u8>, Failure> {
+        let format: SegmentFormat = parse_name(format)?;
+        let source = clip.source(name, sha256);
+        let mut document = SegmentsDocument::new(
+            source,
+            clip.core(),
+            clip.skeleton(),
+            &segmentation.current,
+            clip.notices(),
+        );
+        document.set_labels(&labels);
+        Ok(format.write(&SegmentExport { documents: vec![document], as_array: false }))
+    }
+
+    "0f" fn cut(clip: &WasmClip, start: usize, end: usize) -> Result<WasmRewriter, Failure> {
+        let frames = clip.core().frame_count();
+        if start >= end || end > frames {
+            return Err(ArgumentError::FrameRange { start, end, frames }.into());
+        }
+        Ok(Rewriter::new(clip.layout().clone(), clip.core().clone(), start..end).into())
+    }
+
+    "10" fn edit_cuts(
+        segmentation: &mut WasmSegmentation,
+        edits: Vec<Ts<CutEditInfo>>,
+    ) -> Result<(), Failure> {
+        let edits = edits.iter().map(|edit| {
+            let CutEditInfo { cut, present } = from_js(edit)?;
+            Ok(CutEdit { frame: cut, present })
+        });
+        let edits = edits.collect::<Result<Vec<CutEdit>, Failure>>()?;
+        segmentation.current.segments = segments::edit_cuts(&segmentation.detected, &edits);
+        Ok(())
+    }
+
+    "11" fn segments_to_js(segments: &[Segment]) -> Result<Vec<Ts<SegmentInfo>>, Failure> {
+        segments.iter().map(|segment| to_js(&SegmentInfo::from(segment))).collect()
+    }
+
+    "12" fn contains_segments(text: &str, clip: &str) -> bool {
+        formats::has_segments(text, clip)
+    }
+
+    "13" fn read(text: &str, name: &str, clip: &WasmClip) -> Result<WasmSegmentAnnotation, Failure> {
+        let (frames, rate) = (clip.core().frame_count(), clip.core().rate());
+        Ok(WasmSegmentAnnotation {
+            segments: formats::read_segments(text, name, frames, rate)?,
+            cuts: formats::read_cuts(text, name, frames, rate)?,
+        })
+    }
+
+    "14" fn score(
+        annotation: &WasmSegmentAnnotation,
+        clip: &WasmClip,
+        segmentation: &WasmSegmentation,
+    ) -> Result<Vec<Ts<CutScore>>, Failure> {
+        let score = |within: f64| {
+            let tolerance = Tolerance::Seconds(within);
+            let tally =
+                score::cuts(&segmentation.current.cuts(), &annotation.cuts, clip.core().frame_time(), tolerance);
+            let (precision, recall, f1) = (tally.precision(), tally.recall(), tally.f1());
+            to_js(&CutScore { within, precision, recall, f1 })
+        };
+        [0.5, 1.0].into_iter().map(score).collect()
+    }
 }

@@ -12,6 +12,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::positions;
+use crate::second::second_module;
 use crate::types::{Failure, NoticeInfo, from_js, parse_side, to_js};
 use crate::{WasmClip, WasmDetection, WasmRewriter};
 
@@ -83,8 +84,7 @@ impl WasmClip {
     /// # Errors
     /// If the clip has no motion or no feet.
     pub fn skate(&self, detection: &WasmDetection) -> Result<Vec<Ts<SlideInfo>>, Failure> {
-        let skate = skate::measure(self.core(), self.skeleton(), &Contacts::from(detection.core()))?;
-        skate.plants.iter().map(|slide| to_js(&SlideInfo::from(slide))).collect()
+        skate(self, detection)
     }
 
     /// Removes foot skate: constrains every planted foot to one position. Spikes of the hips, short jumps
@@ -99,20 +99,7 @@ impl WasmClip {
         keep_spikes: bool,
         only: Vec<Ts<FootFrames>>,
     ) -> Result<WasmCleanedClip, Failure> {
-        let contacts = Contacts::from(detection.core());
-        let selected = only.iter().map(|range| {
-            let FootFrames { side, start, end } = from_js(range)?;
-            Ok((parse_side(&side)?, start..end))
-        });
-        let options = Options {
-            repair_spikes: !keep_spikes,
-            only: selected.collect::<Result<_, Failure>>()?,
-            ..Options::default()
-        };
-        let cleaned = skate::clean(self.core(), self.skeleton(), &contacts, &options)?;
-        let Cleaned { clip, plants, notices } = cleaned;
-        let (layout, skeleton) = (self.layout().clone(), self.skeleton().clone());
-        Ok(WasmCleanedClip { clip: Arc::new(clip), plants, notices, layout, skeleton })
+        clean(self, detection, keep_spikes, only)
     }
 }
 
@@ -123,15 +110,7 @@ impl WasmCleanedClip {
     /// # Errors
     /// Only if the conversion to JavaScript fails; the same holds for the notices.
     pub fn plants(&self) -> Result<Vec<Ts<CleanedPlantInfo>>, Failure> {
-        let plants = self.plants.iter().map(|plant| CleanedPlantInfo {
-            side: plant.side.name().into(),
-            start: plant.frames.start,
-            end: plant.frames.end,
-            before: plant.before,
-            after: plant.after,
-            skip_reason: plant.skip_reason.map(|reason| reason.to_string()),
-        });
-        plants.map(|plant| to_js(&plant)).collect()
+        plants(self)
     }
 
     /// Omissions and assumptions of the clean-up.
@@ -146,7 +125,7 @@ impl WasmCleanedClip {
 
     /// Returns a writer of the clip, to which the file of the original clip is given.
     pub fn rewriter(&self) -> WasmRewriter {
-        Rewriter::new(self.layout.clone(), self.clip.clone(), 0..self.clip.frame_count()).into()
+        rewriter(self)
     }
 }
 
@@ -159,5 +138,50 @@ impl From<&Slide> for SlideInfo {
             max_distance: slide.distance,
             frame: slide.frame,
         }
+    }
+}
+
+second_module! {
+    "15" fn skate(clip: &WasmClip, detection: &WasmDetection) -> Result<Vec<Ts<SlideInfo>>, Failure> {
+        let skate = skate::measure(clip.core(), clip.skeleton(), &Contacts::from(detection.core()))?;
+        skate.plants.iter().map(|slide| to_js(&SlideInfo::from(slide))).collect()
+    }
+
+    "16" fn clean(
+        clip: &WasmClip,
+        detection: &WasmDetection,
+        keep_spikes: bool,
+        only: Vec<Ts<FootFrames>>,
+    ) -> Result<WasmCleanedClip, Failure> {
+        let contacts = Contacts::from(detection.core());
+        let selected = only.iter().map(|range| {
+            let FootFrames { side, start, end } = from_js(range)?;
+            Ok((parse_side(&side)?, start..end))
+        });
+        let options = Options {
+            repair_spikes: !keep_spikes,
+            only: selected.collect::<Result<_, Failure>>()?,
+            ..Options::default()
+        };
+        let cleaned = skate::clean(clip.core(), clip.skeleton(), &contacts, &options)?;
+        let Cleaned { clip: cleaned, plants, notices } = cleaned;
+        let (layout, skeleton) = (clip.layout().clone(), clip.skeleton().clone());
+        Ok(WasmCleanedClip { clip: Arc::new(cleaned), plants, notices, layout, skeleton })
+    }
+
+    "17" fn plants(cleaned: &WasmCleanedClip) -> Result<Vec<Ts<CleanedPlantInfo>>, Failure> {
+        let plants = cleaned.plants.iter().map(|plant| CleanedPlantInfo {
+            side: plant.side.name().into(),
+            start: plant.frames.start,
+            end: plant.frames.end,
+            before: plant.before,
+            after: plant.after,
+            skip_reason: plant.skip_reason.map(|reason| reason.to_string()),
+        });
+        plants.map(|plant| to_js(&plant)).collect()
+    }
+
+    "18" fn rewriter(cleaned: &WasmCleanedClip) -> WasmRewriter {
+        Rewriter::new(cleaned.layout.clone(), cleaned.clip.clone(), 0..cleaned.clip.frame_count()).into()
     }
 }

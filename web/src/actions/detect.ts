@@ -1,7 +1,7 @@
 /** Detecting plants, and overriding how the clip is read. */
 
 import { batch } from "@preact/signals";
-import { engine } from "../engine";
+import { Cancelled, engine } from "../engine";
 import { failureOf } from "../model/failure";
 import type { DetectOptions, Overrides } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
@@ -56,12 +56,20 @@ export async function runDetection(options: DetectOptions = detectOptions.value)
         clipSession.loopRegion.value = null;
       }
     });
-    await Promise.all([updateScores(clipSession), findSimilar(clipSession)]);
   } catch (error) {
     batch(() => {
       clipSession.detection.value = null;
       clipSession.detectFailure.value = failureOf(error);
     });
+    return;
+  }
+  try {
+    await Promise.all([updateScores(clipSession), findSimilar(clipSession)]);
+  } catch (error) {
+    const name = clipSession.source?.name ?? "";
+    // The labels remain valid.
+    if (!(error instanceof Cancelled))
+      reportFailure("compared", name, error, () => void runDetection(options));
   }
 }
 

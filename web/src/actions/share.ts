@@ -59,11 +59,13 @@ async function createPage(options: CallOptions): Promise<Blob> {
     enclosed: jsonText(clip),
     clip: await encodeBlock(data, options),
   };
-  const parts = embedded
-    ? fillBlocks(ownHtml(), contents)
-    : fillBlocks(await playerHtml(), { ...contents, core: await encodeBlock(await wasmBytes()) });
-  return new Blob(parts, { type: "text/html" });
+  if (embedded) return toPage(fillBlocks(ownHtml(), contents));
+  const { first, second } = await wasmBytes();
+  const modules = { core: await encodeBlock(first), second: await encodeBlock(second) };
+  return toPage(fillBlocks(await playerHtml(), { ...contents, ...modules }));
 }
+
+const toPage = (parts: (string | Blob)[]) => new Blob(parts, { type: "text/html" });
 
 async function playerHtml(): Promise<string> {
   const response = await fetch(player);

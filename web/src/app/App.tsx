@@ -3,14 +3,14 @@ import { useEffect } from "preact/hooks";
 import { followHistory } from "../actions/navigation";
 import { openFromAddress } from "../actions/open-address";
 import { openPickedFiles, setFileInput } from "../actions/pick-files";
-import { Batch } from "../batch/Batch";
 import { tableVisible } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { phase } from "../store/phase";
 import { panelCollapsed, panelWidth } from "../store/preferences";
-import { openClip } from "../store/session";
+import { detection, openClip } from "../store/session";
 import { announcement, dialog, filesDragged, message, sheetOpen } from "../store/view";
 import { Timeline } from "../timeline/Timeline";
+import { lazy } from "../ui/lazy";
 import { Progress } from "../ui/Progress";
 import { setSize } from "../ui/Splitter";
 import { VideoPane } from "../viewer/VideoPane";
@@ -22,10 +22,12 @@ import { returnFocus } from "./focus";
 import { Head } from "./Head";
 import { onKey } from "./key-handler";
 import { registerServiceWorker } from "./offline";
-import { SidePanel } from "./SidePanel";
+import { preloadPanels, SidePanel } from "./SidePanel";
 import { StartPage } from "./StartPage";
 import { Toasts } from "./Toasts";
 import { hintTarget, Tour } from "./Tour";
+
+const Batch = lazy(() => import("../batch/Batch").then((module) => module.Batch));
 
 /** Time for which a message stays in the live region, in milliseconds. */
 const announcementTime = 5000;
@@ -39,10 +41,14 @@ export function App() {
     followHistory(signal);
     listenForDrops(signal);
     returnFocus(signal);
-    void openFromAddress();
-    registerServiceWorker();
+    const opened = openFromAddress();
+    // The downloads of the service worker would delay the first labels of a link.
+    registerServiceWorker(location.hash ? opened : Promise.resolve());
     return () => controller.abort();
   }, []);
+  useSignalEffect(() => {
+    if (detection.value) preloadPanels();
+  });
   // A message that stays would be read again, out of context.
   useSignalEffect(() => {
     if (!announcement.value) return;

@@ -4,9 +4,11 @@ import { classicKeys } from "../store/preferences";
 import { clip, notices } from "../store/session";
 import { dialog } from "../store/view";
 import { Dialog } from "../ui/Dialog";
-import { ShareDialog } from "./ShareDialog";
+import { lazy } from "../ui/lazy";
 import { ThirdPartyDialog, ThirdPartyLink } from "./ThirdParty";
 import { startTour } from "./Tour";
+
+const ShareDialog = lazy(() => import("./ShareDialog").then((module) => module.ShareDialog));
 
 /** The open dialog, if any. */
 export function Dialogs() {

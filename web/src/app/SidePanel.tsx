@@ -1,16 +1,32 @@
+import type { ComponentType } from "preact";
 import { useRef } from "preact/hooks";
-import { EvidencePanel } from "../evidence/EvidencePanel";
-import { ClipPanel } from "../panels/ClipPanel";
 import { DetectPanel } from "../panels/DetectPanel";
-import { LabelsPanel } from "../panels/LabelsPanel";
-import { ScorePanel } from "../panels/ScorePanel";
-import { SegmentPanel } from "../panels/SegmentPanel";
 import { panelWidth } from "../store/preferences";
 import { reference } from "../store/session";
 import { activeTab, sheetOpen, type Tab } from "../store/view";
+import { lazy } from "../ui/lazy";
 import { Splitter } from "../ui/Splitter";
 
-const allTabs: readonly (readonly [Tab, string, () => preact.JSX.Element | null])[] = [
+const EvidencePanel = lazy(() =>
+  import("../evidence/EvidencePanel").then((module) => module.EvidencePanel),
+);
+const SegmentPanel = lazy(() =>
+  import("../panels/SegmentPanel").then((module) => module.SegmentPanel),
+);
+const LabelsPanel = lazy(() =>
+  import("../panels/LabelsPanel").then((module) => module.LabelsPanel),
+);
+const ScorePanel = lazy(() => import("../panels/ScorePanel").then((module) => module.ScorePanel));
+const ClipPanel = lazy(() => import("../panels/ClipPanel").then((module) => module.ClipPanel));
+
+/** Loads the panels that the first labels do not require. */
+export function preloadPanels() {
+  for (const panel of [EvidencePanel, SegmentPanel, LabelsPanel, ScorePanel, ClipPanel]) {
+    panel.preload();
+  }
+}
+
+const allTabs: readonly (readonly [Tab, string, ComponentType<object>])[] = [
   ["detect", "Detect", DetectPanel],
   ["evidence", "Evidence", EvidencePanel],
   ["segment", "Segment", SegmentPanel],

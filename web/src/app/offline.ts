@@ -3,11 +3,12 @@
 import { embedded } from "../store/embedded";
 import { showToast } from "../store/toasts";
 
-/** Registers the service worker after the page has loaded. */
-export function registerServiceWorker() {
+/** Registers the service worker after the page has loaded and `ready` has settled. */
+export function registerServiceWorker(ready: Promise<unknown>) {
   if (!import.meta.env.PROD || embedded || !("serviceWorker" in navigator)) return;
-  if (document.readyState === "complete") void register();
-  else addEventListener("load", () => void register(), { once: true });
+  const start = () => void ready.finally(register);
+  if (document.readyState === "complete") start();
+  else addEventListener("load", start, { once: true });
 }
 
 async function register() {

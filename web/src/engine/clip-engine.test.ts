@@ -21,6 +21,7 @@ function fakeCalls(log: string[]) {
   const calls: WorkerHandle<ClipApi>["calls"] = {
     holdLock: async () => false,
     startWasm() {},
+    async startSecondModule() {},
     async open(_, name) {
       log.push(`open ${name}`);
       if (name === "bad") return { ok: false, failure };

@@ -26,7 +26,7 @@ export interface OpenOptions {
   onProgress?: OnProgress;
 }
 
-type Calls = Omit<CallsOf<ClipApi>, "startWasm" | "holdLock">;
+type Calls = Omit<CallsOf<ClipApi>, "startWasm" | "startSecondModule" | "holdLock">;
 
 /** Calls that change the state to restore in a new worker; they are implemented individually. */
 type StatefulCall = "open" | "override" | "detect" | "segment" | "compare" | "edit";

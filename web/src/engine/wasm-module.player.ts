@@ -1,14 +1,21 @@
-/** The wasm module that a single-file page contains, compiled once for all workers. */
+/** The wasm modules that a single-file page contains, each compiled once for all workers. */
 
-import { decodeBlock } from "../model/player-html";
+import { type BlockId, decodeBlock } from "../model/player-html";
 
-export const wasmBytes = () => decodeBlock("core");
+export async function wasmBytes(): Promise<{ first: Blob; second: Blob }> {
+  return { first: await decodeBlock("core"), second: await decodeBlock("second") };
+}
 
-let compiled: Promise<WebAssembly.Module> | undefined;
+export const wasmModule = compileOnce("core");
 
-export function wasmModule(): Promise<WebAssembly.Module> {
-  compiled ??= wasmBytes()
-    .then((bytes) => bytes.arrayBuffer())
-    .then((bytes) => WebAssembly.compile(bytes));
-  return compiled;
+export const secondModule = compileOnce("second");
+
+function compileOnce(block: BlockId): () => Promise<WebAssembly.Module> {
+  let compiled: Promise<WebAssembly.Module> | undefined;
+  return () => {
+    compiled ??= decodeBlock(block)
+      .then((bytes) => bytes.arrayBuffer())
+      .then((bytes) => WebAssembly.compile(bytes));
+    return compiled;
+  };
 }

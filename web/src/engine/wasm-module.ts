@@ -1,17 +1,40 @@
-/** The wasm module, compiled once for all workers of the page. */
+/** The wasm modules, each compiled once for all workers of the page. */
 
-import { WorkerError } from "../model/failure";
-import url from "../wasm/plantigrade_bg.wasm?url";
+import { DownloadError, WorkerError } from "../model/failure";
+import firstUrl from "../wasm/plantigrade_bg.wasm?url";
+import secondUrl from "../wasm/plantigrade_second.wasm?url";
 
-export const wasmBytes = () => fetch(url).then((response) => response.blob());
+const bytesOf = (url: string) => fetch(url).then((response) => response.blob());
 
-let compiled: Promise<WebAssembly.Module> | undefined;
+/** Returns the bytes of the first module and of the second one. */
+export async function wasmBytes(): Promise<{ first: Blob; second: Blob }> {
+  const [first, second] = await Promise.all([bytesOf(firstUrl), bytesOf(secondUrl)]);
+  return { first, second };
+}
 
-/** Returns the compiled module; a failed download is tried again by the next call. */
-export function wasmModule(): Promise<WebAssembly.Module> {
-  compiled ??= WebAssembly.compileStreaming(fetch(url)).catch((error) => {
-    compiled = undefined;
-    throw new WorkerError(`its module could not be loaded: ${error.message}`);
-  });
-  return compiled;
+/** Returns the module with what the first labels require. */
+export const wasmModule = compileOnce(
+  firstUrl,
+  (reason) => new WorkerError(`its module could not be loaded: ${reason}`),
+);
+
+/** Returns the module with everything else, which uses the memory of the first one. */
+export const secondModule = compileOnce(
+  secondUrl,
+  (reason) => new DownloadError(`a part of the program could not be loaded: ${reason}`),
+);
+
+/** Returns a function that loads a module once; after a failed download, the next call tries again. */
+function compileOnce(
+  url: string,
+  toError: (reason: string) => Error,
+): () => Promise<WebAssembly.Module> {
+  let compiled: Promise<WebAssembly.Module> | undefined;
+  return () => {
+    compiled ??= WebAssembly.compileStreaming(fetch(url)).catch((error) => {
+      compiled = undefined;
+      throw toError(error.message);
+    });
+    return compiled;
+  };
 }

@@ -3,7 +3,7 @@
 import * as Comlink from "comlink";
 import { WorkerError } from "../model/failure";
 import { randomId } from "../util/random-id";
-import { wasmModule } from "./wasm-module";
+import { secondModule, wasmModule } from "./wasm-module";
 
 /** The methods of a worker API, with the signatures that they have in the worker. */
 export type CallsOf<Api> = {
@@ -69,11 +69,19 @@ async function watch(
   onBroken(new WorkerError("the worker was ended, perhaps for lack of memory"));
 }
 
-/** Wraps a worker that waits for the wasm module, and sends it. */
-export function wrapWasmWorker<
-  Api extends WatchedApi & { startWasm(module: WebAssembly.Module): void },
->(worker: Worker, onBroken: (reason: Error) => void): WorkerHandle<Api> {
+/** What every worker offers that waits for the wasm module. */
+interface WasmApi extends WatchedApi {
+  startWasm(module: WebAssembly.Module, requestSecondModule: () => Promise<void>): void;
+  startSecondModule(module: WebAssembly.Module): Promise<void>;
+}
+
+/** Wraps a worker that waits for the wasm module, and sends it; the worker requests the second one. */
+export function wrapWasmWorker<Api extends WasmApi>(
+  worker: Worker,
+  onBroken: (reason: Error) => void,
+): WorkerHandle<Api> {
   const handle = wrapWorker<Api>(worker, onBroken);
-  wasmModule().then((module) => handle.calls.startWasm(module), onBroken);
+  const request = Comlink.proxy(async () => handle.calls.startSecondModule(await secondModule()));
+  wasmModule().then((module) => handle.calls.startWasm(module, request), onBroken);
   return handle;
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { failureOf, isFatal, messageOf, WorkerError } from "./failure";
+import { DownloadError, failureOf, isFatal, messageOf, WorkerError } from "./failure";
 
 const named = (name: string, message: string) => Object.assign(new Error(message), { name });
 
@@ -22,6 +22,12 @@ test("offers to try again after errors that end a worker", () => {
   }
   expect(isFatal(new Error("No clip is open."))).toBe(false);
   expect(failureOf(new Error("No clip is open."))).toEqual({ message: "No clip is open." });
+});
+
+test("offers to try again after a failed download, for which no worker is replaced", () => {
+  const error = new DownloadError("a part of the program could not be loaded");
+  expect(isFatal(error)).toBe(false);
+  expect(failureOf(error)).toMatchObject({ message: error.message, canRetry: true });
 });
 
 test("never shows the default text of an object", () => {

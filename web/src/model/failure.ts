@@ -7,6 +7,11 @@ export class WorkerError extends Error {
   override readonly name = "WorkerError";
 }
 
+/** A part of the program could not be downloaded; the next call tries again. */
+export class DownloadError extends Error {
+  override readonly name = "DownloadError";
+}
+
 /** Names of errors after which a worker is replaced: traps, and lack of memory or stack. */
 const fatalNames = ["WorkerError", "RuntimeError", "RangeError"];
 
@@ -23,6 +28,10 @@ export function failureOf(error: unknown): Failure {
       hint: "The worker was restarted; your edits were not lost. Try again. If that fails too, please report the problem, with the file if possible.",
       canRetry: true,
     };
+  }
+  if (error instanceof Error && name === "DownloadError") {
+    const hint = "Check the connection to the network, then try again. Nothing was lost.";
+    return { message: message ?? "", hint, canRetry: true };
   }
   if (error instanceof Error) return { message: message || name || "unknown error" };
   if (typeof message === "string" && message) return error as Failure;

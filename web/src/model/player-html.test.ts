@@ -12,6 +12,7 @@ const page = `<!doctype html><title>Plantigrade</title><div id="app"></div>
 <script type="text/plain" id="enclosed"></script>
 <script type="text/plain" id="clip"></script>
 <script type="text/plain" id="core"></script>
+<script type="text/plain" id="second"></script>
 <script type="module">const fake = ' id="clip">'; // </title> <title></script>`;
 
 const hostileNames = [
@@ -43,7 +44,7 @@ it("escapes names that contain HTML", () => {
       enclosed: jsonText({ name, names: [{ name }] }),
     }).join("");
     const parsed = new DOMParser().parseFromString(filled, "text/html");
-    expect(parsed.querySelectorAll("script")).toHaveLength(4);
+    expect(parsed.querySelectorAll("script")).toHaveLength(5);
     expect(parsed.querySelector("img, svg")).toBeNull();
     const text = parsed.getElementById("enclosed")?.textContent ?? "";
     expect(JSON.parse(text)).toEqual({ name, names: [{ name }] });

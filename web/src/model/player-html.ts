@@ -6,7 +6,7 @@
 import type { OnProgress } from "./types";
 
 /** Ids of the blocks, in the order of the page; the script of the player follows them. */
-export const blockIds = ["title", "enclosed", "clip", "core"] as const;
+export const blockIds = ["title", "enclosed", "clip", "core", "second"] as const;
 /** Id of the block with the notices of third-party software, which every page contains. */
 export const noticesId = "notices";
 

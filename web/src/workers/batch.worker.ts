@@ -16,7 +16,17 @@ import {
 } from "../wasm/plantigrade";
 import { holdLock } from "./hold-lock";
 import { clipToPlain, detectionToPlain, transferables } from "./to-plain";
-import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
+import {
+  methodReady,
+  readClip,
+  secondReady,
+  sha256,
+  startSecondModule,
+  startWasm,
+  throttle,
+  toResult,
+  wasmReady,
+} from "./wasm-runtime";
 
 export type BatchResult = Result<{ summary: ClipSummary; files: SavedFile[] }>;
 export type CompanionResult = Result<{ clip: Clip; detection: Detection | null }>;
@@ -27,6 +37,7 @@ type ChangesOf = (hash: string) => Promise<StoredChanges>;
 const api = {
   holdLock,
   startWasm,
+  startSecondModule,
 
   /** Detects and segments one file, and returns its summary and the requested files. */
   async summarize(
@@ -37,7 +48,7 @@ const api = {
     changesOf: ChangesOf,
     onProgress?: OnProgress,
   ): Promise<BatchResult> {
-    await wasmReady;
+    await secondReady();
     const started = performance.now();
     const opened = await toResult(() => readClip(file, false, throttle(onProgress)));
     if (!opened.ok) return opened;
@@ -67,6 +78,7 @@ const api = {
     const wasmClip = opened.value;
     const hash = await sha256(file);
     const changes = hash ? await changesOf(hash) : { edits: [] };
+    await methodReady(options);
     const detected = await toResult(() => wasmClip.detect(options));
     if (detected.ok) detected.value.edit(plantEditsOf(changes.edits));
     const clip = clipToPlain(wasmClip, name);

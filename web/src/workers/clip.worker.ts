@@ -57,7 +57,17 @@ import {
   segmentationToPlain,
   transferables,
 } from "./to-plain";
-import { readClip, sha256, startWasm, throttle, toResult, wasmReady } from "./wasm-runtime";
+import {
+  methodReady,
+  readClip,
+  sha256,
+  startSecondModule,
+  startWasm,
+  throttle,
+  toResult,
+  wasmReady,
+  withSecondModule,
+} from "./wasm-runtime";
 import { ZipWriter } from "./zip-writer";
 
 export type Opened = Result<{ clip: Clip }>;
@@ -86,6 +96,7 @@ let openClip: OpenClip | undefined;
 const api = {
   holdLock,
   startWasm,
+  startSecondModule,
 
   /** Reads a clip and replaces the open one if it succeeds. */
   async open(file: Blob, name: string, lenient: boolean, onProgress?: OnProgress): Promise<Opened> {
@@ -107,6 +118,7 @@ const api = {
 
   /** Detects the plants and applies the edits. */
   async detect(options: DetectOptions): Promise<Detected> {
+    await methodReady(options);
     const detected = await toResult(() => current().clip.detect(options));
     if (!detected.ok) return detected;
     const open = current();
@@ -320,7 +332,23 @@ const api = {
 
 export type ClipApi = typeof api;
 
-Comlink.expose(api);
+/** Calls that the first module implements. The detection waits for the second one itself. */
+const firstCalls: readonly (keyof ClipApi)[] = [
+  "holdLock",
+  "startWasm",
+  "startSecondModule",
+  "open",
+  "detect",
+  "edit",
+  "hash",
+  "methods",
+  "segmentMethods",
+  "plantFormats",
+  "segmentFormats",
+  "gaitFormats",
+];
+
+Comlink.expose(withSecondModule(api, firstCalls, () => openClip));
 
 function current(): OpenClip {
   if (!openClip) throw new Error("No clip is open.");

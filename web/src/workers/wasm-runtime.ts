@@ -1,13 +1,17 @@
 /** Functions shared by the workers: starting the wasm module, reading a clip, reporting failures. */
 
 import { failureOf, WorkerError } from "../model/failure";
-import type { Failure, OnProgress } from "../model/types";
-import init, { type WasmClip, WasmReader } from "../wasm/plantigrade";
+import type { DetectOptions, Failure, OnProgress } from "../model/types";
+import init, { methods, type WasmClip, WasmReader } from "../wasm/plantigrade";
 import { readChunks } from "./read-blob";
 
 const PROGRESS_INTERVAL_MS = 50;
 
+/** Has the page, which compiles the second module once for all workers, call `startSecondModule`. */
+type RequestModule = () => Promise<void>;
+
 let resolveModule: (module: WebAssembly.Module) => void;
+let requestSecondModule: RequestModule;
 
 /** Resolves when the module, which the page compiles once for all workers, runs in this one. */
 export const wasmReady = new Promise<WebAssembly.Module>((resolve) => {
@@ -21,9 +25,71 @@ export const wasmReady = new Promise<WebAssembly.Module>((resolve) => {
 // Each call reports the failure; a worker without a call does not.
 wasmReady.catch(() => {});
 
-export function startWasm(module: WebAssembly.Module) {
+export function startWasm(module: WebAssembly.Module, requestSecond: RequestModule) {
+  requestSecondModule = requestSecond;
   resolveModule(module);
 }
+
+let second: Promise<unknown> | undefined;
+
+/**
+ * Resolves when the second module runs, which contains all functions that the first labels do not require.
+ * Without it, a call of such a function traps. If it cannot be loaded, the next call tries again.
+ */
+export function secondReady(): Promise<unknown> {
+  second ??= loadSecond().catch((error) => {
+    second = undefined;
+    throw error;
+  });
+  return second;
+}
+
+async function loadSecond() {
+  await wasmReady;
+  await requestSecondModule();
+}
+
+/**
+ * Starts the second module. The page sends it by this call: in a page from disk, an answer to a request, which
+ * takes another channel, cannot contain a module.
+ */
+export async function startSecondModule(module: WebAssembly.Module): Promise<void> {
+  const first = await wasmReady;
+  // It puts its functions and data into the table and the memory of the first module.
+  await WebAssembly.instantiate(module, { __wasm_split: { ...first } });
+}
+
+/**
+ * Returns an API whose calls wait for the second module, except for those that are named. They fail if the
+ * state has been replaced meanwhile, so that they do not apply to another clip.
+ */
+export function withSecondModule<Api extends object>(
+  api: Api,
+  firstCalls: readonly (keyof Api)[],
+  state: () => unknown,
+): Api {
+  const waiting = (call: (...args: unknown[]) => unknown) => {
+    return async (...args: unknown[]) => {
+      const before = state();
+      await secondReady();
+      if (state() !== before) throw new Error("Another clip was opened.");
+      return call(...args);
+    };
+  };
+  const entries = Object.entries(api).map(([name, call]) => [
+    name,
+    firstCalls.includes(name as keyof Api) ? call : waiting(call),
+  ]);
+  return Object.fromEntries(entries);
+}
+
+/** Waits for the second module if a detection requires it: all methods but the default one. */
+export async function methodReady({ method }: DetectOptions): Promise<void> {
+  defaultMethod ??= methods()[0]?.name;
+  if (method !== defaultMethod) await secondReady();
+}
+
+let defaultMethod: string | undefined;
 
 /** Returns a failure of the core as a value; throws any other error. */
 export async function toResult<T>(

@@ -9,6 +9,7 @@ use crate::bvh::number;
 use crate::bvh::reader::position_rule;
 use crate::bvh::writer::offset_shift;
 use crate::bvh::{Channel, Clip};
+use crate::numeric::sort;
 
 /// Bytes of a file in memory that are rewritten at a time; the text of a chunk is copied.
 const CHUNK_BYTES: usize = 1 << 20;
@@ -178,8 +179,8 @@ impl Rewriter {
             Some(range) => (range.clone(), time),
             None => (text.len() as u64..text.len() as u64, format!("Frame Time: {time}{}", line_end())),
         });
-        let mut changes: Vec<(Range<u64>, String)> = count.into_iter().chain(time).collect();
-        changes.sort_by_key(|(range, _)| range.start);
+        let changes: Vec<(Range<u64>, String)> = count.into_iter().chain(time).collect();
+        let changes = sort::sort_by_frames(changes, |(range, _)| (range.start as usize, 0));
         let mut copied = 0;
         for (range, number) in changes {
             written.extend_from_slice(&text[copied..range.start as usize]);

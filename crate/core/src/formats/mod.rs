@@ -3,6 +3,7 @@
 //! [`PlantFormat`], [`SegmentFormat`] and [`GaitFormat`] list the formats with their name, file extension, media
 //! type, writer and reader. The command line, the bindings and the app offer what they list.
 
+mod crc32;
 mod csv;
 mod document;
 mod format_info;

@@ -3,6 +3,7 @@
 //! After PKWARE's APPNOTE 6.3.10: local file header (4.3.7), central directory header (4.3.12)
 //! and its end (4.3.16).
 
+use crate::formats::crc32::crc32;
 use crate::formats::document::ReadError;
 
 const LOCAL: [u8; 4] = *b"PK\x03\x04";
@@ -34,7 +35,7 @@ pub(crate) fn store(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
         for field in [20, 0, 0, 0, DATE] {
             header.extend(field.to_le_bytes());
         }
-        for field in [crc32fast::hash(bytes), size(bytes.len()), size(bytes.len())] {
+        for field in [crc32(bytes), size(bytes.len()), size(bytes.len())] {
             header.extend(field.to_le_bytes());
         }
         header.extend((name.len() as u16).to_le_bytes());
@@ -90,7 +91,7 @@ pub(crate) fn file(archive: &[u8], name: &str, max_bytes: usize) -> Result<Optio
             return Err(ReadError::Invalid(what));
         }
     };
-    let is_complete = bytes.len() == entry.size && crc32fast::hash(&bytes) == entry.crc;
+    let is_complete = bytes.len() == entry.size && crc32(&bytes) == entry.crc;
     if is_complete { Ok(Some(bytes)) } else { Err(damaged()) }
 }
 

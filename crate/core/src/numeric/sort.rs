@@ -15,12 +15,28 @@ pub(crate) fn argsort_descending(keys: &[f64]) -> Vec<usize> {
     argsort(&keys.iter().map(|key| -key).collect::<Vec<_>>())
 }
 
+/// Sorts items by a number each, in ascending order; equal items keep their order.
+pub(crate) fn sort_by_number<T>(items: Vec<T>, number: impl Fn(&T) -> f64) -> Vec<T> {
+    let order = argsort(&items.iter().map(number).collect::<Vec<_>>());
+    in_order(items, order.into_iter())
+}
+
+/// Sorts items by a number each, in descending order; equal items keep their order.
+pub(crate) fn sort_descending<T>(items: Vec<T>, number: impl Fn(&T) -> f64) -> Vec<T> {
+    sort_by_number(items, |item| -number(item))
+}
+
 /// Sorts items by a pair of integers each, such as first frame and end; equal items keep their order.
 pub(crate) fn sort_by_frames<T>(items: Vec<T>, frames: impl Fn(&T) -> (usize, usize)) -> Vec<T> {
     let mut order: Vec<_> = items.iter().enumerate().map(|(index, item)| (frames(item), index)).collect();
     order.sort_unstable();
+    in_order(items, order.into_iter().map(|(_, index)| index))
+}
+
+/// Returns the items in the order of the indices, each of which occurs once.
+fn in_order<T>(items: Vec<T>, order: impl Iterator<Item = usize>) -> Vec<T> {
     let mut items: Vec<Option<T>> = items.into_iter().map(Some).collect();
-    order.into_iter().filter_map(|(_, index)| items[index].take()).collect()
+    order.filter_map(|index| items[index].take()).collect()
 }
 
 #[cfg(test)]
@@ -32,7 +48,17 @@ mod tests {
         let keys = [2.0, -1.0, 2.0, 0.5];
         assert_eq!(argsort(&keys), [1, 3, 0, 2]);
         assert_eq!(argsort_descending(&keys), [0, 2, 3, 1]);
-        let items = vec![(5, 'a'), (3, 'b'), (5, 'c'), (4, 'd')];
+        let items = vec![(5_u32, 'a'), (3, 'b'), (5, 'c'), (4, 'd')];
+        assert_eq!(
+            sort_by_number(items.clone(), |item| item.0.into()),
+            [(3, 'b'), (4, 'd'), (5, 'a'), (5, 'c')]
+        );
+        assert_eq!(
+            sort_descending(items.clone(), |item| item.0.into()),
+            [(5, 'a'), (5, 'c'), (4, 'd'), (3, 'b')]
+        );
+        let items: Vec<(usize, char)> =
+            items.into_iter().map(|(number, name)| (number as usize, name)).collect();
         assert_eq!(sort_by_frames(items, |item| (item.0, 0)), [(3, 'b'), (4, 'd'), (5, 'a'), (5, 'c')]);
     }
 }

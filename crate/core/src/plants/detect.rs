@@ -2,7 +2,7 @@
 
 use crate::kinematics::Track;
 use crate::notice::{Code, Notice};
-use crate::plants::methods::{DetectionCache, Input, Output};
+use crate::plants::methods::{DEFAULT_FUNCTION, DetectionCache, Input, Method, Output};
 use crate::plants::postprocess::capture_noise::CaptureNoise;
 use crate::plants::postprocess::{ground_height, plausibility};
 use crate::plants::{Detection, Feet, Ground, ValidParams};
@@ -13,14 +13,27 @@ use crate::plants::{Detection, Feet, Ground, ValidParams};
 /// The time is proportional to the number of frames, except for some of the methods for comparison,
 /// whose time is quadratic.
 pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
-    run(feet, None, params, None)
+    run(params.method().function(), feet, None, params, None)
 }
 
 /// Detects like [`detect`] and consumes the feet, which needs less memory for long clips.
-pub fn detect_once(mut feet: Feet, params: ValidParams) -> Detection {
-    let summary = FeetSummary::new(&feet);
-    feet.hips = Track::new();
-    run_with_summary(summary, &feet, None, params, None)
+pub fn detect_once(feet: Feet, params: ValidParams) -> Detection {
+    run_once(params.method().function(), feet, params)
+}
+
+/// Detects like [`detect_once`] with the default method. A program that calls no other function that detects
+/// does not contain the other methods.
+///
+/// # Panics
+/// If the parameters name another method.
+pub fn detect_once_by_default(feet: Feet, params: ValidParams) -> Detection {
+    run_once(default_function(params), feet, params)
+}
+
+/// Returns the function of the default method, which the parameters must name.
+pub(crate) fn default_function(params: ValidParams) -> Function {
+    assert!(params.method() == Method::default(), "the method must be the default");
+    DEFAULT_FUNCTION
 }
 
 /// Detects like [`detect`], and clusters the samples together with those of a standing clip of the
@@ -28,17 +41,27 @@ pub fn detect_once(mut feet: Feet, params: ValidParams) -> Detection {
 ///
 /// Methods that do not use the samples of the paper ignore the standing clip.
 pub fn detect_with_standing(feet: &Feet, standing: &Feet, params: ValidParams) -> Detection {
-    run(feet, Some(standing), params, None)
+    run(params.method().function(), feet, Some(standing), params, None)
 }
 
-/// Detects with the given cache.
+/// Function of a method.
+pub(crate) type Function = fn(&mut Input) -> Output;
+
+/// Detects with the given function and cache.
 pub(crate) fn run(
+    function: Function,
     feet: &Feet,
     standing: Option<&Feet>,
     params: ValidParams,
     cache: Option<&mut DetectionCache>,
 ) -> Detection {
-    run_with_summary(FeetSummary::new(feet), feet, standing, params, cache)
+    run_with_summary(FeetSummary::new(feet), function, feet, standing, params, cache)
+}
+
+fn run_once(function: Function, mut feet: Feet, params: ValidParams) -> Detection {
+    let summary = FeetSummary::new(&feet);
+    feet.hips = Track::new();
+    run_with_summary(summary, function, &feet, None, params, None)
 }
 
 /// Results that need all tracks of the feet; the methods need ankles and toes only.
@@ -55,13 +78,14 @@ impl FeetSummary {
 
 fn run_with_summary(
     summary: FeetSummary,
+    function: Function,
     feet: &Feet,
     standing: Option<&Feet>,
     params: ValidParams,
     cache: Option<&mut DetectionCache>,
 ) -> Detection {
     let mut input = Input { feet, standing, settings: params.settings(), cache };
-    let Output { parts, mut notices } = params.method().detect(&mut input);
+    let Output { parts, mut notices } = function(&mut input);
     notices.extend(summary.rate_notice.into_iter().chain(plausibility::airborne(&parts)));
     let ground_height = ground_height::height(&summary.lowest, &parts[0]);
     let noise = CaptureNoise::new(feet, &parts[0]);

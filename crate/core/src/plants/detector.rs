@@ -1,7 +1,8 @@
 //! Repeated detection on one clip.
 
+use crate::plants::detect::{self, Function};
 use crate::plants::methods::DetectionCache;
-use crate::plants::{Detection, Feet, ValidParams, detect};
+use crate::plants::{Detection, Feet, ValidParams};
 
 /// Detects plants of one clip repeatedly and reuses intermediate results.
 ///
@@ -26,6 +27,19 @@ impl Detector {
 
     /// Detects the plants; see [`detect`](crate::plants::detect).
     pub fn detect(&mut self, params: ValidParams) -> Detection {
-        detect::run(&self.feet, None, params, Some(&mut self.cache))
+        self.run(params.method().function(), params)
+    }
+
+    /// Detects like [`Detector::detect`] with the default method. A program that calls no other function that
+    /// detects does not contain the other methods.
+    ///
+    /// # Panics
+    /// If the parameters name another method.
+    pub fn detect_by_default(&mut self, params: ValidParams) -> Detection {
+        self.run(detect::default_function(params), params)
+    }
+
+    fn run(&mut self, function: Function, params: ValidParams) -> Detection {
+        detect::run(function, &self.feet, None, params, Some(&mut self.cache))
     }
 }

@@ -3,6 +3,7 @@
 use crate::bvh::Clip;
 use crate::foot::Side;
 use crate::kinematics::{self, Track};
+use crate::numeric::stats;
 use crate::skeleton::{LegRoles, Role, Skeleton, Up};
 
 /// Minimum number of different poses from which their usual duration is known.
@@ -100,13 +101,13 @@ impl Feet {
             .filter(|&frame| tracks().any(|track| track[frame] != track[frame - 1]))
             .collect();
         // The first and the last pose may be cut off.
-        let mut lengths: Vec<usize> = changes.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let mut lengths: Vec<f64> = changes.windows(2).map(|pair| (pair[1] - pair[0]) as f64).collect();
         if lengths.len() < MIN_POSES {
             return 1;
         }
         let middle = lengths.len() / 2;
-        let median = *lengths.select_nth_unstable(middle).1;
-        if median as f64 * self.frame_time <= MAX_POSE_TIME { median } else { 1 }
+        let median = stats::nth_smallest(&mut lengths, middle);
+        if median * self.frame_time <= MAX_POSE_TIME { median as usize } else { 1 }
     }
 
     /// Returns the number of frames in `seconds`, rounded down. The margin makes 0.0333 s and 1/30

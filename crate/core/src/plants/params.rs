@@ -135,7 +135,8 @@ impl ValidParams {
             tolerance: self.0.tolerance,
             window: self.0.window,
             sigma: self.0.sigma,
-            thresholds: self.thresholds(),
+            height: self.0.height,
+            speed: self.0.speed,
             summation: if self.0.exact { Summation::AllPairs } else { Summation::Cells },
         }
     }

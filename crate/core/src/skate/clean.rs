@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use crate::bvh::Clip;
 use crate::foot::Side;
 use crate::notice::{Code, Notice};
+use crate::numeric::sort;
 use crate::skate::channels::{ChannelWriter, can_rotate, translating_joint};
 use crate::skate::constraints::{Correction, Planted, Settings};
 use crate::skate::foot_data::{FootData, SkateError};
@@ -335,11 +336,11 @@ impl<'a> Cleanup<'a> {
         ) {
             let near = frames.start.saturating_sub(reach)..frames.end + reach;
             let corrected = (0..self.before.len()).filter(|&plant| is_corrected(plant));
-            let mut moved: Vec<(f64, usize)> = corrected
+            let moved: Vec<(f64, usize)> = corrected
                 .map(|plant| (displacement(plant, &near), plant))
                 .filter(|&(displacement, _)| displacement > 0.0)
                 .collect();
-            moved.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+            let moved = sort::sort_descending(moved, |(displacement, _)| *displacement);
             harmful.extend(moved.iter().take(if all { moved.len() } else { 1 }).map(|&(_, plant)| plant));
         }
         harmful

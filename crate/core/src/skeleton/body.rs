@@ -9,6 +9,7 @@ use super::{LegRoles, Role, Roles, Up};
 use crate::bvh::Clip;
 use crate::foot::Side;
 use crate::kinematics::{self, Kinematics, Track};
+use crate::numeric::sort;
 use crate::numeric::stats::{median_low, percentile};
 
 /// Number of poses on which axis and scale are measured.
@@ -134,7 +135,7 @@ impl<'a> Body<'a> {
         let upright = self.upright(&feet);
         let rest = self.rest_up();
         let support = self.support(scale);
-        let mut scores: Vec<(f64, Up)> = Up::ALL
+        let scores: Vec<(f64, Up)> = Up::ALL
             .into_iter()
             .zip(weight::AXIS)
             .enumerate()
@@ -151,7 +152,7 @@ impl<'a> Body<'a> {
                 (score, up)
             })
             .collect();
-        scores.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let scores = sort::sort_descending(scores, |(score, _)| *score);
         let is_measured = upright.iter().any(|&part| part > 0.0) || rest.is_some();
         let (best, up) = scores[0];
         // The rest pose, or a posture that rests on the ground, must agree with the direction; and no posture

@@ -91,7 +91,7 @@ impl Skeleton {
         let leg = body.leg();
         let found_up = body.up(leg);
         if overrides.up.is_none() && !found_up.is_some_and(|found| found.is_certain) {
-            let up = found_up.map_or(Up::Y, |found| found.up).to_string().to_uppercase();
+            let up = found_up.map_or(Up::Y, |found| found.up).to_string().to_ascii_uppercase();
             let text = format!("The up axis is uncertain; {up} is used. Set the up axis if this is wrong.");
             notices.push(Notice::new(Code::UpAxis, text));
         }

@@ -21,19 +21,15 @@ registry! {
         /// Table with one row per percent of the gait cycle.
         Angles => tables::ANGLES,
     }
+    with {
+        /// Returns the file extension, without the leading dot.
+        extension: &'static str,
+        /// Returns the media (MIME) type.
+        media_type: &'static str,
+    }
 }
 
 impl GaitFormat {
-    /// Returns the file extension, without the leading dot.
-    pub fn extension(self) -> &'static str {
-        self.entry().extension
-    }
-
-    /// Returns the media (MIME) type.
-    pub fn media_type(self) -> &'static str {
-        self.entry().media_type
-    }
-
     /// Returns gait as the text of a file.
     pub fn write(self, export: &GaitExport) -> String {
         (self.entry().write)(export)

@@ -44,19 +44,15 @@ registry! {
         /// Script for Unity.
         Unity => engines::UNITY,
     }
+    with {
+        /// Returns the file extension, without the leading dot.
+        extension: &'static str,
+        /// Returns the media (MIME) type.
+        media_type: &'static str,
+    }
 }
 
 impl PlantFormat {
-    /// Returns the file extension, without the leading dot.
-    pub fn extension(self) -> &'static str {
-        self.entry().extension
-    }
-
-    /// Returns the media (MIME) type.
-    pub fn media_type(self) -> &'static str {
-        self.entry().media_type
-    }
-
     /// Returns plants as the bytes of a file.
     ///
     /// # Panics

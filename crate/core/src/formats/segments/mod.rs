@@ -38,19 +38,15 @@ registry! {
         /// NumPy archive.
         Npz => npz::FORMAT_INFO,
     }
+    with {
+        /// Returns the file extension, without the leading dot.
+        extension: &'static str,
+        /// Returns the media (MIME) type.
+        media_type: &'static str,
+    }
 }
 
 impl SegmentFormat {
-    /// Returns the file extension, without the leading dot.
-    pub fn extension(self) -> &'static str {
-        self.entry().extension
-    }
-
-    /// Returns the media (MIME) type.
-    pub fn media_type(self) -> &'static str {
-        self.entry().media_type
-    }
-
     /// Returns segments as the bytes of a file.
     ///
     /// # Panics

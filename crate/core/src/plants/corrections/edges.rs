@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::foot::Part;
 use crate::intervals::intervals;
+use crate::numeric::sort;
 use crate::plants::corrections::example::{Example, MIN_AFFINITY};
 use crate::plants::corrections::profile::{Profile, affinity, difference};
 use crate::plants::{Edge, FootLabels};
@@ -189,9 +190,8 @@ impl<'a> Examples<'a> {
             .iter()
             .map(|example| affinity(&example.detected_window, &window, BANDWIDTH))
             .collect();
-        let mut similar: Vec<usize> =
-            (0..affinities.len()).filter(|&index| affinities[index] >= MIN_AFFINITY).collect();
-        similar.sort_by(|a, b| affinities[*b].total_cmp(&affinities[*a]));
+        let similar = (0..affinities.len()).filter(|&index| affinities[index] >= MIN_AFFINITY).collect();
+        let mut similar = sort::sort_descending(similar, |&index: &usize| affinities[index]);
         similar.truncate(MAX_SIMILAR);
         similar
     }

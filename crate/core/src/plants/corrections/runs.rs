@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::foot::{Part, Side};
+use crate::numeric::sort;
 use crate::plants::FootLabels;
 use crate::plants::corrections::edges;
 use crate::plants::corrections::example::{Example, MIN_AFFINITY};
@@ -175,9 +176,8 @@ fn change_parts(
             .collect();
         let limit = example.affinity_to_confirmed.max(MIN_AFFINITY);
         // The most similar part first; parts do not overlap.
-        let mut order: Vec<usize> =
-            (0..affinities.len()).filter(|&index| affinities[index] >= limit).collect();
-        order.sort_by(|a, b| affinities[*b].total_cmp(&affinities[*a]));
+        let order = (0..affinities.len()).filter(|&index| affinities[index] >= limit).collect();
+        let order = sort::sort_descending(order, |&index: &usize| affinities[index]);
         for index in order {
             let range = run.start + index..run.start + index + length;
             let is_free = !fixed[range.clone()].contains(&true)

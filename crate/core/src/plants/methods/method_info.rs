@@ -48,7 +48,10 @@ pub(crate) struct Settings {
     /// Half-width, in frames.
     pub window: usize,
     pub sigma: Option<f64>,
-    pub thresholds: Thresholds,
+    /// Height threshold, in metres.
+    pub height: f64,
+    /// Speed threshold, in metres per second.
+    pub speed: f64,
     pub summation: Summation,
 }
 

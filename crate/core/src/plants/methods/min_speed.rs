@@ -20,7 +20,7 @@ fn detect(input: &mut Input) -> Output {
     let [toe, ankle] = [signal::raw(feet, |foot| &foot.toe), signal::raw(feet, |foot| &foot.ankle)];
     let mut toes = Toes::new(input);
     toes.signals = signal::select(&ankle, &toe, &signal::weight_bearing(&ankle, &toe, 0.0));
-    let max_speed = input.settings.thresholds.speed.unwrap_or(f64::INFINITY);
+    let max_speed = input.settings.speed;
     let max = max_speed / feet.metres_per_unit;
     let planted: Vec<bool> =
         toes.signals.iter().flat_map(|signal| signal.speed.iter().map(|&speed| speed < max)).collect();

@@ -65,26 +65,26 @@ registry! {
         /// 0.114 m and 0.93 m/s.
         HeightSpeed => height_speed::METHOD,
     }
+    with {
+        /// Returns the family of the method.
+        family: Family,
+        /// Returns the labelled parts; the first one defines the plants.
+        parts: &'static [Part],
+    }
 }
 
+/// The function of the default method.
+pub(crate) const DEFAULT_FUNCTION: fn(&mut Input) -> Output = robust::METHOD.detect;
+
 impl Method {
-    /// Returns the family of the method.
-    pub fn family(self) -> Family {
-        self.entry().family
-    }
-
-    /// Returns the labelled parts; the first one defines the plants.
-    pub fn parts(self) -> &'static [Part] {
-        self.entry().parts
-    }
-
     /// Returns the thresholds that the method compares with, given a height in metres and a speed
     /// in metres per second.
     pub(crate) fn thresholds(self, height: f64, speed: f64) -> Thresholds {
         (self.entry().thresholds)(height, speed)
     }
 
-    pub(crate) fn detect(self, input: &mut Input) -> Output {
-        (self.entry().detect)(input)
+    /// Returns the function of the method.
+    pub(crate) fn function(self) -> fn(&mut Input) -> Output {
+        self.entry().detect
     }
 }

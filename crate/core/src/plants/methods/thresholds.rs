@@ -11,7 +11,7 @@ pub(crate) const HEIGHT: MethodInfo = MethodInfo {
     family: Family::Threshold,
     parts: &[Part::Toe],
     thresholds: |height, _| Thresholds { height: Some(height), speed: None },
-    detect: by_thresholds,
+    detect: |input| by_thresholds(input, HEIGHT.thresholds),
 };
 
 pub(crate) const SPEED: MethodInfo = MethodInfo {
@@ -21,7 +21,7 @@ pub(crate) const SPEED: MethodInfo = MethodInfo {
     family: Family::Threshold,
     parts: &[Part::Toe],
     thresholds: |_, speed| Thresholds { height: None, speed: Some(speed) },
-    detect: by_thresholds,
+    detect: |input| by_thresholds(input, SPEED.thresholds),
 };
 
 pub(crate) const DUAL: MethodInfo = MethodInfo {
@@ -31,11 +31,12 @@ pub(crate) const DUAL: MethodInfo = MethodInfo {
     family: Family::Threshold,
     parts: &[Part::Toe],
     thresholds: |height, speed| Thresholds { height: Some(height), speed: Some(speed) },
-    detect: by_thresholds,
+    detect: |input| by_thresholds(input, DUAL.thresholds),
 };
 
-fn by_thresholds(input: &mut Input) -> Output {
-    let Thresholds { height: max_height, speed: max_speed } = input.settings.thresholds;
+fn by_thresholds(input: &mut Input, thresholds: fn(f64, f64) -> Thresholds) -> Output {
+    let Thresholds { height: max_height, speed: max_speed } =
+        thresholds(input.settings.height, input.settings.speed);
     Toes::new(input).by_rule(|height, speed| {
         max_height.is_none_or(|max| height < max) && max_speed.is_none_or(|max| speed < max)
     })

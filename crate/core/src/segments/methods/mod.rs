@@ -32,14 +32,13 @@ registry! {
         /// Peaks of the Mahalanobis distance of the next poses (Barbič et al. 2004, section 3.2).
         Ppca => ppca::METHOD,
     }
+    with {
+        /// Returns the parameters that the method uses.
+        options: &'static [MethodOption],
+    }
 }
 
 impl Method {
-    /// Returns the parameters that the method uses.
-    pub fn options(self) -> &'static [MethodOption] {
-        self.entry().options
-    }
-
     /// True if cuts are refined within their transitions.
     pub(crate) fn refines_cuts(self) -> bool {
         self.entry().refines_cuts

@@ -109,7 +109,7 @@ fn shares_limb(tree: &Tree, pair: &LimbPairing, other: &LimbPairing) -> bool {
 
 /// Returns the pairs of mirrored branches of one joint that may be legs.
 fn pairs_below(tree: &Tree, means: &[Vector3<f64>], no_legs: &[bool], joint: usize) -> Vec<LimbPairing> {
-    let mut branches: Vec<(f64, Vec<usize>)> = tree
+    let branches: Vec<(f64, Vec<usize>)> = tree
         .children(joint)
         .filter(|&child| !no_legs[child - tree.root] && !tree.name(child).is_helper)
         .map(|child| tree.main_chain(child))
@@ -117,7 +117,7 @@ fn pairs_below(tree: &Tree, means: &[Vector3<f64>], no_legs: &[bool], joint: usi
     if branches.len() < 2 {
         return Vec::new();
     }
-    branches.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut branches = sort::sort_descending(branches, |(length, _)| *length);
     branches.truncate(MAX_BRANCHES);
     let head = head_direction(tree, means, joint);
     let mut pairs = Vec::new();

@@ -7,6 +7,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
 use crate::foot::Side;
+use crate::numeric::sort;
 pub(crate) use part::BodyPart;
 use vocabulary::{FORE_LIMBS, HELPERS, HIND_LIMBS, LANGUAGES, TIPS};
 
@@ -47,15 +48,14 @@ static TERMS: LazyLock<HashMap<&str, (BodyPart, usize)>> = LazyLock::new(|| {
 
 /// Side words of all languages, longest first.
 static SIDES: LazyLock<Vec<(&str, Side)>> = LazyLock::new(|| {
-    let mut sides: Vec<(&str, Side)> = LANGUAGES
+    let sides = LANGUAGES
         .iter()
         .flat_map(|language| {
             let left = language.left.iter().map(|&word| (word, Side::Left));
             left.chain(language.right.iter().map(|&word| (word, Side::Right)))
         })
         .collect();
-    sides.sort_by_key(|(word, _)| std::cmp::Reverse(word.len()));
-    sides
+    sort::sort_by_frames(sides, |(word, _)| (usize::MAX - word.len(), 0))
 });
 
 /// Fraction of a skeleton's names in which a word has no meaning, such as a prefix.

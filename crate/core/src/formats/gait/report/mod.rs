@@ -11,6 +11,7 @@ use crate::formats::format_info::FormatInfo;
 use crate::formats::gait::export::{GaitExport, Reader, SkeletonGait, Writer};
 use crate::gait::{ActionGait, Gait, LeftOut, PerSide, Spread, Step};
 use crate::intervals::intervals;
+use crate::numeric::sort;
 use crate::skeleton::unit_name;
 use definitions::{DEFINITIONS, SOURCES};
 use html::escape;
@@ -108,8 +109,8 @@ fn sheet(page: &mut String, export: &GaitExport, gait: &SkeletonGait) {
 fn shown_parts<'a>(gait: &'a SkeletonGait) -> Vec<&'a ActionGait> {
     let strides = |part: &ActionGait| part.analysis.gait.strides;
     let mut counts: Vec<usize> = gait.parts.iter().map(strides).collect();
-    counts.sort_unstable_by(|a, b| b.cmp(a));
-    let least = counts.get(MAX_PARTS - 1).copied().unwrap_or(0).max(1);
+    counts.sort_unstable();
+    let least = counts.iter().nth_back(MAX_PARTS - 1).copied().unwrap_or(0).max(1);
     gait.parts.iter().filter(|part| strides(part) >= least).take(MAX_PARTS).collect()
 }
 
@@ -322,9 +323,9 @@ fn angle_plots(part: &ActionGait, size: PlotSize) -> Vec<String> {
 
 /// Appends the table of steps.
 fn steps(page: &mut String, gait: &SkeletonGait) {
-    let mut rows: Vec<(&ActionGait, &Step)> =
+    let rows: Vec<(&ActionGait, &Step)> =
         gait.parts.iter().flat_map(|part| part.analysis.steps.iter().map(move |step| (part, step))).collect();
-    rows.sort_by(|(_, a), (_, b)| a.strike_s.total_cmp(&b.strike_s));
+    let rows = sort::sort_by_number(rows, |(_, step)| step.strike_s);
     page.push_str(
         "<h2>Steps and events</h2>\n<div class=\"scroll\"><table class=\"steps\">\n<thead>\n<tr><th scope=\"col\">Foot</th>",
     );

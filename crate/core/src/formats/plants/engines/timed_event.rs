@@ -3,6 +3,7 @@
 use crate::foot::Side;
 use crate::formats::plants::events::{EventKind, GaitEvent, part_events};
 use crate::formats::plants::export::{DetectionRef, PlantExport};
+use crate::numeric::sort;
 
 /// An event of a foot at a time of the clip.
 pub(super) struct TimedEvent {
@@ -24,9 +25,8 @@ pub(super) fn timed_events(export: &PlantExport) -> Vec<TimedEvent> {
         };
         part_events(labelled.detection, frame_time).into_iter().map(event).collect::<Vec<_>>()
     };
-    let mut events: Vec<TimedEvent> = export.labelled().iter().flat_map(of_skeleton).collect();
-    events.sort_by(|a, b| a.time.total_cmp(&b.time));
-    events
+    let events: Vec<TimedEvent> = export.labelled().iter().flat_map(of_skeleton).collect();
+    sort::sort_by_number(events, |event| event.time)
 }
 
 /// Returns the time of an event: its instant, or else midway between the frames.

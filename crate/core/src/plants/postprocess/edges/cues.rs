@@ -14,7 +14,7 @@ impl Cues {
     /// Creates cues; `uncertainty` of their median is given half the range of the times, both in
     /// seconds.
     pub fn new(mut times: Vec<f64>, uncertainty: impl Fn(f64) -> f64) -> Cues {
-        times.sort_by(f64::total_cmp);
+        times.sort_unstable_by(f64::total_cmp);
         let range = times.last().zip(times.first()).map_or(0.0, |(last, first)| last - first);
         Cues { uncertainty: uncertainty(range / 2.0), times }
     }

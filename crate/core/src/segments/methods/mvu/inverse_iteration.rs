@@ -23,8 +23,8 @@ pub(crate) fn largest_eigenvalues(mut matrix: DMatrix<f64>, count: usize, guesse
         else {
             // No shift led to the largest eigenvalue; the full spectrum is computed.
             let mut rest = matrix.symmetric_eigenvalues().as_slice().to_vec();
-            rest.sort_unstable_by(|a, b| b.total_cmp(a));
-            eigenvalues.extend(rest.into_iter().take(count - index));
+            rest.sort_unstable_by(f64::total_cmp);
+            eigenvalues.extend(rest.into_iter().rev().take(count - index));
             break;
         };
         // Deflation makes the next largest eigenvalue the largest.

@@ -1,0 +1,70 @@
+/** The second wasm module: the first labels do not require it, and everything else waits for it. */
+
+import type { Page } from "@playwright/test";
+import { type App, expect, test } from "./app";
+import { sample } from "./clips";
+
+const address = /plantigrade_second-[^/]*\.wasm$/;
+
+/** Delays the module until the returned function is called. */
+async function holdModule(page: Page): Promise<() => void> {
+  let release = () => {};
+  const released = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route(address, async (route) => {
+    await released;
+    await route.continue();
+  });
+  return release;
+}
+
+const isLabelled = (app: App) =>
+  expect(app.timeline.getByRole("table", { name: /plants/ }).first()).toBeAttached();
+
+test("shows the first labels while the second module loads", async ({ app, page }) => {
+  const release = await holdModule(page);
+  await page.goto(`${app.site.home}#sample=curved-walk`);
+  await isLabelled(app);
+  expect((await app.result("Left")).plants).toBe(3);
+  await app.tab("Segment");
+  await expect(page.getByText("Segmenting")).toBeVisible();
+  release();
+  expect((await app.segments()).length).toBeGreaterThan(0);
+  await app.waitForClip("curved-walk.bvh");
+});
+
+test("detects by another method after the second module has loaded", async ({ app, page }) => {
+  const release = await holdModule(page);
+  await page.goto(`${app.site.home}#sample=curved-walk&method=paper`);
+  await page.waitForRequest(address);
+  release();
+  await app.waitForClip("curved-walk.bvh");
+  expect((await app.result("Left")).plants).toBeGreaterThan(0);
+});
+
+test("reports a failed download, and tries again", async ({ app, page }) => {
+  app.expectProblem(/plantigrade_second|Failed to load resource/);
+  await page.route(address, (route) => route.abort());
+  await page.goto(`${app.site.home}#sample=curved-walk`);
+  await isLabelled(app);
+  await app.tab("Segment");
+  await expect(app.panel).toContainText("part of the program could not be loaded");
+  await app.tab("Evidence");
+  await expect(app.alert).toContainText("Check the connection to the network");
+  await page.unroute(address);
+  await app.alert.getByRole("button", { name: "Try again" }).click();
+  await expect(app.panel.getByRole("slider").first()).toBeVisible();
+  await app.tab("Segment");
+  await app.panel.getByRole("button", { name: "Try again" }).click();
+  expect((await app.segments()).length).toBeGreaterThan(0);
+});
+
+test("processes a batch after the second module has loaded", async ({ app, page }) => {
+  const release = await holdModule(page);
+  await app.openStartPage();
+  await app.drop(sample("ballet"), sample("skipping"));
+  await page.waitForRequest(address).catch(() => {});
+  release();
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+});
