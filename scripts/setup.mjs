@@ -100,7 +100,7 @@ async function bindings() {
   mkdirSync(bindingsFolder, { recursive: true });
   const first = join(targetFolder(), "first.wasm");
   await run(tool("wasm-split"), [module, first, join(bindingsFolder, "plantigrade_second.wasm")]);
-  // The second module imports the table of functions, which is among the exports of the linker.
+  // The second module imports the table of functions, which the linker exports.
   await bind(first, bindingsFolder, ["--keep-lld-exports"]);
 }
 

@@ -20,7 +20,7 @@ fn main() -> anyhow::Result<()> {
     options.output_dir = &folder;
     let split = transform(options).map_err(|error| anyhow!("{error:?}"))?;
     let [module] = &split.split_modules[..] else {
-        bail!("expected one module besides the first, found {}", split.split_modules.len())
+        bail!("expected one other module than the first, found {}", split.split_modules.len())
     };
     let module = std::fs::read(module)?;
     std::fs::write(second, compacted(&module)?)?;
