@@ -320,7 +320,7 @@ class Clip:
     def to_bytes(self) -> bytes:
         """Return the clip as the bytes of a BVH file.
 
-        A clip that was read keeps the text of its file, except for numbers that changed. Positions are
+        A clip that was read retains the text of its file, except for numbers that changed. Positions are
         written as joints with position channels and without rotations.
         """
         return self._raw.to_bytes()
