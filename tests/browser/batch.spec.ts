@@ -281,6 +281,61 @@ test("Back restores the labels that were dropped with a clip", async ({ app, pag
   await app.waitForClip("bowling.bvh");
   await expect(page.getByRole("tab", { name: "Score" })).toBeHidden();
   await page.goBack();
+  await expect(table(app)).toBeVisible();
+  await page.goBack();
   await app.waitForClip("frog-jumps.bvh");
   await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
+});
+
+test("Back leads from a clip to the table, and from there to the page before it", async ({
+  app,
+  page,
+}) => {
+  await app.openSample("frog-jumps");
+  await app.drop(sample("bowling"), sample("curved-walk"));
+  await waitForBatch(app);
+  await row(app, "bowling.bvh").getByRole("button").first().click();
+  await app.waitForClip("bowling.bvh");
+  await page.goBack();
+  await expect(table(app)).toBeVisible();
+  await row(app, "curved-walk.bvh").getByRole("button").first().click();
+  await app.waitForClip("curved-walk.bvh");
+  // A table that is closed again leaves no entry that Back would stop at.
+  await page.getByRole("button", { name: "2 clips" }).click();
+  await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+  await expect(table(app)).toBeHidden();
+  await page.goBack();
+  await expect(table(app)).toBeVisible();
+  await page.goBack();
+  await app.waitForClip("frog-jumps.bvh");
+  await expect(table(app)).toBeHidden();
+});
+
+test("marks clips as checked until their labels are computed in another way", async ({
+  app,
+  page,
+}) => {
+  const checkBox = (name: string) =>
+    table(app).getByRole("checkbox", { name: `${name} is checked` });
+  const openBatch = async () => {
+    await app.openStartPage();
+    await app.drop(sample("bowling"), sample("curved-walk"), sample("frog-jumps"));
+    await waitForBatch(app);
+  };
+  await openBatch();
+  await checkBox("bowling.bvh").check();
+  await checkBox("curved-walk.bvh").check();
+  await checkBox("curved-walk.bvh").uncheck();
+  await openBatch();
+  await expect(checkBox("bowling.bvh")).toBeChecked();
+  await expect(checkBox("curved-walk.bvh")).not.toBeChecked();
+  await expect(page.getByRole("button", { name: /^Review 2/ })).toBeVisible();
+  await row(app, "bowling.bvh").getByRole("button").first().click();
+  await app.waitForClip("bowling.bvh");
+  await app.tab("Detect");
+  await page.getByRole("combobox", { name: "Method" }).selectOption("paper");
+  await page.getByRole("button", { name: "3 clips" }).click();
+  await page.getByRole("button", { name: "Process again" }).click();
+  await expect(page.getByText("All processed · Paper")).toBeVisible();
+  await expect(checkBox("bowling.bvh")).not.toBeChecked();
 });

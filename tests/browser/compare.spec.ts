@@ -69,6 +69,37 @@ test("goes to differences by key and from the list", async ({ app, page }) => {
   await expect(app.dialog).toContainText("Next difference");
 });
 
+test("playback does not scroll the accuracies away", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
+  await compare(app, truth("limp-to-run"));
+  const table = app.panel.getByRole("table", { name: /^Accuracy/ });
+  await expect(table).toBeInViewport({ ratio: 1 });
+  await page.keyboard.press("End");
+  for (let i = 0; i < 3; i++) await page.keyboard.press("j");
+  await expect.poll(() => app.frame()).toBeLessThan(600);
+  await expect(table).toBeInViewport({ ratio: 1 });
+  await page.keyboard.press("k");
+});
+
+test("keeps the curves next to reference labels, or reports that they do not fit", async ({
+  app,
+  page,
+}) => {
+  await app.openSample("limp-to-run");
+  const tracks = app.timeline.getByRole("button", { name: /^Tracks/ });
+  const notice = app.timeline.getByText(/^There is no space/);
+  await compare(app, truth("limp-to-run"));
+  await expect(tracks).toHaveText("Tracks");
+  await page.setViewportSize({ width: 1440, height: 640 });
+  await expect(tracks).toContainText("not shown");
+  await tracks.click();
+  await expect(notice).toContainText(/ cut score and speed\./);
+  await app.timeline.getByRole("checkbox", { name: "Heel and toe" }).uncheck();
+  await app.timeline.getByRole("checkbox", { name: "Height and speed" }).uncheck();
+  await expect(notice).toBeHidden();
+  await expect(tracks).toHaveText("Tracks");
+});
+
 test("updates the score when the method changes", async ({ app, page }) => {
   await app.openSample("limp-to-run");
   await compare(app, truth("limp-to-run"));

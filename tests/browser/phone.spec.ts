@@ -131,6 +131,23 @@ test("has Open in the header, and Fit and the shortcuts at hand", async ({ app, 
   await expect(page.getByRole("tablist").getByRole("button", { name: "Open" })).toHaveCount(0);
 });
 
+test("shares a clip of a batch", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("frog-jumps"));
+  await page.getByRole("button", { name: "bowling.bvh", exact: true }).tap();
+  await app.waitForClip("bowling.bvh");
+  const controls = [
+    page.getByRole("button", { name: "2 clips" }),
+    app.head.getByRole("checkbox", { name: "Checked" }),
+    app.head.getByRole("button", { name: "Next" }),
+    app.head.getByRole("button", { name: "Share" }),
+  ];
+  for (const control of controls) await expect(control).toBeInViewport({ ratio: 1 });
+  await expectNoHorizontalScroll(app);
+  await app.head.getByRole("button", { name: "Share" }).tap();
+  await expect(app.dialog).toBeVisible();
+});
+
 test("has a usable 3D view on a short screen", async ({ app, page }) => {
   await page.setViewportSize({ width: 375, height: 667 });
   await app.openSample("ballet");
@@ -201,6 +218,46 @@ test("loops a segment by tap and renames it by double tap", async ({ app, page }
   await expect(name).toBeFocused();
   await expect(name).toBeInViewport({ ratio: 1 });
   await expectNoHorizontalScroll(app);
+});
+
+test("explains how the edges of a tapped bar are dragged", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const plant = readLabels(await app.save("Labels")).left.contact?.[1];
+  if (!plant) throw new Error("There is no second plant.");
+  await page.getByRole("tab", { name: "Labels" }).tap();
+  await expect(app.panel).toBeHidden();
+  const box = await app.tracks.boundingBox();
+  if (!box) throw new Error("The timeline has no canvas.");
+  const frames = (await app.lastFrame()) + 1;
+  const x = (frame: number) => box.x + 100 + (frame / frames) * (box.width - 100 - 14);
+  const y = box.y + 50;
+  await page.touchscreen.tap(x((plant.start + plant.end) / 2), y);
+  await expect(page.locator(".message")).toHaveText("Drag an end of the bar to correct it");
+  const touch = await page.context().newCDPSession(page);
+  const send = (type: "touchStart" | "touchMove", at: number) =>
+    touch.send("Input.dispatchTouchEvent", { type, touchPoints: [{ x: at, y }] });
+  await send("touchStart", x(plant.end));
+  for (const to of [2, 6, 10]) await send("touchMove", x(plant.end - to));
+  await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await app.head.getByRole("button", { name: "edited" }).tap();
+  const edited = readLabels(await app.save("Labels")).left.contact?.[1];
+  expect(edited?.end).toBeLessThan(plant.end - 5);
+});
+
+test("compares with labels from the file picker", async ({ app, page }) => {
+  await app.openSample("frog-jumps");
+  await page.getByRole("tab", { name: "Labels" }).tap();
+  const [picker] = await Promise.all([
+    page.waitForEvent("filechooser"),
+    app.panel.getByRole("button", { name: "Open" }).tap(),
+  ]);
+  await picker.setFiles(clip("samples/frog-jumps.json"));
+  await expect(page.getByRole("tabpanel", { name: "Score" })).toContainText("frog-jumps.json");
+  // The overview of the clip stays in sight above the raised sheet.
+  const container = app.tracks.locator("xpath=..");
+  await expect
+    .poll(async () => (await app.tracks.boundingBox())?.height)
+    .toBeLessThanOrEqual((await container.boundingBox())?.height ?? 0);
 });
 
 test("selects and moves a cut by touch", async ({ app, page }) => {

@@ -44,6 +44,8 @@ for (const side of ["left", "right"] as const) {
     const { x, y } = await pointOn(app, side, middle);
     await page.mouse.click(x, y);
     await page.keyboard.press("a");
+    const message = `${side === "left" ? "Left" : "Right"} contact added`;
+    await expect(page.locator(".message")).toContainText(message);
     await expect
       .poll(async () => (await labelsOf(app))[side].contact?.length)
       .toBe(planted.length + 1);
@@ -132,6 +134,16 @@ test("the list follows the selection", async ({ app, page }) => {
   await page.keyboard.press("Shift+ArrowLeft");
   await page.keyboard.press("e");
   await expect(app.panel.getByRole("button", { pressed: true })).toBeInViewport({ ratio: 0.9 });
+});
+
+test("marks the selected plant in the list", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await app.tab("Labels");
+  await page.keyboard.press("e");
+  await page.keyboard.press("End");
+  const selected = app.panel.getByRole("button", { pressed: true });
+  await expect(selected).not.toHaveAttribute("aria-current");
+  await expect(selected).not.toHaveCSS("background-color", "rgba(0, 0, 0, 0)");
 });
 
 test("reports on the page what an edit did, or why it did nothing", async ({ app, page }) => {

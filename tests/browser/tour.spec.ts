@@ -25,6 +25,40 @@ test("shows five hints once", async ({ app, page }) => {
   await expect(tour).toContainText("1 of 5");
 });
 
+test("Escape ends the tour, then deselects", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const tour = page.getByRole("complementary", { name: "Tour" });
+  await page.keyboard.press("e");
+  await app.tab("Labels");
+  const selected = app.panel.getByRole("button", { pressed: true });
+  await expect(selected).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(tour).toBeHidden();
+  await expect(selected).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(selected).toBeHidden();
+  await page.reload();
+  await app.waitForClip("curved-walk.bvh");
+  await expect(tour).toBeHidden();
+});
+
+test.describe("on a touch screen", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("explains gestures instead of keys", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    const tour = page.getByRole("complementary", { name: "Tour" });
+    const next = tour.getByRole("button", { name: /Next|Done/ });
+    for (let i = 1; i <= 5; i++) {
+      await expect(tour).toContainText(`${i} of 5`);
+      await expect(tour).not.toContainText(/Ctrl|Press|Click|Drop/);
+      if (i === 3) await expect(tour).toContainText("Tap a bar, then drag its ends");
+      await next.tap();
+    }
+    await expect(tour).toBeHidden();
+  });
+});
+
 test("ends the tour at the first hint", async ({ app, page }) => {
   await app.openSample("bowling");
   await page.getByRole("button", { name: "End the tour" }).click();

@@ -15,9 +15,10 @@ import { edits, plants, segmentNames, source } from "../store/session";
 import { detectOptions, segmentOptions } from "../store/settings";
 import { announcement, notify } from "../store/view";
 import { safeFileName, stemOf, uniqueNames } from "../util/file-names";
+import { readChecked, writeChecked } from "./clip-storage";
 import { compareWithAll } from "./compare";
 import { download } from "./download";
-import { addHistoryEntry } from "./history";
+import { addHistoryEntry, addTableEntry, leaveTableEntry } from "./history";
 import { openSource } from "./open";
 import { storedChangesOf } from "./persist";
 import { pause, seekPlant } from "./playback";
@@ -39,6 +40,7 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
     batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
     tableVisible.value = true;
   });
+  addTableEntry();
   await resumeBatch();
 }
 
@@ -82,15 +84,25 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
     return;
   }
   try {
+    let hash = "";
+    const changesOf = (hashOfFile: string) => {
+      hash = hashOfFile;
+      return storedChangesOf(hash);
+    };
     const result = await batchWorkers.run((calls) => {
       updateRow(row, { status: "running" });
-      return calls.summarize(data, name, request, references, Comlink.proxy(storedChangesOf));
+      return calls.summarize(data, name, request, references, Comlink.proxy(changesOf));
     }, signal);
     if (signal.aborted) return;
     updateRow(
       row,
       result.ok
-        ? { status: "done", summary: withNotices(result.summary, row.source) }
+        ? {
+            status: "done",
+            summary: withNotices(result.summary, row.source),
+            ...(hash && { hash }),
+            ...(hash && readChecked(hash) === checkedText(request) && { isChecked: true }),
+          }
         : { status: "failed", failure: result.failure },
     );
   } catch (error) {
@@ -145,7 +157,14 @@ export async function refreshOpenRow(): Promise<void> {
 /** Shows the table. */
 export function showTable() {
   tableVisible.value = true;
+  addTableEntry();
   void refreshOpenRow();
+}
+
+/** Hides the table. */
+export function hideTable() {
+  tableVisible.value = false;
+  leaveTableEntry();
 }
 
 /** Opens a clip of the table. */
@@ -188,9 +207,14 @@ function goToLeastCertain() {
   seekPlant(others.reduce((a, b) => (b.confidence < a.confidence ? b : a), first));
 }
 
+/** Returns the stored mark of a checked clip: it holds only for labels of the same options. */
+const checkedText = ({ detect }: Pick<BatchRequest, "detect">) => JSON.stringify(detect);
+
 /** Marks a clip as checked, or removes the mark. */
 export function toggleChecked(row: BatchRow | undefined = openBatchRow.value) {
-  if (!row) return;
+  const request = batchRequest.peek();
+  if (!row || !request) return;
+  if (row.hash) writeChecked(row.hash, row.isChecked ? null : checkedText(request));
   batchRows.value = batchRows.value.map((other) =>
     other.number === row.number ? { ...other, isChecked: !other.isChecked } : other,
   );

@@ -1,9 +1,33 @@
-/** Records of clips in the local storage of the browser, by key. Functions throw if it is denied. */
+/**
+ * Records and marks of clips in the local storage of the browser, by key. If it is denied, functions of
+ * records throw.
+ */
 
 import { parseRecord, type StoredRecord, type UnreadableRecord } from "../model/stored-changes";
 import { randomId } from "../util/random-id";
 
 export const keyOfHash = (hash: string) => `plantigrade:clip:${hash}`;
+
+const checkedKeyOfHash = (hash: string) => `plantigrade:checked:${hash}`;
+
+/** Returns the stored mark of a checked file; null if there is none or the storage is denied. */
+export function readChecked(hash: string): string | null {
+  try {
+    return localStorage.getItem(checkedKeyOfHash(hash));
+  } catch {
+    return null;
+  }
+}
+
+/** Stores the mark of a checked file, or removes it. If the storage is denied, nothing is stored. */
+export function writeChecked(hash: string, text: string | null) {
+  try {
+    if (text === null) localStorage.removeItem(checkedKeyOfHash(hash));
+    else localStorage.setItem(checkedKeyOfHash(hash), text);
+  } catch {
+    // The mark lasts until the page is closed.
+  }
+}
 
 /** Prefix of the keys of records that were set aside; a random part and the original key follow. */
 const setAsidePrefix = "plantigrade:set-aside:";

@@ -8,6 +8,7 @@ import { batchRows } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected, selectedCut, similar } from "../store/session";
+import { endTour, tourStep } from "../store/tour";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
 import { openBatchRow, reviewNext, toggleChecked } from "./batch";
 import { stepDisagreement } from "./compare";
@@ -419,13 +420,15 @@ const list = [
     run: redo,
   },
   {
-    id: "deselect",
+    id: "escape",
     group: "Edit",
     label: "Deselect",
-    help: "Deselect",
+    help: "End the tour, or deselect",
     keys: [{ key: "escape" }],
-    enabled: () => hasClip() && (selected.value !== null || selectedCut.value !== null),
-    run: () => select(undefined),
+    enabled: () =>
+      hasClip() &&
+      (tourStep.value !== null || selected.value !== null || selectedCut.value !== null),
+    run: () => (tourStep.value === null ? select(undefined) : endTour()),
   },
   {
     id: "view-perspective",

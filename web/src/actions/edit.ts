@@ -385,7 +385,10 @@ export function addAtPlayhead(side: Side, part: Part) {
     return;
   }
   select({ side, part, start: first.start, end: first.end });
-  void commitEdits([...edits.value, ...added], `${side} ${part} added, ${spokenRange(first)}`);
+  void commitEdits(
+    [...edits.value, ...added],
+    `${capitalize(side)} ${part} added, ${spokenRange(first)}`,
+  );
 }
 
 /** Adds a plant at the playhead on the track that was used last. */

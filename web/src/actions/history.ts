@@ -1,4 +1,4 @@
-/** Entries of the browser history for opened clips. */
+/** Entries of the browser history for opened clips and the table. */
 
 import type { Source } from "../model/source";
 import { source } from "../store/session";
@@ -13,6 +13,31 @@ const numberOf = (state: unknown): number | undefined =>
 
 /** Returns the clip of a history entry, if it was opened since the page was loaded. */
 export const clipOfEntry = (state: unknown) => clips.get(numberOf(state) ?? -1);
+
+/** State of the entry of the table. */
+interface TableState {
+  /** Number of the clip of the previous entry, if it is one. */
+  tableAfter: number | undefined;
+}
+
+/** True if a history entry is that of the table. */
+export const isTableEntry = (state: unknown): state is TableState =>
+  typeof state === "object" && state !== null && "tableAfter" in state;
+
+/** Adds an entry for the table to the history, unless it is the current one. */
+export function addTableEntry() {
+  const { state } = history;
+  if (isTableEntry(state)) return;
+  const added: TableState = { tableAfter: numberOf(state) };
+  history.pushState(added, "", location.pathname + location.search);
+}
+
+/** Goes from the entry of the table back to that of the open clip, if this is the previous one. */
+export function leaveTableEntry() {
+  const { state } = history;
+  const opened = source.peek();
+  if (opened && isTableEntry(state) && clips.get(state.tableAfter ?? -1) === opened) history.back();
+}
 
 /**
  * Adds an entry for the open clip to the history, with the hash that opens it again after a reload; empty

@@ -2,13 +2,14 @@
 
 import { batch } from "@preact/signals";
 import type { Source } from "../model/source";
-import { tableVisible } from "../store/batch";
+import { batchRows, tableVisible } from "../store/batch";
 import { ClipSession, openSession } from "../store/clip-session";
 import { errorReport } from "../store/errors";
 import { source } from "../store/session";
 import { dialog } from "../store/view";
+import { showTable } from "./batch";
 import { compareWithAll } from "./compare";
-import { clipOfEntry } from "./history";
+import { clipOfEntry, isTableEntry } from "./history";
 import { cancelOpening, openSource } from "./open";
 import { openFromAddress, startPreview } from "./open-address";
 import { pause } from "./playback";
@@ -45,7 +46,8 @@ export function followHistory(signal: AbortSignal) {
       if (clip) {
         tableVisible.value = false;
         if (clip !== source.peek()) void reopen(clip);
-      } else if (!location.hash) showStartPage();
+      } else if (isTableEntry(state) && batchRows.peek().length) showTable();
+      else if (!location.hash) showStartPage();
     },
     { signal },
   );

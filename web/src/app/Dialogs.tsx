@@ -2,11 +2,11 @@ import { keyTable } from "../actions/commands";
 import { locationText } from "../model/report";
 import { classicKeys } from "../store/preferences";
 import { clip, notices } from "../store/session";
+import { startTour } from "../store/tour";
 import { dialog } from "../store/view";
 import { Dialog } from "../ui/Dialog";
 import { lazy } from "../ui/lazy";
 import { ThirdPartyDialog, ThirdPartyLink } from "./ThirdParty";
-import { startTour } from "./Tour";
 
 const ShareDialog = lazy(() => import("./ShareDialog").then((module) => module.ShareDialog));
 

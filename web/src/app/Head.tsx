@@ -1,4 +1,4 @@
-import { openBatchRow, showTable, uncheckedCount } from "../actions/batch";
+import { hideTable, openBatchRow, showTable, uncheckedCount } from "../actions/batch";
 import { commandOf, tooltip } from "../actions/commands";
 import { goHome } from "../actions/navigation";
 import { pickFiles } from "../actions/pick-files";
@@ -42,10 +42,7 @@ export function Head() {
           type="button"
           class="button"
           aria-pressed={tableVisible.value}
-          onClick={() => {
-            if (tableVisible.value) tableVisible.value = false;
-            else showTable();
-          }}
+          onClick={tableVisible.value ? hideTable : showTable}
         >
           {plural(batchRows.value.length, "clip")}
         </button>

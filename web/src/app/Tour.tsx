@@ -1,8 +1,9 @@
-import { signal } from "@preact/signals";
+import { keyOf } from "../actions/commands";
 import { openClip } from "../store/session";
+import { endTour, tourStep } from "../store/tour";
 import { Icon } from "../ui/icons";
 
-/** Hints: the part of the page that is outlined, and the text. */
+/** Hints: the part of the page that is outlined, the text, and the text for touch screens if it differs. */
 const hints = [
   [
     "viewer",
@@ -11,10 +12,12 @@ const hints = [
   [
     "timeline",
     "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Click a bar to go to it. Tracks explains the marks.",
+    "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Tap a bar to go to it, and zoom with two fingers. Tracks explains the marks.",
   ],
   [
     "timeline",
     "Drag the edge of a bar to correct it, or move the nearest edge by Q and W. A adds a plant, Delete removes one, Ctrl Z undoes. Edits are stored in this browser.",
+    "Tap a bar, then drag its ends to correct it. A double tap between two bars adds a plant. Labels has buttons to delete, split, join and undo. Edits are stored in this browser.",
   ],
   [
     "panel",
@@ -23,57 +26,47 @@ const hints = [
   [
     "head",
     "Drop a folder or an archive to process many clips, or a label file to compare it with these labels. Press ? for keyboard shortcuts.",
+    "Open several files or an archive to process many clips, or a label file to compare it with these labels.",
   ],
 ] as const;
 
-const storageKey = "plantigrade:tour";
+const isTouch = () => matchMedia("(pointer: coarse)").matches;
 
-/** Index of the current hint; the number of hints after the tour. */
-const step = signal(isDone() ? hints.length : 0);
-
-function isDone() {
-  try {
-    return localStorage.getItem(storageKey) === "done";
-  } catch {
-    return true;
-  }
-}
-
-function goTo(index: number) {
-  step.value = index;
-  if (index < hints.length) return;
-  try {
-    localStorage.setItem(storageKey, "done");
-  } catch {
-    // Without storage, the tour is shown again on the next visit.
-  }
-}
-
-/** Starts the tour at the first hint. */
-export const startTour = () => goTo(0);
+/** The current hint, if a clip is open. */
+const currentHint = () =>
+  openClip.value && tourStep.value !== null ? hints[tourStep.value] : undefined;
 
 /** Returns the part of the page that the current hint describes. */
-export const hintTarget = () => (openClip.value && hints[step.value]?.[0]) || undefined;
+export const hintTarget = () => currentHint()?.[0];
 
 /** A tour of five hints for new users. It does not block the page. */
 export function Tour() {
-  const [, text] = hints[step.value] ?? [];
-  if (!openClip.value || !text) return null;
-  const isLast = step.value === hints.length - 1;
+  const hint = currentHint();
+  const step = tourStep.value;
+  if (!hint || step === null) return null;
+  const [, text, touchText = text] = hint;
+  const isLast = step === hints.length - 1;
+  const goTo = (index: number) => {
+    tourStep.value = index;
+  };
   return (
     <aside class="tour" aria-label="Tour">
-      <p aria-live="polite">{text}</p>
+      <p aria-live="polite">{isTouch() ? touchText : text}</p>
       <div class="tour-foot">
         <span class="muted">
-          {step.value + 1} of {hints.length}
+          {step + 1} of {hints.length}
         </span>
         <span class="spacer" />
-        {step.value > 0 && (
-          <button type="button" class="button flat" onClick={() => goTo(step.value - 1)}>
+        {step > 0 && (
+          <button type="button" class="button flat" onClick={() => goTo(step - 1)}>
             Back
           </button>
         )}
-        <button type="button" class="button primary" onClick={() => goTo(step.value + 1)}>
+        <button
+          type="button"
+          class="button primary"
+          onClick={() => (isLast ? endTour() : goTo(step + 1))}
+        >
           {isLast ? "Done" : "Next"}
         </button>
       </div>
@@ -82,7 +75,8 @@ export function Tour() {
           type="button"
           class="button flat icon-only"
           aria-label="End the tour"
-          onClick={() => goTo(hints.length)}
+          title={`End the tour (${keyOf("escape")})`}
+          onClick={endTour}
         >
           <Icon name="close" />
         </button>

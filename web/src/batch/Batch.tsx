@@ -2,6 +2,7 @@ import { computed, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import {
   exportAll,
+  hideTable,
   rerunBatch,
   resumeBatch,
   retryFailed,
@@ -10,7 +11,7 @@ import {
 } from "../actions/batch";
 import { commandOf, tooltip } from "../actions/commands";
 import { columns, filterRows, sortRows } from "../model/table";
-import { batchRequest, batchRows, finishedCount, tableVisible } from "../store/batch";
+import { batchRequest, batchRows, finishedCount } from "../store/batch";
 import { openClip } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
@@ -113,9 +114,7 @@ function Toolbar() {
         class="button icon-only"
         aria-label={closeLabel}
         title={closeLabel}
-        onClick={() => {
-          tableVisible.value = false;
-        }}
+        onClick={hideTable}
       >
         <Icon name="close" />
       </button>

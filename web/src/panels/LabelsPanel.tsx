@@ -9,6 +9,7 @@ import { detection, openClip, plants, reference, source } from "../store/session
 import { plantFormats } from "../store/settings";
 import { FormatButton } from "../ui/FormatButton";
 import { ListHead } from "../ui/ListHead";
+import { OpenOrDrop } from "../ui/OpenOrDrop";
 import { VirtualList } from "../ui/VirtualList";
 import { PlantEditor } from "./PlantEditor";
 
@@ -26,7 +27,9 @@ export function LabelsPanel() {
             Compare with reference
           </button>
         )}
-        <p class="note">Drop a label file (JSON, CSV or NPZ) to compare it with these labels.</p>
+        <p class="note">
+          <OpenOrDrop /> a label file (JSON, CSV or NPZ) to compare it with these labels.
+        </p>
       </div>
     </>
   );

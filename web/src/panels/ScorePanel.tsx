@@ -4,7 +4,7 @@ import { removeReference } from "../actions/compare";
 import { adoptReference } from "../actions/edit";
 import { jumpTo } from "../actions/playback";
 import type { Disagreement, Score } from "../model/types";
-import { frame } from "../store/playback";
+import { frame, playing } from "../store/playback";
 import { openClip, reference, score, scorePart, scores } from "../store/session";
 import { PropertyList } from "../ui/PropertyList";
 import { VirtualList } from "../ui/VirtualList";
@@ -169,7 +169,8 @@ function Disagreements({ score: { disagreements } }: { score: Score }) {
       </div>
       <VirtualList
         items={disagreements}
-        visibleIndex={current < 0 ? undefined : current}
+        // During playback, the list would scroll the table of accuracies away.
+        visibleIndex={playing.value || current < 0 ? undefined : current}
         renderRow={(item) => (
           <DisagreementRow key={`${item.side} ${item.start}`} disagreement={item} rate={rate} />
         )}

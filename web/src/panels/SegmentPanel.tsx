@@ -24,6 +24,7 @@ import { segmentFormats, segmentMethods, segmentOptions } from "../store/setting
 import { FormatButton } from "../ui/FormatButton";
 import { Icon } from "../ui/icons";
 import { ListHead } from "../ui/ListHead";
+import { OpenOrDrop } from "../ui/OpenOrDrop";
 import { VirtualList } from "../ui/VirtualList";
 import { formatCount } from "../util/format";
 import { HistoryButton } from "./HistoryButton";
@@ -312,7 +313,9 @@ function SegmentList() {
         renderRow={(segment) => <Row key={segment.start} segment={segment} rate={rate} />}
       />
       {!referenceSegments.value && (
-        <p class="note">Drop a segment file (JSON or CSV) to compare it with these segments.</p>
+        <p class="note">
+          <OpenOrDrop /> a segment file (JSON or CSV) to compare it with these segments.
+        </p>
       )}
     </div>
   );

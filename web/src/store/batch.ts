@@ -13,6 +13,8 @@ export interface BatchRow {
   status: "waiting" | "running" | "done" | "failed";
   summary?: ClipSummary;
   failure?: Failure;
+  /** Hash of the file; absent until it is processed, or if the page was not loaded over https. */
+  hash?: string;
   /** True if the user has marked it as checked. */
   isChecked?: boolean;
 }

@@ -161,7 +161,7 @@ export function Timeline() {
       />
       <StorageStatus />
       <SimilarOffer />
-      <Transport />
+      <Transport layout={layout} />
       {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div
         class="tracks"

@@ -1,10 +1,22 @@
+import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { hiddenTracks, type TrackGroup, trackGroups } from "../store/preferences";
 import { Menu } from "../ui/Menu";
+import { joinWords } from "../util/format";
+import type { Layout, OmittedTrack } from "./layout";
 
 const groupNames: Record<TrackGroup, string> = {
   parts: "Heel and toe",
   curves: "Height and speed",
   segments: "Segments",
+};
+
+const omittedNames: Record<OmittedTrack, string> = {
+  parts: "heel and toe",
+  references: "references of heel and toe",
+  height: "height",
+  speed: "speed",
+  segments: "segments",
+  curve: "cut score",
 };
 
 /** What the marks of the timeline mean; the class draws a sample of each. */
@@ -20,10 +32,19 @@ const legend = [
 ] as const;
 
 /** Chooses the tracks that the timeline shows, and explains its marks. */
-export function TracksMenu() {
+export function TracksMenu({ layout }: { layout: ReadonlySignal<Layout> }) {
   const hidden = hiddenTracks.value;
+  const omitted = useComputed(() => layout.value.omitted).value;
   return (
-    <Menu label="Tracks" title="Choose tracks, and see what the marks mean">
+    <Menu
+      label={
+        <>
+          Tracks
+          {omitted.length > 0 && <span class="omitted-mark"> {omitted.length} not shown</span>}
+        </>
+      }
+      title="Choose tracks, and see what the marks mean"
+    >
       <fieldset class="menu-choices">
         <legend>Tracks</legend>
         {trackGroups.map((group) => (
@@ -43,6 +64,12 @@ export function TracksMenu() {
           </label>
         ))}
       </fieldset>
+      {omitted.length > 0 && (
+        <p class="note">
+          There is no space for {joinWords(omitted.map((track) => omittedNames[track]))}. Make the
+          timeline taller, or hide other tracks.
+        </p>
+      )}
       <h2>Legend</h2>
       <dl class="legend">
         {legend.map(([name, text]) => (

@@ -1,4 +1,4 @@
-import { useComputed } from "@preact/signals";
+import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { commandOf, keyOf, tooltip } from "../actions/commands";
 import { speeds } from "../actions/playback";
 import {
@@ -13,10 +13,11 @@ import {
 import { openClip, plants } from "../store/session";
 import { Icon } from "../ui/icons";
 import { formatClock, formatCount, formatRange } from "../util/format";
+import type { Layout } from "./layout";
 import { TracksMenu } from "./TracksMenu";
 
 /** Playback controls, with the time and the frame of the playhead. */
-export function Transport() {
+export function Transport({ layout }: { layout: ReadonlySignal<Layout> }) {
   const { frames = 0, rate = 1 } = openClip.value ?? {};
   const timeText = useComputed(() => formatClock(frame.value / (openClip.value?.rate ?? 1)));
   const frameText = useComputed(() => formatCount(frame.value));
@@ -73,7 +74,7 @@ export function Transport() {
           ))}
         </select>
       </label>
-      <TracksMenu />
+      <TracksMenu layout={layout} />
       <button
         type="button"
         class="button fit"

@@ -25,7 +25,7 @@ import {
   plants,
   selectedCut,
 } from "../store/session";
-import { hovered } from "../store/view";
+import { hovered, notify } from "../store/view";
 import { createHitTest, type LanePoint } from "./hit-test";
 import type { Layout } from "./layout";
 
@@ -326,6 +326,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
       editEdges(bar);
       return;
     }
+    if (event.pointerType === "touch") notify("Drag an end of the bar to correct it");
     select(bar);
     const plant = plants.value.find((p) => p.side === side && p.start < end && p.end > start);
     pause();

@@ -34,6 +34,15 @@ it("shows the labelled parts of each foot, then the curves", () => {
   expect(kinds(null, 1440, 284)).toEqual([]);
 });
 
+it("lists the tracks that do not fit, without those that are hidden", () => {
+  const omitted = (height: number, hidden: LayoutInput["hidden"] = []) =>
+    layoutTimeline({ ...emptyInput, detection: robust, hidden }, 1440, height).omitted;
+  expect(omitted(284)).toEqual([]);
+  expect(omitted(220)).toEqual(["speed"]);
+  expect(omitted(120)).toEqual(["parts", "height", "speed"]);
+  expect(omitted(120, ["parts", "curves"])).toEqual([]);
+});
+
 it("accepts any subset of parts", () => {
   expect(kinds({ ...robust, parts: { contact: tracks } }, 1440, 284)).toEqual([
     "contact",

@@ -78,8 +78,13 @@ export interface LayoutInput {
   hidden: readonly TrackGroup[];
 }
 
+/** Tracks that are left out if the timeline is too small for all. */
+export type OmittedTrack = "parts" | "references" | "height" | "speed" | "segments" | "curve";
+
 export interface Layout {
   lanes: readonly Lane[];
+  /** Tracks that do not fit, without those that the user has hidden. */
+  omitted: readonly OmittedTrack[];
   /** Position of the minimap below the lanes, in CSS pixels. */
   minimap: { y: number; height: number };
   ruler: { height: number };
@@ -148,7 +153,8 @@ const partOrder = ["contact", "heel", "toe"] as const;
  * Lays out the lanes from top to bottom: for each foot the principal part and the others as far as they
  * are labelled, each above its reference; comparison clips; curves of the feet; segments, motifs and
  * reference segments; the curve of the segmentation method. Curves divide the remaining height evenly, and
- * are left out if it is too small, as are the parts that do not define the plants. Sizes are in CSS pixels.
+ * are left out if it is too small, as are the parts that do not define the plants; `omitted` lists what is
+ * left out. Sizes are in CSS pixels.
  */
 export function layoutTimeline(input: LayoutInput, width: number, availableHeight: number): Layout {
   const { detection, reference, hidden } = input;
@@ -156,7 +162,9 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
   const parts = detection?.parts ?? {};
   const principal = principalPart(parts);
   const footHeight = size.principal + size.group;
-  const minHeight = size.ruler + 6 + (principal ? 2 * footHeight : 0) + size.minimap + 10;
+  const referenceHeight = detection && reference ? size.reference + size.gap : 0;
+  const feetHeight = principal ? 2 * (footHeight + referenceHeight) : 0;
+  const minHeight = size.ruler + 6 + feetHeight + size.minimap + 10;
   const allSegments = segmentLanes(input, size);
   // On a very short timeline the feet come first.
   const isShort = availableHeight < minHeight + (allSegments[0]?.height ?? 0) + size.gap;
@@ -165,8 +173,11 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
   const reservedHeight = size.minimap + 10 + segmentsHeight + (segments.length ? size.gap : 0);
   const referenced =
     detection && reference ? partOrder.filter((part) => reference.parts[part]) : [];
+  const wantedParts = partOrder.filter(
+    (part) => parts[part] && (part === principal || !hidden.includes("parts")),
+  );
   const visible = visibleParts(
-    partOrder.filter((part) => parts[part] && (part === principal || !hidden.includes("parts"))),
+    wantedParts,
     referenced,
     principal,
     size,
@@ -200,13 +211,12 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
   const part = parts.toe ? "toe" : principalPart(parts);
   const tracks = part && parts[part];
   const remaining = availableHeight - y - reservedHeight - 2;
-  const wantedCurves = hidden.includes("curves")
-    ? []
-    : [
-        tracks && "height",
-        input.segmentation?.curve.values.length && "curve",
-        tracks && "speed",
-      ].filter(Boolean);
+  const wantedCurves: ("height" | "curve" | "speed")[] = [];
+  if (!hidden.includes("curves")) {
+    if (tracks) wantedCurves.push("height");
+    if (input.segmentation?.curve.values.length) wantedCurves.push("curve");
+    if (tracks) wantedCurves.push("speed");
+  }
   const curveCount = Math.min(
     Math.max(0, Math.floor(remaining / (size.curve + 8))),
     wantedCurves.length,
@@ -225,9 +235,14 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
     add({ kind: "curve", height });
     y += 8 - size.gap;
   } else if (segments.length) y += size.gap;
+  const omitted: OmittedTrack[] = wantedCurves.slice(curveCount);
+  if (segments.length < allSegments.length) omitted.unshift("segments");
+  if (visible.referenced.length < referenced.length) omitted.unshift("references");
+  if (visible.parts.length < wantedParts.length) omitted.unshift("parts");
   const minimapY = Math.max(y, availableHeight - size.minimap - 10);
   return {
     lanes,
+    omitted,
     minimap: { y: minimapY, height: size.minimap },
     ruler: { height: size.ruler },
     labelWidth: size.labelWidth,

@@ -55,7 +55,14 @@ export function Menu({
         {label}
       </button>
       {isOpen.value && (
-        <div class="menu-panel" id={id}>
+        <div
+          class="menu-panel"
+          id={id}
+          ref={(element) => {
+            const top = button.current?.getBoundingClientRect().top ?? 0;
+            element?.style.setProperty("--space-above", `${top}px`);
+          }}
+        >
           {children}
         </div>
       )}

@@ -6,6 +6,7 @@ import {
   formatDuration,
   formatNumber,
   formatRate,
+  joinWords,
 } from "./format";
 
 describe("formatClock", () => {
@@ -43,4 +44,11 @@ it("groups thousands", () => {
 it("formats file sizes", () => {
   expect(formatBytes(512)).toBe("512 B");
   expect(formatBytes(12_400_000)).toBe("12.4 MB");
+});
+
+it("joins words", () => {
+  expect(joinWords([])).toBe("");
+  expect(joinWords(["height"])).toBe("height");
+  expect(joinWords(["height", "speed"])).toBe("height and speed");
+  expect(joinWords(["heel", "toe", "speed"])).toBe("heel, toe and speed");
 });

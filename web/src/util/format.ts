@@ -44,6 +44,10 @@ export function formatNumber(value: number, decimals: number): string {
 /** Returns a text with a capital first letter. */
 export const capitalize = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
+/** Joins words: `height`, `height and speed`, `heel, toe and speed`. */
+export const joinWords = (words: readonly string[]) =>
+  [words.slice(0, -1).join(", "), ...words.slice(-1)].filter(Boolean).join(" and ");
+
 /** Formats a count with its noun: `1 plant`, `2 plants`. */
 export function plural(n: number, noun: string): string {
   return `${formatCount(n)} ${noun}${n === 1 ? "" : "s"}`;
