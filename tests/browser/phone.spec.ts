@@ -148,6 +148,18 @@ test("shares a clip of a batch", async ({ app, page }) => {
   await expect(app.dialog).toBeVisible();
 });
 
+test("shows clips of a batch side by side", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await app.drop(sample("drunken-stagger"), sample("straight-jog"));
+  for (const name of ["drunken-stagger.bvh", "straight-jog.bvh"]) {
+    const button = page.getByRole("button", { name: `${name} side by side` });
+    await expect(button).toBeInViewport({ ratio: 1 });
+    await button.tap();
+    await expect(button).toHaveAttribute("aria-pressed", "true");
+  }
+  await expectNoHorizontalScroll(app);
+});
+
 test("has a usable 3D view on a short screen", async ({ app, page }) => {
   await page.setViewportSize({ width: 375, height: 667 });
   await app.openSample("ballet");

@@ -6,6 +6,7 @@ import { columns } from "../model/table";
 import type { BatchRow } from "../store/batch";
 import { companions, maxCompanions } from "../store/companions";
 import { openClip, source } from "../store/session";
+import { Icon } from "../ui/icons";
 import { useVisibleRows } from "../ui/use-visible-rows";
 
 const rowHeight = 40;
@@ -134,7 +135,8 @@ function SideBySideButton({ row: { source } }: { row: BatchRow }) {
       }
       onClick={() => (isShown ? removeCompanion(source) : addCompanion(source))}
     >
-      Side by side
+      <Icon name="panel" />
+      <span>Side by side</span>
     </button>
   );
 }
