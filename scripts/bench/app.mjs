@@ -141,7 +141,8 @@ async function firstVisits(launch) {
     return performance.now() - start;
   };
   const loadAll = async (page) => {
-    await page.goto(`${server.address}third-party.html`);
+    // Any page of the server without a content security policy of its own.
+    await page.goto(`${server.address}nothing`);
     return await page.evaluate(async (files) => {
       const start = performance.now();
       await Promise.all(files.map(async (file) => (await fetch(file)).arrayBuffer()));

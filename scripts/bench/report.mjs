@@ -10,7 +10,7 @@ import { isMet } from "./pairs.mjs";
 const chartFolder = "docs/results";
 
 const formatTime = (value) =>
-  value >= 1000 ? `${(value / 1000).toPrecision(3)} s` : `${value.toPrecision(3)} ms`;
+  value >= 1000 ? `${(value / 1000).toFixed(2)} s` : `${value.toPrecision(3)} ms`;
 const formatMegabytes = (bytes) => `${(bytes / 1e6).toFixed(bytes < 1e8 ? 1 : 0)} MB`;
 const formatCount = (value) => Number(value).toLocaleString("en");
 /** Formats a ratio with three digits. */
@@ -99,10 +99,9 @@ Unless stated otherwise, work is done by the WebAssembly module in Chromium on o
 "native" is the same code without a browser. Labelling is a first detection of all parts of both feet
 with everything that it needs from the clip. Clips are generated (\`crate/synth\`) at 120 Hz, with the
 number format of recording software. Python libraries run after the work that they are compared with,
-because their threads would disturb it. Memory of the page is
-the peak of its process. Times of the main thread are processor times, since software rendering
-competes for the same processors. \`npm run bench -- --against REF\` compares the working tree with
-another commit.
+because their threads would disturb it. Memory of the page is the peak of its process. Times of the main
+thread are processor times, since software rendering competes for the same processors.
+\`npm run bench -- --against REF\` compares the working tree with another commit.
 
 ${toTable(rows)}
 
