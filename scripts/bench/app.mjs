@@ -136,7 +136,7 @@ async function firstVisits(launch) {
   const server = await serveSlowly(join(root, "web/dist"));
   const visit = async (page) => {
     const start = performance.now();
-    await page.goto(`${server.address}#sample=walk`, { waitUntil: "commit" });
+    await page.goto(`${server.address}#sample=curved-walk`, { waitUntil: "commit" });
     await page.locator(".pills").first().waitFor();
     return performance.now() - start;
   };
