@@ -81,7 +81,7 @@ test("playback does not scroll the accuracies away", async ({ app, page }) => {
   await page.keyboard.press("k");
 });
 
-test("keeps the curves next to reference labels, or reports that they do not fit", async ({
+test("shows the curves next to reference labels, or reports that they do not fit", async ({
   app,
   page,
 }) => {
