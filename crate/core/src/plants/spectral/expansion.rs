@@ -13,14 +13,10 @@
 //! almost cancel: a single sample evaluated without a target cell is close to exact.
 
 use crate::plants::spectral::affinity::Kernel;
-use crate::plants::spectral::cells::{CellExtent, Cells, DIMS, Point};
-
-/// Number of axes with second moments; along the others, cells have almost no extent.
-const LEADING_AXES: usize = 4;
-/// Number of entries of a symmetric matrix over these axes.
-const TRIANGLE: usize = LEADING_AXES * (LEADING_AXES + 1) / 2;
-/// Number of cells processed by one vector instruction.
-const LANES: usize = 8;
+use crate::plants::spectral::cells::{Cells, DIMS, Point};
+use crate::plants::spectral::source_cells::{
+    LANES, LEADING_AXES, Lanes, Sources, TRIANGLE, ZEROS, entries, source_moments,
+};
 
 /// Samples farther from the centre of their cell than this, in units of the bandwidth, are
 /// evaluated one by one because the series is short …
@@ -36,120 +32,14 @@ const PARENT_ERROR: f32 = 5e-4;
 /// are relative to the bandwidth, which counts as further distance.
 const SURROUNDING: f32 = 4.0;
 
-type Lanes = [f32; LANES];
-const ZEROS: Lanes = [0.0; LANES];
-
-/// Source cells, one per lane.
-#[derive(Clone)]
-struct Sources {
-    weight: Lanes,
-    centre: [Lanes; DIMS],
-    /// Second moments about the centre: lower triangle by rows.
-    moments: [Lanes; TRIANGLE],
-    /// Trace of the second moments over all axes.
-    trace: Lanes,
-    /// Mean squared distance from the principal subspace.
-    residual: Lanes,
-}
-
-impl Sources {
-    /// Sources without weight.
-    const NONE: Sources = Sources {
-        weight: ZEROS,
-        centre: [ZEROS; DIMS],
-        moments: [ZEROS; TRIANGLE],
-        trace: ZEROS,
-        residual: ZEROS,
-    };
-
-    /// Sets one lane to the cell that stands for all lanes of `children`.
-    fn set_parent(&mut self, lane: usize, children: &Sources) {
-        let weight: f32 = children.weight.iter().sum();
-        if weight <= 0.0 {
-            return;
-        }
-        let mean = |values: &Lanes| {
-            values.iter().zip(&children.weight).map(|(value, weight)| value * weight).sum::<f32>() / weight
-        };
-        let centre = children.centre.each_ref().map(mean);
-        self.weight[lane] = weight;
-        self.residual[lane] = mean(&children.residual);
-        for (own, centre) in self.centre.iter_mut().zip(centre) {
-            own[lane] = centre;
-        }
-        for child in 0..LANES {
-            let weight = children.weight[child];
-            let offset: [f32; DIMS] = std::array::from_fn(|axis| children.centre[axis][child] - centre[axis]);
-            self.trace[lane] +=
-                children.trace[child] + weight * offset.iter().map(|offset| offset * offset).sum::<f32>();
-            for (entry, (row, column)) in entries().enumerate() {
-                self.moments[entry][lane] +=
-                    children.moments[entry][child] + weight * offset[row] * offset[column];
-            }
-        }
-    }
-
-    /// Removes the cells of the given lanes.
-    fn remove(&mut self, lanes: [bool; LANES]) {
-        let moments = self.moments.iter_mut();
-        for values in moments.chain([&mut self.weight, &mut self.trace]) {
-            for (value, removed) in values.iter_mut().zip(lanes) {
-                *value = if removed { 0.0 } else { *value };
-            }
-        }
-    }
-
-    /// Returns the offsets from the centres to a point and their squared lengths. `residual` is the
-    /// squared distance of the point from the principal subspace.
-    #[inline(always)]
-    fn offsets(&self, position: &[f32; DIMS], residual: f32) -> ([Lanes; DIMS], Lanes) {
-        let mut offset = [ZEROS; DIMS];
-        let mut squared = self.residual.map(|own| own + residual);
-        for axis in 0..DIMS {
-            for lane in 0..LANES {
-                offset[axis][lane] = position[axis] - self.centre[axis][lane];
-                squared[lane] += offset[axis][lane] * offset[axis][lane];
-            }
-        }
-        (offset, squared)
-    }
-
-    /// Returns the product of the second moments and the offset.
-    #[inline(always)]
-    fn moment_product(&self, offset: &[Lanes; DIMS]) -> [Lanes; LEADING_AXES] {
-        let mut product = [ZEROS; LEADING_AXES];
-        let mut entry = 0;
-        for row in 0..LEADING_AXES {
-            for column in 0..=row {
-                let moments = &self.moments[entry];
-                entry += 1;
-                for lane in 0..LANES {
-                    product[row][lane] += moments[lane] * offset[column][lane];
-                }
-                if column < row {
-                    for lane in 0..LANES {
-                        product[column][lane] += moments[lane] * offset[row][lane];
-                    }
-                }
-            }
-        }
-        product
-    }
-}
-
 /// Returns the sum over all sources at a point with the squared distance `residual` from the
 /// principal subspace.
 #[inline(always)]
-fn value_at(
-    position: &[f32; DIMS],
-    residual: f32,
-    sources: &[Sources],
-    derivatives: impl Fn(Lanes) -> [Lanes; 4],
-) -> f32 {
+fn value_at(position: &[f32; DIMS], residual: f32, sources: &[Sources], kernel: Kernel) -> f32 {
     let mut value = ZEROS;
     for source in sources {
         let (offset, squared) = source.offsets(position, residual);
-        let [f, f1, f2, _] = derivatives(squared);
+        let [f, f1, f2, _] = derivatives(kernel, squared);
         let product = source.moment_product(&offset);
         for lane in 0..LANES {
             let mut along = 0.0;
@@ -181,18 +71,12 @@ impl Selection {
     /// deviation of the samples of a parent as its extent, and that of the second moments along the axes that
     /// have none.
     #[inline(always)]
-    fn select(
-        &mut self,
-        parents: &[Sources],
-        position: &[f32; DIMS],
-        residual: f32,
-        derivatives: impl Fn(Lanes) -> [Lanes; 4],
-    ) {
+    fn select(&mut self, parents: &[Sources], position: &[f32; DIMS], residual: f32, kernel: Kernel) {
         let mut sums = ZEROS;
         self.errors.clear();
         for parent in parents {
             let (_, squared) = parent.offsets(position, residual);
-            let [f, _, f2, f3] = derivatives(squared);
+            let [f, _, f2, f3] = derivatives(kernel, squared);
             let mut minor = parent.trace;
             for (moments, _) in
                 parent.moments.iter().zip(entries()).filter(|(_, (row, column))| row == column)
@@ -280,10 +164,7 @@ impl Expansion {
             let position = centre.map(|position| position * scale);
             let mean =
                 points.iter().map(|point| point.residual).sum::<f32>() / points.len() as f32 * scale * scale;
-            let local = match self.kernel {
-                Kernel::Gaussian => self.local(&position, mean, &mut selected, gaussian),
-                Kernel::Cauchy => self.local(&position, mean, &mut selected, cauchy),
-            };
+            let local = self.local(&position, mean, &mut selected);
             for point in points {
                 let offset: [f32; DIMS] =
                     std::array::from_fn(|axis| (point.coords[axis] - centre[axis]) * scale);
@@ -309,28 +190,28 @@ impl Expansion {
     /// Returns the expansion about a target. Parents stand for their sources where that is accurate
     /// enough.
     #[inline(always)]
-    fn local(
-        &self,
-        position: &[f32; DIMS],
-        residual: f32,
-        selected: &mut Selection,
-        derivatives: impl Fn(Lanes) -> [Lanes; 4] + Copy,
-    ) -> LocalExpansion {
-        selected.select(&self.parents, position, residual, derivatives);
+    fn local(&self, position: &[f32; DIMS], residual: f32, selected: &mut Selection) -> LocalExpansion {
+        selected.select(&self.parents, position, residual, self.kernel);
         let Selection { parents, divided, .. } = &*selected;
         let sources = divided.iter().map(|&index| &self.sources[index]);
-        LocalExpansion::new(position, residual, parents.iter().chain(sources), derivatives)
+        LocalExpansion::new(position, residual, parents.iter().chain(sources), self.kernel)
     }
 
     /// Returns the sum for one sample, without a target expansion.
     pub fn at(&self, point: &Point) -> f64 {
         let position = point.coords.map(|position| position * self.scale);
         let residual = point.residual * self.scale * self.scale;
-        let sum = match self.kernel {
-            Kernel::Gaussian => value_at(&position, residual, &self.sources, gaussian),
-            Kernel::Cauchy => value_at(&position, residual, &self.sources, cauchy),
-        };
+        let sum = value_at(&position, residual, &self.sources, self.kernel);
         f64::from(sum).max(0.0)
+    }
+}
+
+/// Returns the kernel and its first three derivatives, as functions of the squared distance.
+#[inline(always)]
+fn derivatives(kernel: Kernel, squared: Lanes) -> [Lanes; 4] {
+    match kernel {
+        Kernel::Gaussian => gaussian(squared),
+        Kernel::Cauchy => cauchy(squared),
     }
 }
 
@@ -354,60 +235,13 @@ fn cauchy(squared: Lanes) -> [Lanes; 4] {
     [value, first, second, third]
 }
 
-/// Computes the moments of all source cells, with lengths times `scale`; unused lanes have weight
-/// 0.
-fn source_moments(cells: &Cells, weights: &[f64], scale: f64) -> Vec<Sources> {
-    let moments_of = |chunk: &[CellExtent]| {
-        let mut sources = Sources::NONE;
-        for (lane, (range, mean)) in chunk.iter().enumerate() {
-            let points = &cells.points[range.clone()];
-            let weighted = || points.iter().map(|point| (point, weights[point.index as usize]));
-            let total: f64 = weighted().map(|(_, weight)| weight).sum();
-            let centre: [f64; DIMS] = std::array::from_fn(|axis| {
-                let offset = |position: f32| f64::from(position - mean[axis]);
-                let sum: f64 = weighted().map(|(point, weight)| weight * offset(point.coords[axis])).sum();
-                f64::from(mean[axis]) + if total > 0.0 { sum / total } else { 0.0 }
-            });
-            let mut moments = [0.0; TRIANGLE];
-            let (mut trace, mut residual) = (0.0, 0.0);
-            for (point, weight) in weighted() {
-                let offset: [f64; DIMS] =
-                    std::array::from_fn(|axis| f64::from(point.coords[axis]) - centre[axis]);
-                trace += weight * offset.iter().map(|offset| offset * offset).sum::<f64>();
-                residual += weight * f64::from(point.residual);
-                for (moment, (row, column)) in moments.iter_mut().zip(entries()) {
-                    *moment += weight * offset[row] * offset[column];
-                }
-            }
-            sources.weight[lane] = total as f32;
-            sources.trace[lane] = (trace * scale * scale) as f32;
-            sources.residual[lane] =
-                if total > 0.0 { (residual / total * scale * scale) as f32 } else { 0.0 };
-            for (lanes, value) in sources.centre.iter_mut().zip(centre) {
-                lanes[lane] = (value * scale) as f32;
-            }
-            for (lanes, value) in sources.moments.iter_mut().zip(moments) {
-                lanes[lane] = (value * scale * scale) as f32;
-            }
-        }
-        sources
-    };
-    cells.sources.chunks(LANES).map(moments_of).collect()
-}
-
-/// Returns row and column of each entry of a lower triangle.
-#[inline(always)]
-fn entries() -> impl Iterator<Item = (usize, usize)> {
-    (0..LEADING_AXES).flat_map(|row| (0..=row).map(move |column| (row, column)))
-}
-
 impl LocalExpansion {
     #[inline(always)]
     fn new<'a>(
         centre: &[f32; DIMS],
         residual: f32,
         sources: impl Iterator<Item = &'a Sources>,
-        derivatives: impl Fn(Lanes) -> [Lanes; 4],
+        kernel: Kernel,
     ) -> LocalExpansion {
         let mut value = ZEROS;
         let mut isotropic = ZEROS;
@@ -415,7 +249,7 @@ impl LocalExpansion {
         let mut hessian = [ZEROS; TRIANGLE];
         for source in sources {
             let (offset, squared) = source.offsets(centre, residual);
-            let [f, f1, f2, f3] = derivatives(squared);
+            let [f, f1, f2, f3] = derivatives(kernel, squared);
             let product = source.moment_product(&offset);
             let mut along = ZEROS;
             for axis in 0..LEADING_AXES {

@@ -7,5 +7,6 @@ pub(crate) mod degree;
 pub(crate) mod expansion;
 pub(crate) mod field;
 pub(crate) mod lanczos;
+mod source_cells;
 pub(crate) mod threshold;
 pub(crate) mod two_means;
