@@ -40,7 +40,12 @@ const checks = {
   ],
   scripts: [
     "Scripts",
-    () => nodeTest("tests/scripts/counts.test.mjs", "tests/scripts/third-party.test.mjs"),
+    () =>
+      nodeTest(
+        "tests/scripts/counts.test.mjs",
+        "tests/scripts/pairs.test.mjs",
+        "tests/scripts/third-party.test.mjs",
+      ),
   ],
   core: [
     "Core, samples and command line",

@@ -90,8 +90,15 @@ export async function packageRows({ native }) {
   });
 }
 
+let prepared;
+
 /** Returns a Python with the libraries that can be installed, or undefined if there is no Python. */
-async function python() {
+function python() {
+  prepared ??= installLibraries();
+  return prepared;
+}
+
+async function installLibraries() {
   const found = findPython();
   if ("message" in found) {
     console.log(`${found.message} Python libraries are not measured.`);

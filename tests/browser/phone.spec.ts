@@ -148,6 +148,17 @@ test("shares a clip of a batch", async ({ app, page }) => {
   await expect(app.dialog).toBeVisible();
 });
 
+test("shows how many plants of a clip are to be reviewed", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await app.drop(sample("drunken-stagger"), sample("straight-jog"), sample("bowling"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  const cells = page.getByRole("cell", { name: / to review$/ });
+  expect(await cells.count()).toBeGreaterThan(0);
+  for (const cell of await cells.all()) {
+    expect(await cell.evaluate((element) => element.scrollWidth - element.clientWidth)).toBe(0);
+  }
+});
+
 test("shows clips of a batch side by side", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await app.drop(sample("drunken-stagger"), sample("straight-jog"));

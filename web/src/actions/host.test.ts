@@ -1,10 +1,10 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { HostMessage, PageMessage } from "../model/host";
 import type { Source } from "../model/source";
-import type { Edit } from "../model/types";
 import { ClipSession, openSession, session } from "../store/clip-session";
 import { detectOptions } from "../store/settings";
 import { theme } from "../store/theme";
+import { edit } from "../testing/edit";
 import { createWalkingClip } from "../testing/walking-clip";
 
 vi.mock("../engine", () => import("../testing/fake-engine"));
@@ -13,13 +13,6 @@ const { commitEdits, undo } = await import("./edit");
 const { followHost, shareWithHost } = await import("./host");
 const { setDetectOptions, setOverrides } = await import("./detect");
 
-const edit = (start: number): Edit => ({
-  side: "left",
-  part: "contact",
-  start,
-  end: start + 10,
-  planted: true,
-});
 const shared = { id: "", edits: [edit(0)], names: [] };
 
 /** Messages that the host has received. */

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import type { Edit } from "../model/types";
 import { ClipSession, openSession, session } from "../store/clip-session";
+import { edit } from "../testing/edit";
 import { engine } from "../testing/fake-engine";
 import { createWalkingClip } from "../testing/walking-clip";
 
@@ -9,13 +9,6 @@ vi.mock("../engine", () => import("../testing/fake-engine"));
 const { commitEdits, undo } = await import("./edit");
 const { restorePersisted } = await import("./persist");
 
-const edit = (start: number): Edit => ({
-  side: "left",
-  part: "contact",
-  start,
-  end: start + 10,
-  planted: true,
-});
 const key = "plantigrade:clip:abc";
 const stored = () => JSON.parse(localStorage.getItem(key) ?? "null");
 

@@ -64,6 +64,7 @@ function Cells({ row }: { row: BatchRow }) {
         others.map((column) => (
           <td
             key={column.key}
+            data-key={column.key}
             data-minor={column.minor}
             title={column.text(row) === "–" ? toSentence(problem ?? "") : undefined}
           >

@@ -28,8 +28,8 @@ const SAMPLES_PER_FAR: usize = 100;
 /// parents. Chosen on generated motion (seeds 0 to 2), where two thirds of the cells are then left out and
 /// no label differs from those without parents.
 const PARENT_ERROR: f32 = 5e-4;
-/// A parent is also divided if the square of its extent, times this, exceeds that of its distance; lengths
-/// are relative to the bandwidth, which counts as further distance.
+/// A parent is also divided if its squared extent times this exceeds 1 plus its squared distance, both in
+/// units of the bandwidth: the series does not describe samples around the target.
 const SURROUNDING: f32 = 4.0;
 
 /// Returns the sum over all sources at a point with the squared distance `residual` from the
@@ -92,7 +92,6 @@ impl Selection {
                 let change = f3[lane].abs() * squared[lane];
                 let third_order = (squared[lane] * square).sqrt() * (2.0 * curvature + 4.0 / 3.0 * change);
                 let fourth_order = square * (0.5 * curvature + 2.0 * change);
-                // The series does not describe samples around the target.
                 let surrounds = SURROUNDING * square > 1.0 + squared[lane];
                 let error =
                     trace * (third_order + fourth_order) + 2.0 * minor[lane] * curvature * squared[lane];
