@@ -22,6 +22,8 @@ const BYTES_PER_BYTE: usize = 200;
 /// … and for an input of any length, in bytes.
 const BASE_BYTES: usize = 4 << 20;
 
+/// Codes below this one select all segmentation methods, the others the fast ones.
+const SLOW_CODES: u8 = 12;
 /// Number of frames that are segmented by unfolding.
 const MVU_FRAMES: usize = 6;
 
@@ -183,8 +185,10 @@ fn measure_and_clean(clip: &Clip, skeleton: &Skeleton, feet: &Feet, detection: &
 }
 
 fn segment(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8) {
-    let method = segments::Method::ALL[usize::from(method) % segments::Method::ALL.len()];
-    // Unfolding takes as long as everything else for hundreds of clips.
+    // Few codes select the methods that take as long as everything else for tens or hundreds of clips.
+    let all = segments::Method::ALL;
+    let methods = if method < SLOW_CODES { all } else { &[segments::Method::Auto, segments::Method::Lsd] };
+    let method = methods[usize::from(method) % methods.len()];
     let short = (method == segments::Method::Mvu).then(|| clip.slice(0..MVU_FRAMES));
     let clip = short.as_ref().unwrap_or(clip);
     let params = segments::Params { method, published: flags & 0x40 != 0, ..segments::Params::default() };
