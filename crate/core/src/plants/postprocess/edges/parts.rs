@@ -87,8 +87,14 @@ impl Stance<'_> {
         let mut edges = Vec::new();
         for run in intervals(&own[self.plant.clone()]) {
             let run = run.start + self.plant.start..run.end + self.plant.start;
-            edges.extend(self.landing(part, run.start, other));
-            edges.extend(self.lift(part, run.end, other));
+            let Range { start, end } = *self.sole.span;
+            // A part that is planted at an end of the motion does not land or lift there.
+            if run.start > start {
+                edges.extend(self.landing(part, run.start, other));
+            }
+            if run.end < end {
+                edges.extend(self.lift(part, run.end, other));
+            }
         }
         edges
     }
@@ -297,5 +303,12 @@ mod tests {
         // Contact that begins and ends with the clip has no edges.
         let contact = labels(0..240, &[]);
         assert_eq!(refined([&height, &height], &contact, [0..240, 0..240]), [vec![], vec![]]);
+    }
+
+    #[test]
+    fn a_foot_that_pitches_at_the_ends_of_the_clip_does_not_land_or_lift_there() {
+        let contact = labels(0..240, &[]);
+        let ankle = |time| 0.1 + rising(time - 0.85) + falling(time + 0.5);
+        assert_eq!(refined([&ankle, &|_| 0.1], &contact, [0..240, 0..240]), [vec![], vec![]]);
     }
 }
