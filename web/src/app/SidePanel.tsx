@@ -101,7 +101,9 @@ export function SidePanel() {
           ))}
         </div>
       </div>
+      {/* Each tab begins at its top. */}
       <div
+        key={activeTab.value}
         class="panel-body"
         data-scrolls
         role="tabpanel"

@@ -1,8 +1,9 @@
 import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { runDetection } from "../actions/detect";
+import { canRedo, canUndo } from "../actions/edit";
 import { principalTracks } from "../model/plants";
-import { companions } from "../store/companions";
+import { shownCompanions } from "../store/companions";
 import { opening } from "../store/jobs";
 import { loopedRange, loopedSegment, timeView } from "../store/playback";
 import { hiddenTracks, timelineHeight } from "../store/preferences";
@@ -26,7 +27,9 @@ import {
 import { theme } from "../store/theme";
 import { video } from "../store/video";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
+import { lazy } from "../ui/lazy";
 import { Splitter, setSize } from "../ui/Splitter";
+import { isTouch } from "../ui/touch";
 import { attachGestures } from "./gestures";
 import { LanesMessage } from "./LanesMessage";
 import { layoutTimeline } from "./layout";
@@ -40,6 +43,13 @@ import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 import { VideoLane } from "./VideoLane";
 
+const EditBar = lazy(() => import("./EditBar").then((module) => module.EditBar));
+
+/** Returns the height of the tracks without what the style sheet adds for a comparison, in pixels. */
+const ownHeight = (tracks: HTMLElement) =>
+  tracks.clientHeight -
+  (Number.parseFloat(getComputedStyle(tracks).getPropertyValue("--compared-height")) || 0);
+
 export function Timeline() {
   const container = useRef<HTMLDivElement | null>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -51,7 +61,7 @@ export function Timeline() {
       reference: reference.value,
       segmentation: segmentation.value,
       referenceSegments: referenceSegments.value,
-      companions: openClip.value ? companions.value : [],
+      companions: shownCompanions.value,
       hidden: hiddenTracks.value,
     };
     return layoutTimeline(input, size.value.width, size.value.height);
@@ -157,17 +167,23 @@ export function Timeline() {
         label="Height of the timeline"
         orientation="horizontal"
         size={timelineHeight}
-        measure={() => container.current?.clientHeight ?? 0}
+        measure={() => (container.current ? ownHeight(container.current) : 0)}
       />
       <StorageStatus />
-      <SimilarOffer />
+      <div class="above-timeline">
+        <SimilarOffer />
+        {isTouch() &&
+          (canUndo.value || canRedo.value || selected.value || selectedCut.value !== null) && (
+            <EditBar />
+          )}
+      </div>
       <Transport layout={layout} />
       {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div
         class="tracks"
         ref={(element) => {
           container.current = element;
-          setSize(element, "--tracks-height", height);
+          setSize(element, "--own-height", height);
         }}
       >
         <canvas ref={canvas} class={hasFrames ? undefined : "no-frames"} />
