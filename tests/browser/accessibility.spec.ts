@@ -156,7 +156,7 @@ onPhones(() => {
       await page.emulateMedia({ colorScheme });
       await app.openSample("bowling");
       await page.keyboard.press("e");
-      await expect(app.timeline.getByRole("group", { name: "Edit" })).toBeVisible();
+      await expect(app.page.getByRole("group", { name: "Edit", exact: true })).toBeVisible();
       await expectAccessible(page);
     });
   }

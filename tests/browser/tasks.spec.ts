@@ -193,6 +193,19 @@ test("goes to the frame with the largest slide", async ({ app }) => {
   expect(starts.some(({ start, end }) => start < frame && frame < end)).toBe(true);
 });
 
+test("a message disappears while others are announced", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await page.keyboard.press("e");
+  await page.keyboard.press("a");
+  const message = page.locator(".message");
+  await expect(message).toBeVisible();
+  await expect(async () => {
+    // Announces the next plant at the playhead.
+    await page.keyboard.press("e");
+    await expect(message).toBeHidden({ timeout: 100 });
+  }).toPass();
+});
+
 test("marks the selected plant in the list", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await app.tab("Labels");

@@ -43,7 +43,6 @@ atEachSize(() => {
     await app.openSample("curved-walk");
     await zoomAt(app, 0.3, -400);
     const onLeft = await pose(app);
-    await app.openSample("curved-walk");
     await app.page.reload();
     await app.waitForClip("curved-walk.bvh");
     await zoomAt(app, 0.7, -400);
@@ -62,7 +61,7 @@ atEachSize(() => {
       await app.stillPicture();
       const { eye, at } = await pose(app);
       expect(at.y).toBeLessThan(0.3);
-      expect(distance(eye, at)).toBeLessThan(3);
+      expect(distance(eye, at)).toBeLessThan(4);
     }
   });
 });

@@ -1,7 +1,6 @@
 import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { runDetection } from "../actions/detect";
-import { canRedo, canUndo } from "../actions/edit";
 import { principalTracks } from "../model/plants";
 import { shownCompanions } from "../store/companions";
 import { opening } from "../store/jobs";
@@ -27,9 +26,7 @@ import {
 import { theme } from "../store/theme";
 import { video } from "../store/video";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
-import { lazy } from "../ui/lazy";
 import { Splitter, setSize } from "../ui/Splitter";
-import { isTouch } from "../ui/touch";
 import { attachGestures } from "./gestures";
 import { LanesMessage } from "./LanesMessage";
 import { layoutTimeline } from "./layout";
@@ -42,8 +39,6 @@ import { SimilarOffer } from "./SimilarOffer";
 import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 import { VideoLane } from "./VideoLane";
-
-const EditBar = lazy(() => import("./EditBar").then((module) => module.EditBar));
 
 /** Returns the height of the tracks without what the style sheet adds for a comparison, in pixels. */
 const ownHeight = (tracks: HTMLElement) =>
@@ -75,7 +70,9 @@ export function Timeline() {
     const element = container.current;
     if (!element) return;
     const observer = new ResizeObserver(() => {
-      size.value = { width: element.clientWidth, height: element.clientHeight };
+      // A canvas that is higher by a fraction of a pixel would scroll.
+      const height = Math.floor(element.getBoundingClientRect().height);
+      size.value = { width: element.clientWidth, height };
     });
     observer.observe(element);
     return () => observer.disconnect();
@@ -170,13 +167,7 @@ export function Timeline() {
         measure={() => (container.current ? ownHeight(container.current) : 0)}
       />
       <StorageStatus />
-      <div class="above-timeline">
-        <SimilarOffer />
-        {isTouch() &&
-          (canUndo.value || canRedo.value || selected.value || selectedCut.value !== null) && (
-            <EditBar />
-          )}
-      </div>
+      <SimilarOffer />
       <Transport layout={layout} />
       {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div
