@@ -1,7 +1,7 @@
 /** Space for the view, the timeline and the panel on pages of every size. */
 
 import { type App, expect, test } from "./app";
-import { clip } from "./clips";
+import { clip, sample } from "./clips";
 import { atEachSize, viewports } from "./viewports";
 
 const container = (app: App) => app.tracks.locator("xpath=..");
@@ -66,7 +66,39 @@ atEachSize((size) => {
     await page.keyboard.press("End");
     await page.keyboard.press("Shift+ArrowLeft");
     await page.keyboard.press("e");
-    await expect(app.panel.getByRole("button", { pressed: true })).toBeInViewport({ ratio: 0.9 });
+    const selected = app.panel.getByRole("button", { pressed: true });
+    await expect(selected).toBeInViewport({ ratio: 0.9 });
+    // All columns fit.
+    const overflow = await selected.evaluate((row) => row.scrollWidth - row.clientWidth);
+    expect(overflow).toBe(0);
+  });
+
+  test("every tab begins at its top", async ({ app }) => {
+    await app.openSample("limp-to-run");
+    await app.tab("Clip");
+    const scrollTop = () => app.panel.evaluate((panel) => panel.scrollTop);
+    await app.panel.evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
+    expect(await scrollTop()).toBeGreaterThan(0);
+    await app.tab("Labels");
+    expect(await scrollTop()).toBe(0);
+  });
+
+  test("shows the names of clips in the table, and marks a tab of each clip", async ({
+    app,
+    page,
+  }) => {
+    await app.openStartPage();
+    await app.drop(sample("bowling"), sample("frog-jumps"), clip("samples/frog-jumps.json"));
+    await expect(page.getByText(/^All processed/)).toBeVisible();
+    const name = page.getByRole("button", { name: "frog-jumps.bvh", exact: true });
+    const start = name.locator(".name-start");
+    expect(await start.evaluate((text) => text.scrollWidth - text.clientWidth)).toBe(0);
+    await name.click();
+    await expect(page.getByRole("tab", { name: "Score", selected: true })).toBeVisible();
+    expect((await app.head.getByText("frog-jumps.bvh").boundingBox())?.width).toBeGreaterThan(60);
+    await page.keyboard.press("n");
+    await app.waitForClip("bowling.bvh");
+    await expect(page.getByRole("tab", { selected: true })).toHaveCount(1);
   });
 
   test("shows the segments while their tab is open", async ({ app }) => {
@@ -147,6 +179,15 @@ atEachSize(
   },
   ["phone"],
 );
+
+test("shows edited plants, also in a hidden panel", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await page.keyboard.press("e");
+  await page.keyboard.press("q");
+  await page.keyboard.press("p");
+  await app.head.getByRole("button", { name: "edited" }).click();
+  await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeVisible();
+});
 
 test("a comparison makes a timeline higher whose height the user has set", async ({
   app,

@@ -168,29 +168,29 @@ atEachSize((size) => {
     await page.keyboard.press("Shift+u");
     await expect(uncertain.nth(1)).toHaveAttribute("aria-pressed", "true");
   });
-});
 
-test("corrects the foot skate of one plant", async ({ app, page }) => {
-  await app.openSample("limp-to-run");
-  await page.keyboard.press("e");
-  await app.tab("Clip");
-  await app.panel.getByRole("button", { name: "Only selected plant" }).click();
-  await expect(app.panel.getByText("Only the selected plant is corrected.")).toBeVisible();
-  await app.panel.getByRole("button", { name: "Discard" }).click();
-  await expect(app.panel.getByRole("button", { name: "Fix foot skate" })).toBeVisible();
-});
+  test("corrects the foot skate of one plant", async ({ app, page }) => {
+    await app.openSample("limp-to-run");
+    await page.keyboard.press("e");
+    await app.tab("Clip");
+    await app.panel.getByRole("button", { name: "Only selected plant" }).click();
+    await expect(app.panel.getByText("Only the selected plant is corrected.")).toBeVisible();
+    await app.panel.getByRole("button", { name: "Discard" }).click();
+    await expect(app.panel.getByRole("button", { name: "Fix foot skate" })).toBeVisible();
+  });
 
-test("goes to the frame with the largest slide", async ({ app }) => {
-  await app.openSample("limp-to-run");
-  await app.tab("Clip");
-  const slide = app.panel.getByRole("button", { name: /cm$/ });
-  const title = (await slide.getAttribute("title")) ?? "";
-  const frame = Number(title.match(/\d+/)?.[0]);
-  await slide.click();
-  expect(await app.frame()).toBe(frame);
-  const plants = await labelsOf(app);
-  const starts = [...(plants.left.contact ?? []), ...(plants.right.contact ?? [])];
-  expect(starts.some(({ start, end }) => start < frame && frame < end)).toBe(true);
+  test("goes to the frame with the largest slide", async ({ app }) => {
+    await app.openSample("limp-to-run");
+    await app.tab("Clip");
+    const slide = app.panel.getByRole("button", { name: /cm$/ });
+    const title = (await slide.getAttribute("title")) ?? "";
+    const frame = Number(title.match(/\d+/)?.[0]);
+    await slide.click();
+    expect(await app.frame()).toBe(frame);
+    const plants = await labelsOf(app);
+    const starts = [...(plants.left.contact ?? []), ...(plants.right.contact ?? [])];
+    expect(starts.some(({ start, end }) => start < frame && frame < end)).toBe(true);
+  });
 });
 
 test("a message disappears while others are announced", async ({ app, page }) => {

@@ -2,6 +2,7 @@
 
 import type { Locator } from "@playwright/test";
 import { type App, expect, test } from "./app";
+import { sample } from "./clips";
 import { readLabels } from "./labels";
 import { onPhones } from "./viewports";
 
@@ -145,6 +146,26 @@ onPhones((size) => {
     await page.keyboard.press("Escape");
     await app.openShareDialog();
     expect(await smallTargets(app)).toEqual([]);
+  });
+
+  test("shows clips side by side", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await page.keyboard.press("e");
+    await page.keyboard.press("q");
+    await app.drop(sample("bowling"), sample("frog-jumps"));
+    const button = page.getByRole("button", { name: "bowling.bvh side by side" });
+    await expect(button).toHaveCSS("opacity", "1");
+    await button.tap();
+    await expect(button).toHaveAttribute("aria-pressed", "true");
+    await page.getByRole("button", { name: "Back to curved-walk.bvh" }).tap();
+    const shown = page.getByRole("list", { name: "Comparison clips" });
+    await expect(shown).toBeInViewport({ ratio: 1 });
+    const others = [editBar(app), app.view.locator(".pill.left"), app.view.locator(".pill.right")];
+    for (const other of others) expect(await overlaps(shown, other)).toBe(false);
+    // Files are opened, not dropped.
+    await app.tab("Segment");
+    await expect(app.panel.getByText("a segment file")).toBeVisible();
+    await expect(app.panel.getByText("or drop")).toBeHidden();
   });
 
   test("leaves timeline and transport in sight while the panel is open", async ({ app }) => {
