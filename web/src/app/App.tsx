@@ -94,6 +94,7 @@ export function App() {
           {clip && <VideoPane />}
         </div>
         {clip ? <Timeline /> : !isHosted && <StartPage />}
+        <TouchEdits />
         <input
           ref={setFileInput}
           hidden
@@ -106,7 +107,6 @@ export function App() {
         {!dialog.value && <Progress />}
       </main>
       {clip && <SidePanel />}
-      <TouchEdits />
       <Tour />
       {tableVisible.value && <Batch />}
       <Dialogs />
