@@ -183,7 +183,7 @@ atEachSize(
 test("shows edited plants, also in a hidden panel", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await page.keyboard.press("e");
-  await page.keyboard.press("q");
+  await page.keyboard.press("Delete");
   await page.keyboard.press("p");
   await app.head.getByRole("button", { name: "edited" }).click();
   await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeVisible();
