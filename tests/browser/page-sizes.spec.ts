@@ -37,6 +37,9 @@ atEachSize((size) => {
       (await app.timeline.getByText(/^There is no space/).allInnerTexts()).join();
     await menu.click();
     await expect(app.timeline.getByText("Low confidence: review these frames")).toBeVisible();
+    const panel = app.timeline.locator(".menu-panel");
+    await expect(panel).toBeInViewport({ ratio: 1 });
+    expect((await panel.boundingBox())?.height).toBeGreaterThan(120);
     const before = await shown();
     await app.timeline.getByRole("checkbox", { name: "Height and speed" }).uncheck();
     await expect.poll(async () => (await shown()) === before).toBe(false);
