@@ -126,20 +126,42 @@ export async function buildWheel(interpreter, options = []) {
   return join(wheels, name);
 }
 
-/** Builds the wheel, installs it and runs its tests. Returns the output. */
-export async function pythonTests() {
+/**
+ * Creates the virtual environments of the tests, one after the other. Returns their interpreters, or a message
+ * that states why the package cannot be tested. An environment without which only some tests are skipped is
+ * undefined if it cannot be created.
+ */
+export async function prepareEnvironments() {
   const found = findPython();
-  if ("message" in found) {
-    console.log(`${found.message} The Python package is not tested.`);
+  if ("message" in found) return found;
+  const create = (name, packages) => environment(found.python, name, packages);
+  const wheels = "--only-binary=:all:";
+  const test = await create("test", requirements());
+  // Packages that define orders of joints; only their lists of names are read.
+  await optional(() => pip(test, ["--no-deps", "smplx==0.1.28", "mediapipe==1.2.3"]));
+  return {
+    test,
+    notebook: await optional(() => create("notebook", [...NOTEBOOK, wheels])),
+    cluster: await optional(() => create("cluster", [...CLUSTER, wheels])),
+    oldest: await optional(() => create("numpy-1.26", ["numpy==1.26.4", "pytest==9.*", wheels])),
+  };
+}
+
+/**
+ * Builds the wheel, installs it and runs its tests. Returns the output.
+ * @param {ReturnType<typeof prepareEnvironments>} environments
+ */
+export async function pythonTests(environments) {
+  const prepared = await environments;
+  if ("message" in prepared) {
+    console.log(`${prepared.message} The Python package is not tested.`);
     return "1 skipped in 0s\n";
   }
-  const interpreter = await environment(found.python, "test", requirements());
+  const { test: interpreter, notebook, cluster, oldest } = prepared;
   const wheel = await buildWheel(interpreter);
   const size = readFileSync(wheel).length;
   if (size > MAX_WHEEL) throw new Stop(`The wheel has ${size} bytes, more than ${MAX_WHEEL}.`);
   await installWheel(interpreter, wheel);
-  // Packages that define orders of joints; only their lists of names are read.
-  await optional(() => pip(interpreter, ["--no-deps", "smplx==0.1.28", "mediapipe==1.2.3"]));
   await run("cargo", ["build", "--locked", "--profile", "test", "-p", "plantigrade-cli"], {
     source: CRATES,
   });
@@ -164,9 +186,6 @@ export async function pythonTests() {
     path,
   ]);
   let output = await pytest(interpreter, join(folder, "tests"), ...others);
-  const notebook = await optional(() =>
-    environment(found.python, "notebook", [...NOTEBOOK, "--only-binary=:all:"]),
-  );
   if (notebook) {
     await installWheel(notebook, wheel);
     output += await pytest(notebook, ...inTests(NOTEBOOK_TESTS));
@@ -175,9 +194,6 @@ export async function pythonTests() {
     console.log("The viewer and the notebooks are not tested, because JupyterLab is missing.");
     output += `${NOTEBOOK_TESTS.length + 1} skipped in 0s\n`;
   }
-  const cluster = await optional(() =>
-    environment(found.python, "cluster", [...CLUSTER, "--only-binary=:all:"]),
-  );
   if (cluster) {
     await installWheel(cluster, wheel);
     output += await pytest(
@@ -185,13 +201,6 @@ export async function pythonTests() {
       ...inTests(["test_ray.py", "test_sklearn.py", "test_batch.py"]),
     );
   }
-  const oldest = await optional(() =>
-    environment(found.python, "numpy-1.26", [
-      "numpy==1.26.4",
-      "pytest==9.*",
-      "--only-binary=:all:",
-    ]),
-  );
   if (oldest) {
     await installWheel(oldest, wheel);
     const selection = ["-k", "not parity and not documentation"];

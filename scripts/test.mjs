@@ -6,7 +6,7 @@ import { browser } from "./browser.mjs";
 import { buildSite } from "./build.mjs";
 import { countTests } from "./counts.mjs";
 import { buildPackage } from "./package.mjs";
-import { pythonTests } from "./python.mjs";
+import { prepareEnvironments, pythonTests } from "./python.mjs";
 import { main, root, run, Stop, step } from "./run.mjs";
 import { bindgen, CRATES, setup, tool } from "./setup.mjs";
 
@@ -62,7 +62,7 @@ const checks = {
   web: ["Web units", () => node("vitest/vitest.mjs", "run", "--root", "web")],
   package: ["The npm package", packageTests],
   size: ["Download size", sizeTests],
-  python: ["The Python package", pythonTests],
+  python: ["The Python package", () => pythonTests(environments)],
   browser: ["The app in a browser", browserTests],
 };
 
@@ -102,6 +102,9 @@ async function wasm() {
   return output;
 }
 
+/** Environments of Python, which are created during other checks. */
+let environments;
+
 let siteBuild;
 
 /** Builds the site once for all checks. */
@@ -128,9 +131,10 @@ async function browserTests() {
   });
 }
 
-/** Runs one check. Returns its counts, and the failure, if any. */
+/** Runs one check. Returns its counts, and the failure, if any, and prints how long it took. */
 async function runCheck([title, check]) {
   step(title);
+  const start = performance.now();
   try {
     return { counts: countTests(await check()) };
   } catch (error) {
@@ -139,6 +143,8 @@ async function runCheck([title, check]) {
     // A check without tests counts as one.
     if (counts.failed === 0) counts.failed = 1;
     return { counts, failure: `${title}: ${error.message}` };
+  } finally {
+    console.log(`  ${title}: ${((performance.now() - start) / 1000).toFixed(0)} s`);
   }
 }
 
@@ -148,10 +154,16 @@ await main(async () => {
   if (unknown)
     throw new Stop(`Unknown check "${unknown}". The checks are ${Object.keys(checks).join(", ")}.`);
   await setup();
+  const isSelected = (name) => names.length === 0 || names.includes(name);
+  if (isSelected("python")) {
+    environments = prepareEnvironments();
+    // Reported by the check that awaits it.
+    environments.catch(() => {});
+  }
   const failures = [];
   const total = { passed: 0, failed: 0, skipped: 0 };
   for (const [name, check] of Object.entries(checks)) {
-    if (names.length > 0 && !names.includes(name)) continue;
+    if (!isSelected(name)) continue;
     const { counts, failure } = await runCheck(check);
     for (const kind of Object.keys(total)) total[kind] += counts[kind];
     if (failure) failures.push(failure);

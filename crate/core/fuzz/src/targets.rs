@@ -5,12 +5,12 @@ use std::sync::{Arc, OnceLock};
 
 use peak_alloc::PeakAlloc;
 use plantigrade::bvh::{self, Clip, Options, Parsed, Reader};
-use plantigrade::foot::Side;
+use plantigrade::foot::{Part, Side};
 use plantigrade::formats::{
     self, PlantExport, PlantFormat, SegmentExport, SegmentFormat, SegmentsDocument, Source,
 };
 use plantigrade::gait::Gait;
-use plantigrade::plants::{self, Detection, Feet};
+use plantigrade::plants::{self, Corrections, Detection, Edit, Feet};
 use plantigrade::segments;
 use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::{Overrides, Skeleton, Up};
@@ -22,6 +22,8 @@ const BYTES_PER_BYTE: usize = 200;
 /// … and for an input of any length, in bytes.
 const BASE_BYTES: usize = 4 << 20;
 
+/// Codes below this one select all segmentation methods, the others the fast ones.
+const SLOW_CODES: u8 = 12;
 /// Number of frames that are segmented by unfolding.
 const MVU_FRAMES: usize = 6;
 
@@ -78,6 +80,9 @@ pub fn labels(data: &[u8]) {
             assert_eq!(labels.len(), frames);
         }
     }
+    if let Ok(edits) = formats::read_edits(file, frames) {
+        assert!(edits.iter().all(|edit| edit.start < edit.end && edit.end <= frames));
+    }
     let Ok(text) = std::str::from_utf8(file) else { return };
     let rate = 30.0;
     let _ = formats::has_segments(text, "clip");
@@ -104,7 +109,7 @@ pub fn pipeline(data: &[u8]) {
         assert!(skeleton.positions(&clip).iter().all(|position| position.is_finite()));
         let stage = Stage::of(method);
         if stage != Stage::Segments {
-            label(&clip, &skeleton, method & 0x3f, flags, stage);
+            label(&clip, &skeleton, method & 0x3f, flags, stage, edits);
         }
         if matches!(stage, Stage::Segments | Stage::All) {
             segment(&clip, &skeleton, segmentation, flags);
@@ -127,17 +132,42 @@ impl Stage {
     }
 }
 
-fn label(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8, stage: Stage) {
+fn label(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8, stage: Stage, edits: &[u8]) {
     let Ok(feet) = Feet::new(clip, skeleton) else { return };
     let method = plants::Method::ALL[usize::from(method) % plants::Method::ALL.len()];
     let params = plants::Params { method, exact: flags & 0x20 != 0, ..plants::Params::default() };
     let detection = plants::detect(&feet, params.check().expect("valid parameters"));
     if stage != Stage::CleanUp {
         write_labels(clip, skeleton, &detection);
+        write_labels(clip, skeleton, &corrected(&feet, &detection, edits));
     }
     if stage != Stage::Labels {
         measure_and_clean(clip, skeleton, &feet, &detection);
     }
+}
+
+/// Applies the corrections of a person, which the first bytes of `edits` determine, to similar motion. The last
+/// of them holds in all its frames.
+fn corrected(feet: &Feet, detection: &Detection, edits: &[u8]) -> Detection {
+    let frames = feet.frame_count();
+    let edit = |&[frame, part, length, planted]: &[u8; 4]| {
+        let start = usize::from(frame) % frames;
+        Edit {
+            side: Side::BOTH[usize::from(part & 1)],
+            part: Part::ALL[usize::from(part >> 1) % Part::ALL.len()],
+            start,
+            end: (start + 1 + usize::from(length % 8)).min(frames),
+            planted: planted & 1 == 1,
+        }
+    };
+    let edits: Vec<Edit> = edits.as_chunks::<4>().0.iter().take(4).map(edit).collect();
+    let corrected = Corrections::learn(feet, detection, &edits).apply(feet, detection, &edits).detection;
+    if let Some(&Edit { side, part, start, end, planted }) = edits.last()
+        && let Some(labels) = corrected.part(part)
+    {
+        assert!(labels.foot(side).planted[start..end].iter().all(|&label| label == planted));
+    }
+    corrected
 }
 
 /// Every file that is written is read back.
@@ -183,8 +213,10 @@ fn measure_and_clean(clip: &Clip, skeleton: &Skeleton, feet: &Feet, detection: &
 }
 
 fn segment(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8) {
-    let method = segments::Method::ALL[usize::from(method) % segments::Method::ALL.len()];
-    // Unfolding takes as long as everything else for hundreds of clips.
+    // Few codes select the methods that take as long as everything else for tens or hundreds of clips.
+    let all = segments::Method::ALL;
+    let methods = if method < SLOW_CODES { all } else { &[segments::Method::Auto, segments::Method::Lsd] };
+    let method = methods[usize::from(method) % methods.len()];
     let short = (method == segments::Method::Mvu).then(|| clip.slice(0..MVU_FRAMES));
     let clip = short.as_ref().unwrap_or(clip);
     let params = segments::Params { method, published: flags & 0x40 != 0, ..segments::Params::default() };

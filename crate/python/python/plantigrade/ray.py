@@ -80,6 +80,9 @@ the detection, as JSON. Labels are one value per frame, and null for parts that 
 confidence is that of contact. Times and uncertainties of events are in seconds.
 """
 
+#: Rows are collected as Python objects, which take more memory than the table.
+_ROWS_PER_TABLE = 64
+
 #: Names of the files of results, which Ray gives them.
 _RESULT = re.compile(r"\w+_\d{6}[-\d]*\.parquet")
 
@@ -116,7 +119,7 @@ def run(
     out: str,
     *,
     address: str | None = None,
-    clips_per_task: int = 64,
+    clips_per_task: int | None = None,
     concurrency: int | None = None,
     **options: Any,  # noqa: ANN401
 ) -> Summary:
@@ -135,8 +138,9 @@ def run(
         Address of the folder for the results.
     address : str, optional
         Address of the cluster. By default, Ray that is running is used, or the local machine.
-    clips_per_task : int
-        Number of clips, or of members of an archive, per task; an archive is one task at least.
+    clips_per_task : int, optional
+        Number of clips per task; an archive is a task of its own. By default 256, or fewer if there would be
+        fewer than four tasks per processor. Scheduling takes about 0.2 s per task.
     concurrency : int, optional
         Maximum number of tasks at the same time; one per processor by default.
     **options
@@ -161,6 +165,9 @@ def run(
     sources = list_inputs([inputs] if isinstance(inputs, str) else inputs)
     todo = [source for source in sources if source not in done]
     plain = [source for source in todo if not _is_archive(source)]
+    if clips_per_task is None:
+        processors = int(ray.cluster_resources().get("CPU", 1))
+        clips_per_task = min(256, max(1, len(plain) // (4 * processors)))
     items = [
         {"sources": plain[start : start + clips_per_task], "done": [""]}
         for start in range(0, len(plain), clips_per_task)
@@ -178,7 +185,7 @@ def run(
             label_task,
             batch_size=1,
             batch_format="pyarrow",
-            fn_args=(options, clips_per_task),
+            fn_args=(options, _ROWS_PER_TABLE),
             concurrency=concurrency,
         )
         filesystem, path = _filesystem(out)
@@ -418,7 +425,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("inputs", nargs="+", help="BVH files, folders, patterns, archives (.tar)")
     parser.add_argument("--out", required=True, help="folder for the Parquet files")
     parser.add_argument("--address", help="address of the cluster, or auto; default: this machine")
-    parser.add_argument("--clips-per-task", type=int, default=64, metavar="N", help="default: 64")
+    parser.add_argument("--clips-per-task", type=int, metavar="N", help="default: 256 or fewer")
     parser.add_argument("--concurrency", type=int, metavar="N", help="default: one task per processor")
     parser.add_argument("--method", default="robust", help="detection method; default: robust")
     parser.add_argument("--fps", type=float, help="frame rate, instead of that of the files")
