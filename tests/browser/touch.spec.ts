@@ -42,14 +42,20 @@ async function smallTargets(app: App): Promise<string[]> {
     ":is(button, select, input):visible:not(.visually-hidden *, .sheet-handle)",
   );
   const sizes = await controls.evaluateAll((elements) =>
-    elements.map((element) => {
-      // A label is part of the control.
-      const { height } = (element.closest("label") ?? element).getBoundingClientRect();
-      // The area in the camera controls of a low view is higher than what is displayed.
-      const area = Number.parseFloat(getComputedStyle(element, "::before").height) || 0;
-      const name = element.getAttribute("aria-label") ?? element.textContent;
-      return { name: `${name} (${element.className})`, height: Math.round(Math.max(height, area)) };
-    }),
+    // A list may have replaced its rows since they were found.
+    elements
+      .filter((element) => element.isConnected)
+      .map((element) => {
+        // A label is part of the control.
+        const { height } = (element.closest("label") ?? element).getBoundingClientRect();
+        // The area in the camera controls of a low view is higher than what is displayed.
+        const area = Number.parseFloat(getComputedStyle(element, "::before").height) || 0;
+        const name = element.getAttribute("aria-label") ?? element.textContent;
+        return {
+          name: `${name} (${element.className})`,
+          height: Math.round(Math.max(height, area)),
+        };
+      }),
   );
   expect(sizes.length).toBeGreaterThan(10);
   return sizes.filter(({ height }) => height < 44).map(({ name, height }) => `${name}: ${height}`);
