@@ -3,7 +3,7 @@ import type { Page } from "@playwright/test";
 import { type App, expect, test } from "./app";
 import { bad, clip, file, good, sample } from "./clips";
 import { storeRecord } from "./stored-records";
-import { eachViewport } from "./viewports";
+import { atEachSize, onPhones } from "./viewports";
 
 /** States of the page, and functions that reach them. */
 const states: Record<string, (app: App) => Promise<void>> = {
@@ -138,15 +138,29 @@ for (const colorScheme of ["dark", "light"] as const) {
   }
 }
 
-for (const [name, viewport] of eachViewport) {
-  test(`the Labels tab is accessible on a page of the size ${name}`, async ({ app, page }) => {
-    await page.setViewportSize(viewport);
+atEachSize(() => {
+  test("the Labels tab is accessible", async ({ app, page }) => {
     await app.openSample("bowling");
     await page.getByRole("tab", { name: "Labels" }).click();
     await page.keyboard.press("e");
     await expectAccessible(page);
   });
-}
+});
+
+onPhones(() => {
+  for (const colorScheme of ["dark", "light"] as const) {
+    test(`the buttons for edits are accessible in the ${colorScheme} theme`, async ({
+      app,
+      page,
+    }) => {
+      await page.emulateMedia({ colorScheme });
+      await app.openSample("bowling");
+      await page.keyboard.press("e");
+      await expect(app.page.getByRole("group", { name: "Edit", exact: true })).toBeVisible();
+      await expectAccessible(page);
+    });
+  }
+});
 
 async function expectAccessible(page: Page) {
   const { violations } = await new AxeBuilder({ page }).analyze();

@@ -202,10 +202,11 @@ export class App {
     return this.frame();
   }
 
+  /** Shows a tab; on a phone, also raises the sheet. */
   async tab(name: Tab) {
-    const tab = this.page.getByRole("tab", { name });
-    if ((await tab.getAttribute("aria-selected")) !== "true") await tab.click();
-    await expect(this.page.getByRole("tabpanel", { name })).toBeVisible();
+    const panel = this.page.getByRole("tabpanel", { name });
+    if (!(await panel.isVisible())) await this.page.getByRole("tab", { name }).click();
+    await expect(panel).toBeVisible();
   }
 
   /** Returns the value of a property in the panel. */

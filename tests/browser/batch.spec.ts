@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { strToU8, unzipSync, Zip, ZipDeflate, zipSync } from "fflate";
 import { type App, expect, test } from "./app";
 import { bad, clip, good, type Payload, sample } from "./clips";
+import { atEachSize } from "./viewports";
 
 const table = (app: App) => app.page.getByRole("table", { name: /clips$/ });
 const row = (app: App, name: string) =>
@@ -64,24 +65,6 @@ test("lists several files in a table and reports invalid ones", async ({ app, pa
   await app.alert.getByRole("button", { name: "Dismiss" }).click();
   await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
   await expect(app.playhead).toBeVisible();
-});
-
-test("sorts and filters the table", async ({ app, page }) => {
-  await app.openStartPage();
-  await app.drop(sample("bowling"), sample("curved-walk"), bad("ragged-row"), sample("frog-jumps"));
-  await waitForBatch(app);
-  const frames = page.getByRole("columnheader", { name: "Frames" });
-  await frames.getByRole("button").click();
-  await expect(frames).toHaveAttribute("aria-sort", "ascending");
-  const up = await names(app);
-  expect(up.at(-1)).toBe("ragged-row.bvh");
-  await frames.getByRole("button").click();
-  await expect(frames).toHaveAttribute("aria-sort", "descending");
-  expect(await names(app)).toEqual([...up.slice(0, 3).reverse(), "ragged-row.bvh"]);
-  await page.getByRole("searchbox", { name: "Filter by name" }).fill("walk");
-  expect(await names(app)).toEqual(["curved-walk.bvh"]);
-  await page.getByRole("searchbox", { name: "Filter by name" }).fill("failed");
-  expect(await names(app)).toEqual(["ragged-row.bvh"]);
 });
 
 test("unpacks an archive and saves all labels in another one", async ({ app, page }) => {
@@ -224,27 +207,6 @@ test("applies stored edits and changed options in the table", async ({ app, page
   await expect(page.getByText("All processed · Paper")).toBeVisible();
 });
 
-test("reviews the least certain clip first", async ({ app, page }) => {
-  await app.openStartPage();
-  await app.drop(sample("bowling"), sample("curved-walk"), sample("frog-jumps"), bad("ragged-row"));
-  await waitForBatch(app);
-  await expect(page.getByText("All processed, 1 failed")).toBeVisible();
-  await page.getByRole("columnheader", { name: "Confidence" }).getByRole("button").click();
-  const order = (await names(app)).slice(0, 3);
-  await page.getByRole("button", { name: /^Review 3/ }).click();
-  await app.waitForClip(order[0] ?? "");
-  await page.keyboard.press("c");
-  await expect(app.head.getByRole("checkbox", { name: "Checked" })).toBeChecked();
-  await page.keyboard.press("n");
-  await app.waitForClip(order[1] ?? "");
-  await app.head.getByRole("checkbox", { name: "Checked" }).check();
-  await app.head.getByRole("button", { name: /^Next/ }).click();
-  await app.waitForClip(order[2] ?? "");
-  await page.getByRole("button", { name: "4 clips" }).click();
-  await page.getByRole("searchbox", { name: "Filter by name" }).fill("unchecked");
-  await expect(page.getByRole("heading", { name: "2 of 4 clips" })).toBeVisible();
-});
-
 test("scores clips with the labels that were dropped with them", async ({ app, page }) => {
   await app.openStartPage();
   await app.drop(sample("bowling"), sample("frog-jumps"), clip("samples/frog-jumps.json"));
@@ -338,4 +300,55 @@ test("marks clips as checked until their labels are computed in another way", as
   await page.getByRole("button", { name: "Process again" }).click();
   await expect(page.getByText("All processed · Paper")).toBeVisible();
   await expect(checkBox("bowling.bvh")).not.toBeChecked();
+});
+
+atEachSize(() => {
+  test("sorts and filters the table", async ({ app, page }) => {
+    await app.openStartPage();
+    await app.drop(
+      sample("bowling"),
+      sample("curved-walk"),
+      bad("ragged-row"),
+      sample("frog-jumps"),
+    );
+    await waitForBatch(app);
+    const frames = page.getByRole("columnheader", { name: "Frames" });
+    await frames.getByRole("button").click();
+    await expect(frames).toHaveAttribute("aria-sort", "ascending");
+    const up = await names(app);
+    expect(up.at(-1)).toBe("ragged-row.bvh");
+    await frames.getByRole("button").click();
+    await expect(frames).toHaveAttribute("aria-sort", "descending");
+    expect(await names(app)).toEqual([...up.slice(0, 3).reverse(), "ragged-row.bvh"]);
+    await page.getByRole("searchbox", { name: "Filter by name" }).fill("walk");
+    expect(await names(app)).toEqual(["curved-walk.bvh"]);
+    await page.getByRole("searchbox", { name: "Filter by name" }).fill("failed");
+    expect(await names(app)).toEqual(["ragged-row.bvh"]);
+  });
+
+  test("reviews the least certain clip first", async ({ app, page }) => {
+    await app.openStartPage();
+    await app.drop(
+      sample("bowling"),
+      sample("curved-walk"),
+      sample("frog-jumps"),
+      bad("ragged-row"),
+    );
+    await waitForBatch(app);
+    await expect(page.getByText("All processed, 1 failed")).toBeVisible();
+    await page.getByRole("columnheader", { name: "Confidence" }).getByRole("button").click();
+    const order = (await names(app)).slice(0, 3);
+    await page.getByRole("button", { name: /^Review 3/ }).click();
+    await app.waitForClip(order[0] ?? "");
+    await page.keyboard.press("c");
+    await expect(app.head.getByRole("checkbox", { name: "Checked" })).toBeChecked();
+    await page.keyboard.press("n");
+    await app.waitForClip(order[1] ?? "");
+    await app.head.getByRole("checkbox", { name: "Checked" }).check();
+    await app.head.getByRole("button", { name: /^Next/ }).click();
+    await app.waitForClip(order[2] ?? "");
+    await page.getByRole("button", { name: "4 clips" }).click();
+    await page.getByRole("searchbox", { name: "Filter by name" }).fill("unchecked");
+    await expect(page.getByRole("heading", { name: "2 of 4 clips" })).toBeVisible();
+  });
 });

@@ -1,75 +1,77 @@
 /** Keys belong to the timeline, whichever control was used last. */
 
-import { type App, expect, test } from "./app";
-import { eachViewport } from "./viewports";
+import { expect, test } from "./app";
+import { atEachSize } from "./viewports";
 
-/** Opens a tab, which on a phone also raises the sheet. */
-async function openTab(app: App, name: "Detect" | "Labels") {
-  const tab = app.page.getByRole("tab", { name });
-  const panel = app.page.getByRole("tabpanel", { name });
-  if (!(await panel.isVisible()) || (await tab.getAttribute("aria-selected")) !== "true")
-    await tab.click();
-  await expect(panel).toBeVisible();
-}
-
-for (const [name, viewport] of eachViewport) {
-  test.describe(name, () => {
-    test.use({ viewport });
-
-    test("keys step frames after a menu was used with the pointer", async ({ app, page }) => {
-      await app.openSample("curved-walk");
-      await openTab(app, "Detect");
-      const method = page.getByRole("combobox", { name: "Method" });
-      await method.click();
-      await page.keyboard.press("ArrowDown");
-      await page.keyboard.press("Enter");
-      const chosen = await method.inputValue();
-      await page.keyboard.press("ArrowRight");
-      await expect.poll(() => app.frame()).toBe(1);
-      await page.keyboard.press(".");
-      await expect.poll(() => app.frame()).toBe(2);
-      await expect(method).toHaveValue(chosen);
-    });
-
-    test("keys step frames after a number was entered", async ({ app, page }) => {
-      await app.openSample("curved-walk");
-      await openTab(app, "Labels");
-      await page.keyboard.press("e");
-      const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
-      await last.fill("50");
-      await page.keyboard.press("Enter");
-      await expect(last).toHaveValue("50");
-      await page.keyboard.press("ArrowRight");
-      await expect.poll(() => app.frame()).toBe(1);
-      await expect(last).toHaveValue("50");
-    });
-
-    test("the timeline and the view take the focus when they are pressed", async ({
-      app,
-      page,
-    }) => {
-      await app.openSample("curved-walk");
-      await openTab(app, "Labels");
-      await page.keyboard.press("e");
-      const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
-      for (const press of [
-        () => app.pressRuler(0.5),
-        async () => {
-          const box = await app.stage.boundingBox();
-          if (box) await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.6 * box.height);
-        },
-      ]) {
-        await last.click();
-        await expect(last).toBeFocused();
-        await press();
-        await expect(last).not.toBeFocused();
-        await page.keyboard.press("Home");
-        await page.keyboard.press("ArrowRight");
-        await expect.poll(() => app.frame()).toBe(1);
-      }
-    });
+atEachSize(() => {
+  test("keys step frames after a menu was used with the pointer", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await app.tab("Detect");
+    const method = page.getByRole("combobox", { name: "Method" });
+    await method.click();
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("Enter");
+    const chosen = await method.inputValue();
+    await page.keyboard.press("ArrowRight");
+    await expect.poll(() => app.frame()).toBe(1);
+    await page.keyboard.press(".");
+    await expect.poll(() => app.frame()).toBe(2);
+    await expect(method).toHaveValue(chosen);
   });
-}
+
+  test("keys step frames after a number was entered", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await app.tab("Labels");
+    await page.keyboard.press("e");
+    const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+    await last.fill("50");
+    await page.keyboard.press("Enter");
+    await expect(last).toHaveValue("50");
+    await page.keyboard.press("ArrowRight");
+    await expect.poll(() => app.frame()).toBe(1);
+    await expect(last).toHaveValue("50");
+  });
+
+  test("the timeline and the view take the focus when they are pressed", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await app.tab("Labels");
+    await page.keyboard.press("e");
+    const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+    for (const press of [
+      () => app.pressRuler(0.5),
+      async () => {
+        const box = await app.stage.boundingBox();
+        if (box) await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.6 * box.height);
+      },
+    ]) {
+      await last.click();
+      await expect(last).toBeFocused();
+      await press();
+      await expect(last).not.toBeFocused();
+      await page.keyboard.press("Home");
+      await page.keyboard.press("ArrowRight");
+      await expect.poll(() => app.frame()).toBe(1);
+    }
+  });
+
+  test("every step of the sensitivity slider changes it", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await app.tab("Detect");
+    const slider = page.getByRole("slider", { name: "Sensitivity r" });
+    await slider.focus();
+    const seen = new Set([await slider.getAttribute("aria-valuetext")]);
+    for (let i = 1; i <= 12; i++) {
+      await page.keyboard.press(i > 6 ? "ArrowLeft" : "ArrowRight");
+      if (i <= 6) {
+        await expect
+          .poll(async () => seen.has(await slider.getAttribute("aria-valuetext")))
+          .toBe(false);
+        seen.add(await slider.getAttribute("aria-valuetext"));
+      }
+    }
+    await expect(slider).toHaveAttribute("aria-valuetext", "r 0.001");
+  });
+});
 
 test("single letters never reach a menu that has the focus", async ({ app, page }) => {
   await app.openSample("curved-walk");
@@ -94,23 +96,6 @@ test("keys of the menu itself work after it was reached by keyboard", async ({ a
   await page.keyboard.press("ArrowDown");
   await expect(speed).toHaveValue("1.5");
   expect(await app.frame()).toBe(0);
-});
-
-test("every step of the sensitivity slider changes it", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  const slider = page.getByRole("slider", { name: "Sensitivity r" });
-  await slider.focus();
-  const seen = new Set([await slider.getAttribute("aria-valuetext")]);
-  for (let i = 1; i <= 12; i++) {
-    await page.keyboard.press(i > 6 ? "ArrowLeft" : "ArrowRight");
-    if (i <= 6) {
-      await expect
-        .poll(async () => seen.has(await slider.getAttribute("aria-valuetext")))
-        .toBe(false);
-      seen.add(await slider.getAttribute("aria-valuetext"));
-    }
-  }
-  await expect(slider).toHaveAttribute("aria-valuetext", "r 0.001");
 });
 
 test("has the former keys as a choice, which is remembered", async ({ app, page }) => {

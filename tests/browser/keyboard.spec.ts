@@ -1,17 +1,5 @@
 import { expect, test } from "./app";
 
-test("turns the camera by keys 1 to 4 and by buttons", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  for (const [i, name] of ["Perspective", "Front", "Side", "Top"].entries()) {
-    await page.keyboard.press(String(i + 1));
-    const pressed = app.view.getByRole("button", { name, pressed: true });
-    await expect(pressed).toBeVisible();
-  }
-  await app.view.getByRole("button", { name: "Front" }).click();
-  await expect(app.view.getByRole("button", { name: "Front", pressed: true })).toBeVisible();
-  await expect(app.view.getByRole("button", { name: "Top", pressed: false })).toBeVisible();
-});
-
 test("opens and closes the list of keyboard shortcuts", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await page.keyboard.press("?");

@@ -2,52 +2,55 @@
 
 import { expect, test } from "./app";
 import { sample } from "./clips";
+import { atEachSize } from "./viewports";
 
-test("the logo leads to the start page, and Back to the clip", async ({ app, page }) => {
-  await app.openStartPage();
-  await app.drop(sample("bowling"));
-  await app.waitForClip("bowling.bvh");
-  await app.head.getByRole("button", { name: /start page$/ }).click();
-  await expect(app.state).toHaveAttribute("data-state", "empty");
-  await page.getByRole("button", { name: "Frog jumps", exact: true }).click();
-  await app.waitForClip("frog-jumps.bvh");
-  await page.goBack();
-  await expect(app.state).toHaveAttribute("data-state", "empty");
-  await page.goBack();
-  await app.waitForClip("bowling.bvh");
-  await page.goForward();
-  await page.goForward();
-  await app.waitForClip("frog-jumps.bvh");
-});
+atEachSize(() => {
+  test("the logo leads to the start page, and Back to the clip", async ({ app, page }) => {
+    await app.openStartPage();
+    await app.drop(sample("bowling"));
+    await app.waitForClip("bowling.bvh");
+    await app.head.getByRole("button", { name: /start page$/ }).click();
+    await expect(app.state).toHaveAttribute("data-state", "empty");
+    await page.getByRole("button", { name: "Frog jumps", exact: true }).click();
+    await app.waitForClip("frog-jumps.bvh");
+    await page.goBack();
+    await expect(app.state).toHaveAttribute("data-state", "empty");
+    await page.goBack();
+    await app.waitForClip("bowling.bvh");
+    await page.goForward();
+    await page.goForward();
+    await app.waitForClip("frog-jumps.bvh");
+  });
 
-test("Back leads from the first clip to the start page", async ({ app, page }) => {
-  await app.openStartPage();
-  await page.getByRole("button", { name: "Bowling", exact: true }).click();
-  await app.waitForClip("bowling.bvh");
-  await page.goBack();
-  await expect(app.state).toHaveAttribute("data-state", "empty");
-  await expect(page.getByRole("button", { name: "Open a file" })).toBeVisible();
-});
+  test("Back leads from the first clip to the start page", async ({ app, page }) => {
+    await app.openStartPage();
+    await page.getByRole("button", { name: "Bowling", exact: true }).click();
+    await app.waitForClip("bowling.bvh");
+    await page.goBack();
+    await expect(app.state).toHaveAttribute("data-state", "empty");
+    await expect(page.getByRole("button", { name: "Open a file" })).toBeVisible();
+  });
 
-test("reports that stored edits were applied", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  await expect(app.head.getByRole("button", { name: "edited" })).toBeHidden();
-  await page.keyboard.press("e");
-  await page.keyboard.press("Delete");
-  await expect(app.head.getByRole("button", { name: "edited" })).toBeVisible();
-  await expect(app.toast).toBeHidden();
-  await page.reload();
-  await app.waitForClip("curved-walk.bvh");
-  await expect(app.toast).toContainText("Your stored edits of this clip were applied.");
-  await app.toast.getByRole("button", { name: "Show" }).click();
-  await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeVisible();
-  await expect(app.toast).toBeHidden();
-});
+  test("reports that stored edits were applied", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await expect(app.head.getByRole("button", { name: "edited" })).toBeHidden();
+    await page.keyboard.press("e");
+    await page.keyboard.press("Delete");
+    await expect(app.head.getByRole("button", { name: "edited" })).toBeVisible();
+    await expect(app.toast).toBeHidden();
+    await page.reload();
+    await app.waitForClip("curved-walk.bvh");
+    await expect(app.toast).toContainText("Your stored edits of this clip were applied.");
+    await app.toast.getByRole("button", { name: "Show" }).click();
+    await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeVisible();
+    await expect(app.toast).toBeHidden();
+  });
 
-test("clears messages in the live region", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  await page.keyboard.press("e");
-  const status = page.locator("p[role=status]");
-  await expect(status).toContainText("selected");
-  await expect(status).toBeEmpty();
+  test("clears messages in the live region", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await page.keyboard.press("e");
+    const status = page.locator("p[role=status]");
+    await expect(status).toContainText("selected");
+    await expect(status).toBeEmpty();
+  });
 });

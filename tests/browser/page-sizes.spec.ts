@@ -1,104 +1,216 @@
 /** Space for the view, the timeline and the panel on pages of every size. */
 
 import { type App, expect, test } from "./app";
-import { eachViewport } from "./viewports";
+import { clip, sample } from "./clips";
+import { atEachSize, viewports } from "./viewports";
 
 const container = (app: App) => app.tracks.locator("xpath=..");
 
-for (const [name, viewport] of eachViewport) {
-  test.describe(name, () => {
-    test.use({ viewport });
-
-    test("shows view, timeline and panel without squeezing any", async ({ app, page }) => {
-      await app.openSample("curved-walk");
-      const minimum = viewport.height <= 560 ? 150 : 180;
-      expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(minimum);
-      await expect(container(app)).toBeInViewport({ ratio: 1 });
-      // Ruler, both feet and the overview fit without scrolling.
-      expect((await app.tracks.boundingBox())?.height).toBeLessThanOrEqual(
-        (await container(app).boundingBox())?.height ?? 0,
-      );
-      await expect(app.timeline.getByRole("button", { name: "Play" })).toBeInViewport({ ratio: 1 });
-      await expect(app.timeline.getByRole("button", { name: "Fit" })).toBeInViewport({ ratio: 1 });
-      await page.getByRole("tab", { name: "Labels" }).click();
-      await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeInViewport({ ratio: 0.9 });
-      await expect(container(app)).toBeInViewport({ ratio: 1 });
-      expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(minimum);
-      const overflow = await page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-      );
-      expect(overflow).toBe(0);
-    });
+atEachSize((size) => {
+  test("shows view, timeline and panel without squeezing any", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    const minimum = viewports[size].height <= 560 ? 150 : 180;
+    expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(minimum);
+    await expect(container(app)).toBeInViewport({ ratio: 1 });
+    // Ruler, both feet and the overview fit without scrolling.
+    expect((await app.tracks.boundingBox())?.height).toBeLessThanOrEqual(
+      (await container(app).boundingBox())?.height ?? 0,
+    );
+    await expect(app.timeline.getByRole("button", { name: "Play" })).toBeInViewport({ ratio: 1 });
+    await expect(app.timeline.getByRole("button", { name: "Fit" })).toBeInViewport({ ratio: 1 });
+    await page.getByRole("tab", { name: "Labels" }).click();
+    await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeInViewport({ ratio: 0.9 });
+    await expect(container(app)).toBeInViewport({ ratio: 1 });
+    expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(minimum);
+    const overflow = await page.evaluate(
+      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+    );
+    expect(overflow).toBe(0);
   });
-}
 
-test("resizes the timeline by drag and by keys, and remembers it", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  const splitter = page.getByRole("separator", { name: "Height of the timeline" });
-  const height = async () => (await container(app).boundingBox())?.height ?? 0;
-  const before = await height();
-  const box = await splitter.boundingBox();
-  if (!box) throw new Error("There is no splitter.");
-  await page.mouse.move(box.x + 300, box.y + 1);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 300, box.y - 99, { steps: 4 });
-  await page.mouse.up();
-  await expect.poll(height).toBeCloseTo(before + 100, -1);
-  await splitter.focus();
-  await page.keyboard.press("ArrowDown");
-  await expect.poll(height).toBeCloseTo(before + 76, -1);
-  await page.reload();
-  await app.waitForClip("curved-walk.bvh");
-  await expect.poll(height).toBeCloseTo(before + 76, -1);
-  // The view retains its minimum height.
-  await splitter.focus();
-  for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowUp");
-  expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(200);
-  await splitter.dblclick();
-  await expect.poll(height).toBeCloseTo(before, -1);
+  test("hides tracks, remembers it, and explains the marks", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    const menu = app.timeline.getByRole("button", { name: "Tracks" });
+    // A small timeline has no space for some tracks, and lists them.
+    const shown = async () =>
+      (await app.tracks.screenshot()).toString("base64") +
+      (await app.timeline.getByText(/^There is no space/).allInnerTexts()).join();
+    await menu.click();
+    await expect(app.timeline.getByText("Low confidence: review these frames")).toBeVisible();
+    const panel = app.timeline.locator(".menu-panel");
+    await expect(panel).toBeInViewport({ ratio: 1 });
+    expect((await panel.boundingBox())?.height).toBeGreaterThan(120);
+    const before = await shown();
+    await app.timeline.getByRole("checkbox", { name: "Height and speed" }).uncheck();
+    await expect.poll(async () => (await shown()) === before).toBe(false);
+    await page.keyboard.press("Escape");
+    await expect(app.timeline.getByRole("checkbox", { name: "Segments" })).toBeHidden();
+    await page.reload();
+    await app.waitForClip("curved-walk.bvh");
+    await menu.click();
+    await expect(
+      app.timeline.getByRole("checkbox", { name: "Height and speed" }),
+    ).not.toBeChecked();
+  });
+
+  test("shows the playhead in the overview", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    const marker = app.timeline.locator(".minimap-playhead");
+    const x = async () => (await marker.boundingBox())?.x ?? 0;
+    const before = await x();
+    const { width = 0 } = (await app.tracks.boundingBox()) ?? {};
+    await page.keyboard.press("End");
+    await expect.poll(x).toBeGreaterThan(before + 0.6 * width);
+  });
+
+  test("the list follows the selection", async ({ app, page }) => {
+    await app.openSample("ballet");
+    await app.tab("Labels");
+    await page.keyboard.press("End");
+    await page.keyboard.press("Shift+ArrowLeft");
+    await page.keyboard.press("e");
+    const selected = app.panel.getByRole("button", { pressed: true });
+    await expect(selected).toBeInViewport({ ratio: 0.9 });
+    // All columns fit.
+    const overflow = await selected.evaluate((row) => row.scrollWidth - row.clientWidth);
+    expect(overflow).toBe(0);
+  });
+
+  test("every tab begins at its top", async ({ app }) => {
+    await app.openSample("limp-to-run");
+    await app.tab("Clip");
+    const scrollTop = () => app.panel.evaluate((panel) => panel.scrollTop);
+    await app.panel.evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
+    expect(await scrollTop()).toBeGreaterThan(0);
+    await app.tab("Labels");
+    expect(await scrollTop()).toBe(0);
+  });
+
+  test("shows the names of clips in the table, and marks a tab of each clip", async ({
+    app,
+    page,
+  }) => {
+    await app.openStartPage();
+    await app.drop(sample("bowling"), sample("frog-jumps"), clip("samples/frog-jumps.json"));
+    await expect(page.getByText(/^All processed/)).toBeVisible();
+    const name = page.getByRole("button", { name: "frog-jumps.bvh", exact: true });
+    const start = name.locator(".name-start");
+    expect(await start.evaluate((text) => text.scrollWidth - text.clientWidth)).toBe(0);
+    await name.click();
+    await expect(page.getByRole("tab", { name: "Score", selected: true })).toBeVisible();
+    expect((await app.head.getByText("frog-jumps.bvh").boundingBox())?.width).toBeGreaterThan(60);
+    await page.keyboard.press("n");
+    await app.waitForClip("bowling.bvh");
+    await expect(page.getByRole("tab", { selected: true })).toHaveCount(1);
+  });
+
+  test("shows the segments while their tab is open", async ({ app }) => {
+    await app.openSample("limp-to-run");
+    await app.tab("Segment");
+    await expect(app.panel.getByRole("textbox", { name: "Name of segment 1" })).toBeAttached();
+    await app.timeline.getByRole("button", { name: "Tracks" }).click();
+    const notice = app.timeline.getByText(/^There is no space/);
+    expect((await notice.allInnerTexts()).join()).not.toContain("segments");
+  });
+
+  test("shows the tab of a comparison, also in a hidden panel", async ({ app, page }) => {
+    await app.openSample("frog-jumps");
+    await page.keyboard.press("p");
+    await app.drop(clip("samples/frog-jumps.json"));
+    const panel = page.getByRole("tabpanel", { name: "Score" });
+    await expect(panel).toBeInViewport({ ratio: 0.9 });
+    await expect(panel).toContainText("frog-jumps.json");
+    const { height = 0 } = (await app.tracks.boundingBox()) ?? {};
+    expect(height).toBeLessThanOrEqual((await container(app).boundingBox())?.height ?? 0);
+  });
 });
 
-test("resizes and hides the panel, and remembers it", async ({ app, page }) => {
+// The sheet of a phone has one height.
+atEachSize(
+  (size) => {
+    const { width, height } = viewports[size];
+
+    test("resizes the timeline by drag and by keys, and remembers it", async ({ app, page }) => {
+      await app.openSample("curved-walk");
+      const splitter = page.getByRole("separator", { name: "Height of the timeline" });
+      const tracksHeight = async () => (await container(app).boundingBox())?.height ?? 0;
+      const before = await tracksHeight();
+      const minimum = height <= 560 ? 150 : 200;
+      const room = ((await app.stage.boundingBox())?.height ?? 0) - minimum;
+      const by = Math.min(100, room);
+      const box = await splitter.boundingBox();
+      if (!box) throw new Error("There is no splitter.");
+      await page.mouse.move(box.x + 300, box.y + 1);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 300, box.y - 99, { steps: 4 });
+      await page.mouse.up();
+      await expect.poll(tracksHeight).toBeCloseTo(before + by, -1);
+      await splitter.focus();
+      await page.keyboard.press("ArrowDown");
+      await expect.poll(tracksHeight).toBeCloseTo(before + by - 24, -1);
+      await page.reload();
+      await app.waitForClip("curved-walk.bvh");
+      await expect.poll(tracksHeight).toBeCloseTo(before + by - 24, -1);
+      // The view retains its minimum height.
+      await splitter.focus();
+      for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowUp");
+      expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(minimum);
+      await splitter.dblclick();
+      await expect.poll(tracksHeight).toBeCloseTo(before, -1);
+    });
+
+    test("resizes and hides the panel, and remembers it", async ({ app, page }) => {
+      await app.openSample("curved-walk");
+      const splitter = page.getByRole("separator", { name: "Width of the panel" });
+      const panelWidth = async () => (await page.locator(".panel").boundingBox())?.width ?? 0;
+      const before = width > 900 ? 320 : 290;
+      expect(await panelWidth()).toBeCloseTo(before, -1);
+      await splitter.focus();
+      await page.keyboard.press("ArrowLeft");
+      await expect.poll(panelWidth).toBeCloseTo(before + 24, -1);
+      // The panel has the full height.
+      expect((await page.locator(".panel").boundingBox())?.height).toBeGreaterThan(height - 60);
+      const toggle = app.head.getByRole("button", { name: "Panel" });
+      await toggle.click();
+      await expect(page.locator(".panel")).toBeHidden();
+      await page.reload();
+      await app.waitForClip("curved-walk.bvh");
+      await expect(page.locator(".panel")).toBeHidden();
+      await page.keyboard.press("p");
+      await expect.poll(panelWidth).toBeCloseTo(before + 24, -1);
+    });
+  },
+  ["phone"],
+);
+
+test("shows edited plants, also in a hidden panel", async ({ app, page }) => {
   await app.openSample("curved-walk");
-  const splitter = page.getByRole("separator", { name: "Width of the panel" });
-  const width = async () => (await page.locator(".panel").boundingBox())?.width ?? 0;
-  expect(await width()).toBeCloseTo(320, -1);
-  await splitter.focus();
-  await page.keyboard.press("ArrowLeft");
-  await expect.poll(width).toBeCloseTo(344, -1);
-  // The panel has the full height.
-  expect((await page.locator(".panel").boundingBox())?.height).toBeGreaterThan(840);
-  const toggle = app.head.getByRole("button", { name: "Panel" });
-  await toggle.click();
-  await expect(page.locator(".panel")).toBeHidden();
-  await page.reload();
-  await app.waitForClip("curved-walk.bvh");
-  await expect(page.locator(".panel")).toBeHidden();
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
   await page.keyboard.press("p");
-  await expect.poll(width).toBeCloseTo(344, -1);
+  await app.head.getByRole("button", { name: "edited" }).click();
+  await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeVisible();
 });
 
-test("hides tracks, remembers it, and explains the marks", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  const menu = app.timeline.getByRole("button", { name: "Tracks" });
-  await menu.click();
-  await expect(app.timeline.getByText("Low confidence: review these frames")).toBeVisible();
-  const before = await app.tracks.screenshot();
-  await app.timeline.getByRole("checkbox", { name: "Height and speed" }).uncheck();
-  await expect.poll(async () => before.equals(await app.tracks.screenshot())).toBe(false);
-  await page.keyboard.press("Escape");
-  await expect(app.timeline.getByRole("checkbox", { name: "Segments" })).toBeHidden();
-  await page.reload();
-  await app.waitForClip("curved-walk.bvh");
-  await menu.click();
-  await expect(app.timeline.getByRole("checkbox", { name: "Height and speed" })).not.toBeChecked();
-});
-
-test("shows the playhead in the overview", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  const marker = app.timeline.locator(".minimap-playhead");
-  const x = async () => (await marker.boundingBox())?.x ?? 0;
-  const before = await x();
-  await page.keyboard.press("End");
-  await expect.poll(x).toBeGreaterThan(before + 500);
+test("a comparison makes a timeline higher whose height the user has set", async ({
+  app,
+  page,
+}) => {
+  await app.openSample("limp-to-run");
+  const height = async () => (await container(app).boundingBox())?.height ?? 0;
+  const splitter = page.getByRole("separator", { name: "Height of the timeline" });
+  await splitter.focus();
+  await page.keyboard.press("ArrowUp");
+  const own = await height();
+  const tracks = app.timeline.getByRole("button", { name: /^Tracks/ });
+  await expect(tracks).toHaveText("Tracks");
+  await app.drop(clip("samples/limp-to-run.json"));
+  await expect.poll(height).toBe(own + 72);
+  await expect(tracks).toHaveText("Tracks");
+  // A height that is set during the comparison is that without its tracks.
+  await splitter.focus();
+  await page.keyboard.press("ArrowUp");
+  await expect.poll(height).toBe(own + 96);
+  await app.panel.getByRole("button", { name: "Remove" }).click();
+  await expect.poll(height).toBe(own + 24);
 });

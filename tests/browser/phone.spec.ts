@@ -197,7 +197,6 @@ test("fits a comparison into the timeline of a short screen", async ({ app, page
 test("fits the Score tab", async ({ app, page }) => {
   await app.openSample("frog-jumps");
   await app.drop(clip("samples/frog-jumps.json"));
-  await page.getByRole("button", { name: "Expand panel" }).tap();
   await expect(page.getByRole("tabpanel", { name: "Score" })).toBeVisible();
   await expectNoHorizontalScroll(app);
   const open = page.getByRole("button", { name: "Open", exact: true });

@@ -1,6 +1,7 @@
 /** The tour for new users. */
 
 import { expect, test } from "./app";
+import { atEachSize } from "./viewports";
 
 test.use({ isNew: true });
 
@@ -66,4 +67,21 @@ test("ends the tour at the first hint", async ({ app, page }) => {
   await page.reload();
   await app.waitForClip("bowling.bvh");
   await expect(page.getByRole("complementary", { name: "Tour" })).toBeHidden();
+});
+
+atEachSize(() => {
+  test("the tour does not cover what it describes", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    const tour = page.getByRole("complementary", { name: "Tour" });
+    const described = [app.stage, app.tracks, app.tracks, page.locator(".panel-head"), app.head];
+    for (const part of described) {
+      const [a, b] = [await tour.boundingBox(), await part.boundingBox()];
+      if (!a || !b) throw new Error("The tour or what it describes is not displayed.");
+      const width = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
+      const height = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
+      expect(Math.min(width, height)).toBeLessThanOrEqual(0);
+      await expect(tour).toBeInViewport({ ratio: 1 });
+      await tour.getByRole("button", { name: /Next|Done/ }).click();
+    }
+  });
 });

@@ -1,5 +1,7 @@
 /** Page sizes at which the app is tested. */
 
+import { test } from "./app";
+
 export const viewports = {
   desktop: { width: 1440, height: 900 },
   "small window": { width: 1024, height: 600 },
@@ -8,7 +10,27 @@ export const viewports = {
   phone: { width: 390, height: 844 },
 } as const;
 
-export const eachViewport = Object.entries(viewports) as [
-  keyof typeof viewports,
-  { width: number; height: number },
-][];
+export type PageSize = keyof typeof viewports;
+
+const eachViewport = Object.entries(viewports) as [PageSize, { width: number; height: number }][];
+
+/** Defines tests for pages of every size, or of every size but some. */
+export function atEachSize(define: (size: PageSize) => void, except: readonly PageSize[] = []) {
+  for (const [size, viewport] of eachViewport) {
+    if (except.includes(size)) continue;
+    test.describe(size, () => {
+      test.use({ viewport });
+      define(size);
+    });
+  }
+}
+
+/** Defines tests for phones with touch, upright and in landscape. */
+export function onPhones(define: (size: PageSize) => void) {
+  for (const size of ["phone", "landscape phone"] as const) {
+    test.describe(`${size}, touch`, () => {
+      test.use({ viewport: viewports[size], hasTouch: true, isMobile: true });
+      define(size);
+    });
+  }
+}

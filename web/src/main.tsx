@@ -20,6 +20,7 @@ import "uplot/dist/uPlot.min.css";
 import "./styles/evidence.css";
 import "./styles/gait.css";
 import "./styles/video.css";
+import "./styles/touch.css";
 
 start();
 const root = document.getElementById("app");

@@ -9,14 +9,15 @@ import { fileTooLarge, maxFileBytes } from "../model/limits";
 import type { Source } from "../model/source";
 import { tableCsv } from "../model/table";
 import { type BatchRow, batchRequest, batchRows, tableVisible } from "../store/batch";
+import { session } from "../store/clip-session";
 import { type ErrorReport, errorReport } from "../store/errors";
 import { runJob } from "../store/jobs";
 import { edits, plants, segmentNames, source } from "../store/session";
 import { detectOptions, segmentOptions } from "../store/settings";
 import { announcement, notify } from "../store/view";
 import { safeFileName, stemOf, uniqueNames } from "../util/file-names";
-import { readChecked, writeChecked } from "./clip-storage";
-import { compareWithAll } from "./compare";
+import { keyOfHash, readChecked, writeChecked } from "./clip-storage";
+import { compareQuietly } from "./compare";
 import { download } from "./download";
 import { addHistoryEntry, addTableEntry, leaveTableEntry } from "./history";
 import { openSource } from "./open";
@@ -173,7 +174,7 @@ export async function openRow({ source }: BatchRow): Promise<void> {
   if (!(await openSource(source))) return;
   tableVisible.value = false;
   addHistoryEntry("");
-  await compareWithAll(source.labels ?? []);
+  await compareQuietly(source);
 }
 
 /** Returns the clips that wait for a review, the least certain first. */
@@ -182,17 +183,20 @@ const reviewQueue = () =>
     .filter(({ status, isChecked }) => status === "done" && !isChecked)
     .toSorted((a, b) => (a.summary?.confidence ?? 0) - (b.summary?.confidence ?? 0));
 
-/** The row of the open clip. */
-export const openBatchRow = computed(() =>
-  batchRows.value.find((row) => row.source === source.value),
-);
+/** The row of the open clip, which may have been opened from elsewhere. */
+export const openBatchRow = computed(() => {
+  const rows = batchRows.value;
+  const key = session.value.storageKey.value;
+  const isSameFile = ({ hash }: BatchRow) => hash !== undefined && keyOfHash(hash) === key;
+  return rows.find((row) => row.source === source.value) ?? rows.find(isSameFile);
+});
 
 /** Number of clips that are not marked as checked. */
 export const uncheckedCount = computed(() => reviewQueue().length);
 
 /** Opens the clip that needs a review most, other than the open one. */
 export async function reviewNext(): Promise<void> {
-  const next = reviewQueue().find((row) => row.source !== source.value);
+  const next = reviewQueue().find((row) => row !== openBatchRow.value);
   if (next) {
     await openRow(next);
     goToLeastCertain();

@@ -10,7 +10,7 @@ import { reportOpenFailure } from "../store/errors";
 import { frame } from "../store/playback";
 import { openClip, score, source } from "../store/session";
 import { showToast } from "../store/toasts";
-import { activeTab, announcement } from "../store/view";
+import { activeTab, announcement, showTab } from "../store/view";
 import { formatBytes, spokenRange } from "../util/format";
 import { fetchBlob } from "./fetch-blob";
 import { pause, seek } from "./playback";
@@ -18,8 +18,8 @@ import { pause, seek } from "./playback";
 /** Larger than the labels of an hour at 240 Hz. */
 const maxReferenceBytes = 2 ** 27;
 
-/** Reads reference labels or segments of the open clip, and compares with them. */
-export async function compareWith(name: string, data: Blob): Promise<void> {
+/** Reads reference labels or segments of the open clip, and compares with them in their tab. */
+export async function compareWith(name: string, data: Blob, show = showTab): Promise<void> {
   const clipSession = session.value;
   if (!openClip.value) {
     reportOpenFailure(name, {
@@ -38,32 +38,40 @@ export async function compareWith(name: string, data: Blob): Promise<void> {
     const compared = await clipSession.run("compare", () => engine.compare(data, name));
     if (!compared) return;
     if (!compared.ok) {
-      reportOpenFailure(name, compared.failure, { retry: () => void compareWith(name, data) });
+      reportOpenFailure(name, compared.failure, {
+        retry: () => void compareWith(name, data, show),
+      });
       return;
     }
     batch(() => {
       if ("segments" in compared) {
         clipSession.referenceSegments.value = compared.segments;
-        activeTab.value = "segment";
+        show("segment");
       } else {
         clipSession.reference.value = compared.annotation;
-        activeTab.value = "score";
+        show("score");
       }
       announcement.value = `Compared with ${name}`;
     });
     await ("segments" in compared ? updateCutScores(clipSession) : updateScores(clipSession));
   } catch (error) {
-    reportOpenFailure(name, failureOf(error), { retry: () => void compareWith(name, data) });
+    reportOpenFailure(name, failureOf(error), { retry: () => void compareWith(name, data, show) });
   }
 }
 
 /** Compares with files in turn, and shows the notices on them. */
-export async function compareWithAll(labels: readonly Source[]): Promise<void> {
+export async function compareWithAll(labels: readonly Source[], show = showTab): Promise<void> {
   for (const { name, data, notices = [] } of labels) {
     for (const { text } of notices) showToast({ text });
-    await compareWith(name, data);
+    await compareWith(name, data, show);
   }
 }
+
+/** Compares a clip that is opened again or from the table, without raising a lowered sheet. */
+export const compareQuietly = ({ labels = [] }: Source) =>
+  compareWithAll(labels, (tab) => {
+    activeTab.value = tab;
+  });
 
 /** Compares a sample with the labels that were generated with it. */
 export async function compareWithTruth(): Promise<void> {

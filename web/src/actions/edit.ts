@@ -32,7 +32,7 @@ import {
   selectedCut,
   selectedEdge,
 } from "../store/session";
-import { activeTab, announcement, notify, sheetOpen } from "../store/view";
+import { announcement, notify, showTab } from "../store/view";
 import { capitalize, plural, spokenRange } from "../util/format";
 import { updateScores } from "./compare";
 import { applyCutEdits } from "./cuts";
@@ -285,6 +285,12 @@ export function nudgeEdge(by: number): Promise<void> {
   return nudging;
 }
 
+/** Moves one edge of the selected plant by a number of frames, and the playhead to it. */
+export function nudgeSelected(edge: "start" | "end", by: number): Promise<void> {
+  selectedEdge.value = edge;
+  return nudgeEdge(by);
+}
+
 let nudging = Promise.resolve();
 
 async function moveEdge(by: number): Promise<void> {
@@ -414,7 +420,6 @@ export function editEdges(plantRef: PlantRef) {
     pause();
     select(plantRef);
     seek(plantRef.start);
-    activeTab.value = "labels";
-    sheetOpen.value = true;
+    showTab("labels");
   });
 }

@@ -8,7 +8,7 @@ import { errorReport } from "../store/errors";
 import { source } from "../store/session";
 import { dialog } from "../store/view";
 import { showTable } from "./batch";
-import { compareWithAll } from "./compare";
+import { compareQuietly } from "./compare";
 import { clipOfEntry, isTableEntry } from "./history";
 import { cancelOpening, openSource } from "./open";
 import { openFromAddress, startPreview } from "./open-address";
@@ -34,7 +34,7 @@ function showStartPage() {
 
 /** Opens a clip again, with the labels that were dropped with it. */
 async function reopen(clip: Source): Promise<void> {
-  if (await openSource(clip)) await compareWithAll(clip.labels ?? []);
+  if (await openSource(clip)) await compareQuietly(clip);
 }
 
 /** Follows Back, Forward and changes of the address. */

@@ -23,7 +23,7 @@ import {
 import { type ClipSession, session } from "../store/clip-session";
 import { isHosted } from "../store/embedded";
 import { dismissToast, showToast, type Toast } from "../store/toasts";
-import { activeTab, announcement, sheetOpen } from "../store/view";
+import { announcement, showTab } from "../store/view";
 import { stemOf } from "../util/file-names";
 import {
   deleteUnreadable,
@@ -140,8 +140,7 @@ class StoredSession {
         name: "Show",
         run: () => {
           dismissToast(toast);
-          activeTab.value = changes.edits.length ? "labels" : "segment";
-          sheetOpen.value = true;
+          showTab(changes.edits.length ? "labels" : "segment");
         },
       },
     };

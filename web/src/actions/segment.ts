@@ -9,7 +9,7 @@ import { type ClipSession, session } from "../store/clip-session";
 import { createExclusiveJob } from "../store/jobs";
 import { renamedSegment, segmentNames } from "../store/session";
 import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
-import { activeTab, sheetOpen } from "../store/view";
+import { showTab } from "../store/view";
 import { latestOnly } from "../util/latest-only";
 import { updateCutScores } from "./compare";
 import { applyCutEdits } from "./cuts";
@@ -104,8 +104,7 @@ export function setSegmentName(segment: NamedSegment, name: string) {
 /** Focuses the name field of a segment. */
 export function editSegmentName(segment: NamedSegment) {
   batch(() => {
-    activeTab.value = "segment";
-    sheetOpen.value = true;
+    showTab("segment");
     renamedSegment.value = segment;
   });
 }

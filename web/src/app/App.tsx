@@ -1,5 +1,6 @@
-import { useSignalEffect } from "@preact/signals";
+import { type Signal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { canRedo, canUndo } from "../actions/edit";
 import { followHistory } from "../actions/navigation";
 import { openFromAddress } from "../actions/open-address";
 import { openPickedFiles, setFileInput } from "../actions/pick-files";
@@ -7,12 +8,13 @@ import { tableVisible } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { phase } from "../store/phase";
 import { panelCollapsed, panelWidth } from "../store/preferences";
-import { detection, openClip } from "../store/session";
+import { detection, openClip, selected, selectedCut } from "../store/session";
 import { announcement, dialog, filesDragged, message, sheetOpen } from "../store/view";
 import { Timeline } from "../timeline/Timeline";
 import { lazy } from "../ui/lazy";
 import { Progress } from "../ui/Progress";
 import { setSize } from "../ui/Splitter";
+import { isTouch } from "../ui/touch";
 import { VideoPane } from "../viewer/VideoPane";
 import { Viewer } from "../viewer/Viewer";
 import { Dialogs } from "./Dialogs";
@@ -27,10 +29,28 @@ import { StartPage } from "./StartPage";
 import { Toasts } from "./Toasts";
 import { hintTarget, Tour } from "./Tour";
 
+const EditBar = lazy(() => import("../timeline/EditBar").then((module) => module.EditBar));
 const Batch = lazy(() => import("../batch/Batch").then((module) => module.Batch));
 
-/** Time for which a message stays in the live region, in milliseconds. */
-const announcementTime = 5000;
+/** Time for which a message is displayed or stays in the live region, in milliseconds. */
+const messageTime = 5000;
+
+/** Clears a text after some time. Returns a function that prevents this. */
+function clearLater(text: Signal<string>) {
+  if (!text.value) return undefined;
+  const timer = setTimeout(() => {
+    text.value = "";
+  }, messageTime);
+  return () => clearTimeout(timer);
+}
+
+/** The buttons for edits, if the page is used by touch and there is something to edit or to undo. */
+function TouchEdits() {
+  const isEditing = selected.value !== null || selectedCut.value !== null;
+  return isTouch() && openClip.value && (isEditing || canUndo.value || canRedo.value) ? (
+    <EditBar />
+  ) : null;
+}
 
 /** The page. */
 export function App() {
@@ -49,15 +69,9 @@ export function App() {
   useSignalEffect(() => {
     if (detection.value) preloadPanels();
   });
-  // A message that stays would be read again, out of context.
-  useSignalEffect(() => {
-    if (!announcement.value) return;
-    const timer = setTimeout(() => {
-      announcement.value = "";
-      message.value = "";
-    }, announcementTime);
-    return () => clearTimeout(timer);
-  });
+  // A text that stays in the live region would be read again, out of context.
+  useSignalEffect(() => clearLater(announcement));
+  useSignalEffect(() => clearLater(message));
   const clip = openClip.value;
   useEffect(() => {
     document.title = clip ? `${clip.name} – Plantigrade` : "Plantigrade";
@@ -80,6 +94,7 @@ export function App() {
           {clip && <VideoPane />}
         </div>
         {clip ? <Timeline /> : !isHosted && <StartPage />}
+        <TouchEdits />
         <input
           ref={setFileInput}
           hidden

@@ -8,7 +8,7 @@ import { embedded, isHosted } from "../store/embedded";
 import { panelCollapsed } from "../store/preferences";
 import { edits, notices, openClip } from "../store/session";
 import { nextTheme, themeChoice } from "../store/theme";
-import { activeTab, dialog, sheetOpen } from "../store/view";
+import { dialog, showTab } from "../store/view";
 import { Icon, Logo } from "../ui/icons";
 import { formatDuration, formatRate, plural } from "../util/format";
 import { MadeWith } from "./MadeWith";
@@ -129,11 +129,6 @@ function Review() {
   );
 }
 
-function showEdits() {
-  activeTab.value = "labels";
-  sheetOpen.value = true;
-}
-
 /** Name, length, rate and units of the open clip, and the number of notices. */
 function ClipSummary() {
   const clip = openClip.value;
@@ -160,7 +155,12 @@ function ClipSummary() {
         </button>
       )}
       {edits.value.length > 0 && (
-        <button type="button" class="link" title="Show the edited plants" onClick={showEdits}>
+        <button
+          type="button"
+          class="link"
+          title="Show the edited plants"
+          onClick={() => showTab("labels")}
+        >
           edited
         </button>
       )}

@@ -26,7 +26,9 @@ export function preloadPanels() {
   }
 }
 
-const allTabs: readonly (readonly [Tab, string, ComponentType<object>])[] = [
+type TabEntry = readonly [Tab, string, ComponentType<object>];
+
+const allTabs: readonly [TabEntry, ...TabEntry[]] = [
   ["detect", "Detect", DetectPanel],
   ["evidence", "Evidence", EvidencePanel],
   ["segment", "Segment", SegmentPanel],
@@ -41,13 +43,14 @@ export function SidePanel() {
   const panel = useRef<HTMLElement | null>(null);
   // The score requires a reference.
   const tabs = allTabs.filter(([id]) => id !== "score" || reference.value);
+  const [shown, , Body] = tabs.find(([id]) => id === activeTab.value) ?? allTabs[0];
   const choose = (next: Tab) => {
     // On phones, the tab that is shown collapses the sheet.
-    sheetOpen.value = !(sheetOpen.value && activeTab.value === next);
+    sheetOpen.value = !(sheetOpen.value && shown === next);
     activeTab.value = next;
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    const index = tabs.findIndex(([id]) => id === activeTab.value);
+    const index = tabs.findIndex(([id]) => id === shown);
     const target = { ArrowRight: index + 1, ArrowLeft: index - 1, Home: 0, End: tabs.length - 1 }[
       event.key
     ];
@@ -58,7 +61,6 @@ export function SidePanel() {
     activeTab.value = next[0];
     tabList.current?.querySelector<HTMLElement>(`#tab-${next[0]}`)?.focus();
   };
-  const Body = tabs.find(([id]) => id === activeTab.value)?.[2] ?? DetectPanel;
   return (
     <aside
       class="panel"
@@ -91,9 +93,9 @@ export function SidePanel() {
               type="button"
               role="tab"
               id={`tab-${id}`}
-              aria-selected={activeTab.value === id}
+              aria-selected={shown === id}
               aria-controls="panel-body"
-              tabIndex={activeTab.value === id ? 0 : -1}
+              tabIndex={shown === id ? 0 : -1}
               onClick={() => choose(id)}
             >
               {name}
@@ -101,12 +103,14 @@ export function SidePanel() {
           ))}
         </div>
       </div>
+      {/* Each tab begins at its top. */}
       <div
+        key={shown}
         class="panel-body"
         data-scrolls
         role="tabpanel"
         id="panel-body"
-        aria-labelledby={`tab-${activeTab.value}`}
+        aria-labelledby={`tab-${shown}`}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: a scroll container must be focusable by keyboard
         tabIndex={0}
       >

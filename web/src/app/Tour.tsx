@@ -2,6 +2,7 @@ import { keyOf } from "../actions/commands";
 import { openClip } from "../store/session";
 import { endTour, tourStep } from "../store/tour";
 import { Icon } from "../ui/icons";
+import { isTouch } from "../ui/touch";
 
 /** Hints: the part of the page that is outlined, the text, and the text for touch screens if it differs. */
 const hints = [
@@ -17,7 +18,7 @@ const hints = [
   [
     "timeline",
     "Drag the edge of a bar to correct it, or move the nearest edge by Q and W. A adds a plant, Delete removes one, Ctrl Z undoes. Edits are stored in this browser.",
-    "Tap a bar, then drag its ends to correct it. A double tap between two bars adds a plant. Labels has buttons to delete, split, join and undo. Edits are stored in this browser.",
+    "Tap a bar, then drag its ends or use the buttons to correct it. A double tap between two bars adds a plant. Labels has more buttons. Edits are stored in this browser.",
   ],
   [
     "panel",
@@ -29,8 +30,6 @@ const hints = [
     "Open several files or an archive to process many clips, or a label file to compare it with these labels.",
   ],
 ] as const;
-
-const isTouch = () => matchMedia("(pointer: coarse)").matches;
 
 /** The current hint, if a clip is open. */
 const currentHint = () =>

@@ -1,15 +1,16 @@
 import { useRef } from "preact/hooks";
-import { openRow, toggleChecked } from "../actions/batch";
+import { openBatchRow, openRow, toggleChecked } from "../actions/batch";
 import { addCompanion, removeCompanion } from "../actions/companions";
 import { toSentence } from "../model/report";
 import { columns } from "../model/table";
 import type { BatchRow } from "../store/batch";
 import { companions, maxCompanions } from "../store/companions";
-import { openClip, source } from "../store/session";
+import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";
+import { isTouch } from "../ui/touch";
 import { useVisibleRows } from "../ui/use-visible-rows";
 
-const rowHeight = 40;
+const rowHeight = isTouch() ? 44 : 40;
 
 const minorCount = columns.filter((column) => column.minor).length;
 
@@ -30,7 +31,7 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
           key={row.number}
           aria-rowindex={from + i + 2}
           data-status={row.status}
-          data-open={row.source === source.value}
+          data-open={row === openBatchRow.value}
         >
           <Cells row={row} />
         </tr>
@@ -56,7 +57,7 @@ function Cells({ row }: { row: BatchRow }) {
           <FileName name={name?.text(row) ?? ""} />
         </button>
         {row.summary?.hasUnreadableEdits && <span class="muted"> stored edits cannot be read</span>}
-        {row.summary && openClip.value && row.source !== source.value && (
+        {row.summary && openClip.value && row !== openBatchRow.value && (
           <SideBySideButton row={row} />
         )}
       </th>

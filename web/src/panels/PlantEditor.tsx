@@ -1,3 +1,4 @@
+import { useId } from "preact/hooks";
 import { type CommandId, commandOf, tooltip } from "../actions/commands";
 import {
   addAtPlayhead,
@@ -11,8 +12,9 @@ import type { FrameRange } from "../model/edits";
 import type { Instant } from "../model/plants";
 import type { Part, Side } from "../model/types";
 import { addTarget, detection, openClip, plantEdits } from "../store/session";
+import { HistoryButton } from "../ui/HistoryButton";
+import { EdgeStepper } from "../ui/Stepper";
 import { capitalize } from "../util/format";
-import { HistoryButton } from "./HistoryButton";
 import { StorageNotices } from "./StorageNotices";
 
 /** Buttons and fields for all edits, as an alternative to dragging. */
@@ -55,12 +57,14 @@ function SelectedPlant() {
       <div class="form-rows plant-edges">
         <EdgeField
           name="First"
+          edge="start"
           value={plantRef.start}
           toRange={(start) => ({ start })}
           command="set-start"
         />
         <EdgeField
           name="Last"
+          edge="end"
           value={plantRef.end - 1}
           toRange={(last) => ({ end: last + 1 })}
           command="set-end"
@@ -100,20 +104,24 @@ function InstantText({ name, instant }: { name: string; instant: Instant | undef
 /** The first or the last frame of a plant, both part of it. */
 function EdgeField({
   name,
+  edge,
   value,
   toRange,
   command,
 }: {
   name: string;
+  edge: "start" | "end";
   value: number;
   toRange: (frame: number) => Partial<FrameRange>;
   command: CommandId;
 }) {
+  const id = useId();
   return (
-    <div class="plant-edge">
-      <label>
-        <span>{name} frame</span>
+    <div class="frame-field">
+      <label for={id}>{name} frame</label>
+      <EdgeStepper edge={edge}>
         <input
+          id={id}
           class="input"
           type="number"
           min={0}
@@ -128,7 +136,7 @@ function EdgeField({
             if (!isValid) field.value = String(value);
           }}
         />
-      </label>
+      </EdgeStepper>
       <button
         type="button"
         class="button"

@@ -1,5 +1,5 @@
 import { useComputed } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useId, useRef } from "preact/hooks";
 import { commandOf, tooltip } from "../actions/commands";
 import { removeReferenceSegments } from "../actions/compare";
 import { moveCutTo } from "../actions/edit-cuts";
@@ -22,12 +22,13 @@ import {
 } from "../store/session";
 import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
 import { FormatButton } from "../ui/FormatButton";
+import { HistoryButton } from "../ui/HistoryButton";
 import { Icon } from "../ui/icons";
 import { ListHead } from "../ui/ListHead";
 import { OpenOrDrop } from "../ui/OpenOrDrop";
+import { CutStepper } from "../ui/Stepper";
 import { VirtualList } from "../ui/VirtualList";
 import { formatCount } from "../util/format";
-import { HistoryButton } from "./HistoryButton";
 
 /** Segmentation method, its options, comparison, and the list of segments. */
 export function SegmentPanel() {
@@ -242,6 +243,7 @@ function Comparison() {
 
 /** Buttons and a field for all edits of cuts, as an alternative to dragging. */
 function CutEditor() {
+  const id = useId();
   if (!namedSegments.value.length) return null;
   const cut = selectedCut.value;
   return (
@@ -254,22 +256,25 @@ function CutEditor() {
       {cut === null ? (
         <p class="note">Select a cut in the timeline to move it.</p>
       ) : (
-        <label class="cut-field">
-          <span>Cut at frame</span>
-          <input
-            class="input"
-            type="number"
-            min={1}
-            step={1}
-            value={cut}
-            onChange={(event) => {
-              const field = event.currentTarget;
-              const to = field.valueAsNumber;
-              if (Number.isInteger(to)) void moveCutTo(cut, to);
-              else field.value = String(cut);
-            }}
-          />
-        </label>
+        <div class="frame-field">
+          <label for={id}>Cut at frame</label>
+          <CutStepper>
+            <input
+              id={id}
+              class="input"
+              type="number"
+              min={1}
+              step={1}
+              value={cut}
+              onChange={(event) => {
+                const field = event.currentTarget;
+                const to = field.valueAsNumber;
+                if (Number.isInteger(to)) void moveCutTo(cut, to);
+                else field.value = String(cut);
+              }}
+            />
+          </CutStepper>
+        </div>
       )}
       <p class="cut-buttons">
         <button

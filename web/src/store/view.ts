@@ -1,7 +1,8 @@
 /** View state of the page: camera, tabs, dialogs and announcements. */
 
-import { signal } from "@preact/signals";
+import { batch, signal } from "@preact/signals";
 import type { CameraPose, CameraView } from "../model/view-state";
+import { panelCollapsed } from "./preferences";
 
 export type Tab = "detect" | "evidence" | "segment" | "labels" | "score" | "clip";
 
@@ -54,6 +55,15 @@ export const activeTab = signal<Tab>("detect");
 
 /** True if the panel, a bottom sheet on phones, is raised. */
 export const sheetOpen = signal(false);
+
+/** Shows a tab of the panel, also if the panel is hidden or a lowered sheet. */
+export function showTab(tab: Tab) {
+  batch(() => {
+    activeTab.value = tab;
+    sheetOpen.value = true;
+    if (panelCollapsed.peek()) panelCollapsed.set(false);
+  });
+}
 
 export const dialog = signal<"keys" | "notices" | "share" | "third-party" | null>(null);
 

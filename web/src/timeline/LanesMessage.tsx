@@ -1,5 +1,5 @@
 import { toSentence } from "../model/report";
-import { activeTab, sheetOpen } from "../store/view";
+import { showTab } from "../store/view";
 
 interface Props {
   message: string;
@@ -15,10 +15,6 @@ interface Props {
 
 /** A message instead of the lanes of the feet, if there are none. */
 export function LanesMessage({ message, hint, offersJoints, retry, bottom = 0 }: Props) {
-  const openClipPanel = () => {
-    activeTab.value = "clip";
-    sheetOpen.value = true;
-  };
   return (
     <div
       class="timeline-message"
@@ -32,7 +28,7 @@ export function LanesMessage({ message, hint, offersJoints, retry, bottom = 0 }:
         </button>
       )}
       {offersJoints && (
-        <button type="button" class="button" onClick={openClipPanel}>
+        <button type="button" class="button" onClick={() => showTab("clip")}>
           Choose joints
         </button>
       )}

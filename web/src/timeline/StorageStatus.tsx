@@ -1,5 +1,5 @@
 import { changedElsewhere, persistError, unreadable } from "../store/session";
-import { activeTab, sheetOpen } from "../store/view";
+import { showTab } from "../store/view";
 import { Icon } from "../ui/icons";
 
 function statusText(): string {
@@ -12,15 +12,11 @@ function statusText(): string {
 /** A line above the timeline if the storage of edits needs attention; the Labels tab has details. */
 export function StorageStatus() {
   const text = statusText();
-  const showDetails = () => {
-    activeTab.value = "labels";
-    sheetOpen.value = true;
-  };
   return (
     <div class="storage-status" role="status" hidden={!text}>
       <Icon name="warning" />
       <p>{text}</p>
-      <button type="button" class="link" onClick={showDetails}>
+      <button type="button" class="link" onClick={() => showTab("labels")}>
         Details
       </button>
     </div>

@@ -2,7 +2,7 @@ import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { runDetection } from "../actions/detect";
 import { principalTracks } from "../model/plants";
-import { companions } from "../store/companions";
+import { shownCompanions } from "../store/companions";
 import { opening } from "../store/jobs";
 import { loopedRange, loopedSegment, timeView } from "../store/playback";
 import { hiddenTracks, timelineHeight } from "../store/preferences";
@@ -40,6 +40,11 @@ import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 import { VideoLane } from "./VideoLane";
 
+/** Returns the height of the tracks without what the style sheet adds for a comparison, in pixels. */
+const ownHeight = (tracks: HTMLElement) =>
+  tracks.clientHeight -
+  (Number.parseFloat(getComputedStyle(tracks).getPropertyValue("--compared-height")) || 0);
+
 export function Timeline() {
   const container = useRef<HTMLDivElement | null>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -51,7 +56,7 @@ export function Timeline() {
       reference: reference.value,
       segmentation: segmentation.value,
       referenceSegments: referenceSegments.value,
-      companions: openClip.value ? companions.value : [],
+      companions: shownCompanions.value,
       hidden: hiddenTracks.value,
     };
     return layoutTimeline(input, size.value.width, size.value.height);
@@ -65,7 +70,9 @@ export function Timeline() {
     const element = container.current;
     if (!element) return;
     const observer = new ResizeObserver(() => {
-      size.value = { width: element.clientWidth, height: element.clientHeight };
+      // A canvas that is higher by a fraction of a pixel would scroll.
+      const height = Math.floor(element.getBoundingClientRect().height);
+      size.value = { width: element.clientWidth, height };
     });
     observer.observe(element);
     return () => observer.disconnect();
@@ -157,7 +164,7 @@ export function Timeline() {
         label="Height of the timeline"
         orientation="horizontal"
         size={timelineHeight}
-        measure={() => container.current?.clientHeight ?? 0}
+        measure={() => (container.current ? ownHeight(container.current) : 0)}
       />
       <StorageStatus />
       <SimilarOffer />
@@ -167,7 +174,7 @@ export function Timeline() {
         class="tracks"
         ref={(element) => {
           container.current = element;
-          setSize(element, "--tracks-height", height);
+          setSize(element, "--own-height", height);
         }}
       >
         <canvas ref={canvas} class={hasFrames ? undefined : "no-frames"} />

@@ -134,6 +134,9 @@ const shortSizes: Sizes = {
   minimap: 24,
 };
 
+/** Sizes in landscape on a phone: both feet and the segments fit. */
+const landscapeSizes: Sizes = { ...shortSizes, segments: 20, group: 5, minimap: 18 };
+
 type Sizes = typeof wideSizes;
 
 /** Wider timelines have the sizes for a pointer. */
@@ -141,6 +144,7 @@ const maxNarrowWidth = 560;
 
 function sizesOf(width: number, availableHeight: number): Sizes {
   if (width > maxNarrowWidth) return wideSizes;
+  if (availableHeight < 170) return landscapeSizes;
   return availableHeight < 300 ? shortSizes : narrowSizes;
 }
 

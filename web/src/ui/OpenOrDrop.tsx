@@ -8,8 +8,8 @@ export function OpenOrDrop() {
     <>
       <button type="button" class="link" title={tooltip("open")} onClick={open.run}>
         Open
-      </button>{" "}
-      or drop
+      </button>
+      <span class="with-pointer"> or drop</span>
     </>
   );
 }

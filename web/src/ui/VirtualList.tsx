@@ -1,8 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { isTouch } from "./touch";
 import { useVisibleRows } from "./use-visible-rows";
 
-const rowHeight = 36;
+const rowHeight = isTouch() ? 44 : 36;
 
 /** A list that renders only the visible rows, for thousands of items. */
 export function VirtualList<T>({

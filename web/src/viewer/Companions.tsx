@@ -1,13 +1,13 @@
 import { removeCompanion } from "../actions/companions";
-import { companions } from "../store/companions";
+import { shownCompanions } from "../store/companions";
 import { Icon } from "../ui/icons";
 
 /** Lists the clips that are shown for comparison, each with a button to remove it. */
 export function Companions() {
-  if (!companions.value.length) return null;
+  if (!shownCompanions.value.length) return null;
   return (
     <ul class="companions" aria-label="Comparison clips">
-      {companions.value.map(({ source }) => (
+      {shownCompanions.value.map(({ source }) => (
         <li key={source.name} class="chip">
           <span>{source.name}</span>
           <button

@@ -5,7 +5,7 @@ import { prefersReducedMotion } from "../actions/playback";
 import { characterSize, gridStep } from "../model/trajectory";
 import type { Clip } from "../model/types";
 import type { CameraView } from "../model/view-state";
-import { companions } from "../store/companions";
+import { shownCompanions } from "../store/companions";
 import { shownMoment } from "../store/evidence";
 import { firstInteraction } from "../store/first-interaction";
 import { opening } from "../store/jobs";
@@ -191,7 +191,7 @@ function bindStage(stage: Stage): (() => void)[] {
       stage.setClip(isCorrected ? (corrected as Clip) : original, reframe);
       if (cleanedView.value === "both") stage.setGhost(original);
       stage.setLabels(detection.peek(), plants.peek());
-      stage.setCompanions(openClip.value ? companions.peek() : []);
+      stage.setCompanions(shownCompanions.peek());
       stage.setTrails(trailsVisible.peek());
       stage.markJoint(markedJoint.peek());
       if (reframe) cameraView.value = "perspective";
@@ -200,7 +200,7 @@ function bindStage(stage: Stage): (() => void)[] {
     effect(() => stage.setLabels(detection.value, plants.value)),
     effect(() => stage.setTrails(trailsVisible.value)),
     effect(() => stage.markJoint(openClip.value ? markedJoint.value : null)),
-    effect(() => stage.setCompanions(openClip.value ? companions.value : [])),
+    effect(() => stage.setCompanions(shownCompanions.value)),
     effect(() => stage.seek(shownMoment.value)),
     effect(() => stage.setFollow(followCamera.value || isPreview.value)),
     effect(() => stage.setPreview(isPreview.value)),

@@ -82,8 +82,10 @@ export class Camera {
       this.isFramed = false;
     });
     const { ACTION } = CameraControls;
-    // A rotated view is no longer the front, the side or the top.
     controls.addEventListener("control", () => {
+      // The wheel, which starts no drag, moves the camera, too.
+      this.isFramed = false;
+      // A rotated view is no longer the front, the side or the top.
       if (
         controls.currentAction === ACTION.ROTATE ||
         controls.currentAction === ACTION.TOUCH_ROTATE

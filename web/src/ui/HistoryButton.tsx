@@ -7,7 +7,7 @@ export function HistoryButton({ id }: { id: "undo" | "redo" }) {
   return (
     <button
       type="button"
-      class="button flat icon-only"
+      class={`button flat icon-only ${id}`}
       aria-label={command.label}
       title={tooltip(id)}
       disabled={!isEnabled(command)}

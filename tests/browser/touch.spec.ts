@@ -1,0 +1,192 @@
+/** What is done by keys elsewhere is done by buttons on touch screens, upright and in landscape. */
+
+import type { Locator } from "@playwright/test";
+import { type App, expect, test } from "./app";
+import { sample } from "./clips";
+import { readLabels } from "./labels";
+import { onPhones } from "./viewports";
+
+const editBar = (app: App) => app.page.getByRole("group", { name: "Edit", exact: true });
+
+/** Taps the second plant of the left foot. Returns its frames, the end exclusive. */
+async function tapPlant(app: App) {
+  await app.openSample("curved-walk");
+  const plant = readLabels(await app.save("Labels")).left.contact?.[1];
+  if (!plant) throw new Error("There is no second plant.");
+  const lower = app.page.getByRole("button", { name: "Collapse panel" });
+  if (await lower.isVisible()) await lower.tap();
+  const box = await app.tracks.boundingBox();
+  if (!box) throw new Error("The timeline has no canvas.");
+  const labelWidth = box.width <= 560 ? 100 : 118;
+  const frames = (await app.lastFrame()) + 1;
+  const position = (plant.start + plant.end) / 2 / frames;
+  const x = box.x + labelWidth + position * (box.width - labelWidth - 14);
+  await app.page.touchscreen.tap(x, box.y + 48);
+  await expect(editBar(app)).toBeVisible();
+  return plant;
+}
+
+const overlaps = async (first: Locator, second: Locator) => {
+  if (!(await first.isVisible()) || !(await second.isVisible())) return false;
+  const [a, b] = [await first.boundingBox(), await second.boundingBox()];
+  if (!a || !b) return false;
+  const width = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
+  const height = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
+  return Math.min(width, height) > 0.5;
+};
+
+/** Returns the controls whose area for touch is lower than 44 pixels. */
+async function smallTargets(app: App): Promise<string[]> {
+  // Tables for screen readers are not visible; tapping a tab does the same as the handle of the sheet.
+  const controls = app.page.locator(
+    ":is(button, select, input):visible:not(.visually-hidden *, .sheet-handle)",
+  );
+  const sizes = await controls.evaluateAll((elements) =>
+    // A list may have replaced its rows since they were found.
+    elements
+      .filter((element) => element.isConnected)
+      .map((element) => {
+        // A label is part of the control.
+        const { height } = (element.closest("label") ?? element).getBoundingClientRect();
+        // The area in the camera controls of a low view is higher than what is displayed.
+        const area = Number.parseFloat(getComputedStyle(element, "::before").height) || 0;
+        const name = element.getAttribute("aria-label") ?? element.textContent;
+        return {
+          name: `${name} (${element.className})`,
+          height: Math.round(Math.max(height, area)),
+        };
+      }),
+  );
+  expect(sizes.length).toBeGreaterThan(10);
+  return sizes.filter(({ height }) => height < 44).map(({ name, height }) => `${name}: ${height}`);
+}
+
+onPhones((size) => {
+  test("moves both ends of a plant by single frames, and undoes it", async ({ app }) => {
+    const plant = await tapPlant(app);
+    const bar = editBar(app);
+    const values = bar.locator(".edit-value");
+    await expect(values).toHaveText([`First${plant.start}`, `Last${plant.end - 1}`]);
+    for (let i = 0; i < 3; i++) await bar.getByRole("button", { name: "Last frame earlier" }).tap();
+    await expect(values).toHaveText([`First${plant.start}`, `Last${plant.end - 4}`]);
+    expect(await app.frame()).toBe(plant.end - 4);
+    await bar.getByRole("button", { name: "First frame later" }).tap();
+    await expect(values).toHaveText([`First${plant.start + 1}`, `Last${plant.end - 4}`]);
+    expect(await app.frame()).toBe(plant.start + 1);
+    for (let i = 0; i < 4; i++) await bar.getByRole("button", { name: "Undo" }).tap();
+    await expect(values).toHaveText([`First${plant.start}`, `Last${plant.end - 1}`]);
+    await expect(bar.getByRole("button", { name: "Undo" })).toBeDisabled();
+    await bar.getByRole("button", { name: "Delete" }).tap();
+    await expect(values).toHaveCount(0);
+    const left = async () => readLabels(await app.save("Labels")).left.contact?.length;
+    expect(await left()).toBe(2);
+    const lower = app.page.getByRole("button", { name: "Collapse panel" });
+    if (await lower.isVisible()) await lower.tap();
+    await bar.getByRole("button", { name: "Undo" }).tap();
+    await expect(bar.getByRole("button", { name: "Redo" })).toBeEnabled();
+    expect(await left()).toBe(3);
+  });
+
+  test("moves edges by single frames in the Labels tab", async ({ app }) => {
+    const plant = await tapPlant(app);
+    await app.tab("Labels");
+    const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+    await app.panel.getByRole("button", { name: "Last frame later" }).tap();
+    await expect(last).toHaveValue(String(plant.end));
+    await app.panel.getByRole("button", { name: "Last frame earlier" }).tap();
+    await expect(last).toHaveValue(String(plant.end - 1));
+    expect((await last.boundingBox())?.width).toBeGreaterThanOrEqual(44);
+  });
+
+  test("moves a cut by single frames and removes it", async ({ app, page }) => {
+    await app.openSample("limp-to-run");
+    await app.tab("Segment");
+    await page.keyboard.press("]");
+    const cut = await app.frame();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("x");
+    const field = app.panel.getByRole("spinbutton", { name: "Cut at frame" });
+    await expect(field).toHaveValue(String(cut + 2));
+    await app.panel.getByRole("button", { name: "Cut later" }).tap();
+    await expect(field).toHaveValue(String(cut + 3));
+    const lower = page.getByRole("button", { name: "Collapse panel" });
+    if (await lower.isVisible()) await lower.tap();
+    const bar = editBar(app);
+    await bar.getByRole("button", { name: "Cut earlier" }).tap();
+    await expect(bar.locator(".edit-value")).toHaveText([`Cut${cut + 2}`]);
+    await bar.getByRole("button", { name: "Delete" }).tap();
+    await expect(bar.locator(".edit-value")).toHaveCount(0);
+  });
+
+  test("the buttons for edits fit into the view", async ({ app }) => {
+    await tapPlant(app);
+    const bar = editBar(app);
+    await expect(bar).toBeInViewport({ ratio: 1 });
+    for (const other of [
+      app.view.getByRole("group", { name: "Camera" }),
+      app.view.getByRole("button", { name: "Follow" }),
+      app.view.locator(".pill.left"),
+      app.view.locator(".pill.right"),
+    ])
+      expect(await overlaps(bar, other)).toBe(false);
+    for (const button of await bar.getByRole("button").all()) {
+      const box = await button.boundingBox();
+      if (box) expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
+    }
+    // In landscape, they replace those of the camera.
+    const camera = app.view.getByRole("group", { name: "Camera" });
+    await expect(camera).toBeVisible({ visible: size === "phone" });
+    await app.page.keyboard.press("Escape");
+    await expect(camera).toBeVisible();
+  });
+
+  test("has touch targets of at least 44 pixels", async ({ app, page }) => {
+    await tapPlant(app);
+    for (const tab of ["Detect", "Evidence", "Segment", "Labels", "Clip"] as const) {
+      await app.tab(tab);
+      expect(await smallTargets(app), tab).toEqual([]);
+    }
+    await app.timeline.getByRole("button", { name: "Tracks" }).tap();
+    expect(await smallTargets(app)).toEqual([]);
+    await page.keyboard.press("Escape");
+    await app.openShareDialog();
+    expect(await smallTargets(app)).toEqual([]);
+  });
+
+  test("shows clips side by side", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await page.keyboard.press("e");
+    await page.keyboard.press("q");
+    await app.drop(sample("bowling"), sample("frog-jumps"));
+    const button = page.getByRole("button", { name: "bowling.bvh side by side" });
+    await expect(button).toHaveCSS("opacity", "1");
+    await button.tap();
+    await expect(button).toHaveAttribute("aria-pressed", "true");
+    await page.getByRole("button", { name: "Back to curved-walk.bvh" }).tap();
+    const shown = page.getByRole("list", { name: "Comparison clips" });
+    await expect(shown).toBeInViewport({ ratio: 1 });
+    const others = [editBar(app), app.view.locator(".pill.left"), app.view.locator(".pill.right")];
+    for (const other of others) expect(await overlaps(shown, other)).toBe(false);
+    // Files are opened, not dropped.
+    await app.tab("Segment");
+    await expect(app.panel.getByText("a segment file")).toBeVisible();
+    await expect(app.panel.getByText("or drop")).toBeHidden();
+  });
+
+  test("leaves timeline and transport in sight while the panel is open", async ({ app }) => {
+    await app.openSample("frog-jumps");
+    for (const tab of ["Labels", "Segment", "Clip"] as const) {
+      await app.tab(tab);
+      for (const part of [
+        app.tracks.locator("xpath=.."),
+        app.timeline.getByRole("button", { name: "Play" }),
+        app.timeline.getByRole("button", { name: "Fit" }),
+        app.head.getByRole("button", { name: "Open", exact: true }),
+        app.head.getByRole("button", { name: "Keyboard shortcuts" }),
+      ])
+        await expect(part).toBeInViewport({ ratio: 1 });
+      expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(140);
+    }
+  });
+});
