@@ -44,6 +44,9 @@ const MAX_TIP_SPEED: f64 = 1.1;
 /// Uncertainty of boundaries of the clustering, and the least uncertainty of any edge, in seconds.
 const ESTIMATE_UNCERTAINTY: f64 = 0.03;
 const MIN_UNCERTAINTY: f64 = 0.001;
+/// Uncertainty of cues above which the boundary of the clustering remains, in seconds. Up to this one, cues are
+/// more exact than the boundary (generated motion, seeds 0 to 2).
+const MAX_CUE_UNCERTAINTY: f64 = 0.05;
 /// Frames nearer to an edge than this number of its standard deviations, or than this time in seconds,
 /// have the confidence that follows from the edge.
 const CONFIDENCE_REACH: f64 = 4.0;
@@ -157,14 +160,13 @@ impl Refiner<'_> {
     fn edge(&self, cues: Option<Cues>, estimate: f64, bounds: &Range<f64>) -> Edge {
         let frame_time = self.feet.frame_time;
         let median = cues.and_then(|cues| Some((cues.median()?, cues.uncertainty)));
-        // Cues that are less certain than the clustering say nothing.
         let (time, uncertainty) = median
-            .filter(|(_, uncertainty)| *uncertainty < ESTIMATE_UNCERTAINTY)
+            .filter(|(_, uncertainty)| *uncertainty < MAX_CUE_UNCERTAINTY)
             .unwrap_or((estimate, ESTIMATE_UNCERTAINTY));
         // At least one frame remains on either side.
         let first = bounds.start + frame_time / 2.0;
         let time = time.clamp(first, (bounds.end - frame_time / 2.0).max(first));
-        let uncertainty = uncertainty.max(MIN_UNCERTAINTY);
+        let uncertainty = uncertainty.clamp(MIN_UNCERTAINTY, ESTIMATE_UNCERTAINTY);
         Edge { frame: (time / frame_time).ceil() as usize, time, uncertainty }
     }
 

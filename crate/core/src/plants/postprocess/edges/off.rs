@@ -7,8 +7,8 @@ use crate::plants::postprocess::edges::series::{Series, TrackSpan};
 use crate::skeleton::Up;
 
 /// Standard deviation of the error per half range of the cues; fitted on generated motion (seeds 0 to
-/// 3).
-const ERROR_PER_RANGE: f64 = 1.3;
+/// 2).
+const ERROR_PER_RANGE: f64 = 1.5;
 
 /// Part of a foot with the speeds that it exceeds at foot off.
 #[derive(Clone, Copy)]
