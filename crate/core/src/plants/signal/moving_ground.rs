@@ -4,6 +4,10 @@
 //! At almost any time a foot is planted, and it is the slower one. The median velocity of the slower
 //! foot within a fraction of a second is that of the ground, unless it is as small as that of a
 //! planted foot that rolls, or the feet disagree whenever both are slow: then one of them is dragged.
+//!
+//! On a fast belt the planted foot is not the slower one: a foot that reverses is slower for a moment.
+//! But both feet have the constant velocity of the belt for a large part of each stride, which feet in the
+//! air do not. That velocity is subtracted before.
 
 use std::ops::Range;
 
@@ -39,6 +43,23 @@ const MIN_DURABILITY: f64 = 0.4;
 const AGREEMENT: f64 = 0.25;
 const DISAGREEMENT_WEIGHT: f64 = 0.5;
 
+/// Interval at which the velocity of a belt is estimated, and half-width of the window, in seconds: at least
+/// three strides.
+const BELT_INTERVAL: f64 = 1.0;
+const BELT_WINDOW: f64 = 2.0;
+/// Minimum speed of a belt, in leg lengths per second; the median above finds slower ground.
+const MIN_BELT_SPEED: f64 = 0.4;
+/// Maximum change of a constant velocity from one sample to the next, in leg lengths per second: planted
+/// feet change less, feet in swing more, except at their peak speed.
+const MAX_CHANGE: f64 = 0.3;
+/// Maximum difference of a velocity from that of the belt, as a fraction of its speed.
+const MAX_DEVIATION: f64 = 0.25;
+/// Minimum fraction of the time in which each foot has the velocity of the belt: it is about 0.55 in a walk,
+/// and at most 0.23 in a sinusoidal movement, near either of its peak velocities.
+const MIN_BELT_FRACTION: f64 = 0.35;
+/// Maximum mean velocity of the toes, which is that of the body, as a fraction of the speed of the belt.
+const MAX_TRAVEL: f64 = 0.5;
+
 /// Returns the displacement of the ground in each frame of a clip, relative to the start of each
 /// span; `None` if the ground is at rest.
 pub(crate) fn displacement(feet: &Feet, spans: &[Range<usize>]) -> Option<Track> {
@@ -59,13 +80,27 @@ pub(crate) fn displacement(feet: &Feet, spans: &[Range<usize>]) -> Option<Track>
     Some(displacement)
 }
 
+/// Velocities of ankle and toe of one foot, in file units per second.
+type FootVelocities = [Vector3<f64>; 2];
+
 /// Returns the velocity of the ground at every `step`-th frame of a span.
 fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>> {
     let half = |seconds: f64| (seconds / (step as f64 * feet.frame_time)).round() as usize;
-    let both: Vec<[Option<Vector3<f64>>; 2]> = span
+    let parts: Vec<[FootVelocities; 2]> = span
         .clone()
         .step_by(step)
-        .map(|frame| [0, 1].map(|foot| planted_velocity(feet, foot, span, frame, step)))
+        .map(|frame| [0, 1].map(|foot| foot_velocities(feet, foot, span, frame, step)))
+        .collect();
+    let toe_samples = |(index, parts): (usize, &[FootVelocities; 2])| {
+        let height = |foot: usize| feet.up.height(&feet.tracks[foot].toe[span.start + index * step]);
+        [0, 1].map(|foot| ToeSample { velocity: parts[foot][1], height: height(foot) })
+    };
+    let toes: Vec<[ToeSample; 2]> = parts.iter().enumerate().map(toe_samples).collect();
+    let belt = belt_velocities(&toes, feet.leg, half(BELT_INTERVAL), half(BELT_WINDOW));
+    let both: Vec<[Option<Vector3<f64>>; 2]> = parts
+        .iter()
+        .zip(&belt)
+        .map(|(parts, belt)| parts.map(|foot| planted_velocity(foot, belt, SWING_SPEED * feet.leg)))
         .collect();
     let slower: Vec<Option<Vector3<f64>>> = both
         .iter()
@@ -80,39 +115,102 @@ fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>
         .map(mean)
         .zip(windows(&medians, wide).map(mean))
         .zip(windows(&both, wide))
-        .map(|((mean, wide_mean), both)| {
+        .zip(belt)
+        .map(|(((mean, wide_mean), both), belt)| {
             let rest = REST_SPEED * feet.leg;
             let is_lasting = wide_mean.dot(&mean) > MIN_DURABILITY * mean.norm_squared();
             if mean.norm() < rest / 2.0 || !is_lasting {
-                return Vector3::zeros();
+                return belt;
             }
             let doubt = rest.max(DISAGREEMENT_WEIGHT * disagreement(both));
-            mean / (1.0 + (doubt / mean.norm()).powi(4))
+            belt + mean / (1.0 + (doubt / mean.norm()).powi(4))
         })
         .collect()
 }
 
 /// Returns the values within `half` indices on either side of each index.
 fn windows<T>(values: &[T], half: usize) -> impl Iterator<Item = &[T]> {
-    (0..values.len())
-        .map(move |index| &values[index.saturating_sub(half)..(index + half + 1).min(values.len())])
+    (0..values.len()).map(move |index| around(values, index, half))
 }
 
-/// Returns the velocity of the slower part of a foot, unless it is in swing.
-fn planted_velocity(
+/// Returns the values within `half` indices on either side of an index.
+fn around<T>(values: &[T], index: usize, half: usize) -> &[T] {
+    &values[index.saturating_sub(half)..(index + half + 1).min(values.len())]
+}
+
+/// Returns the velocities of ankle and toe of a foot at a frame.
+fn foot_velocities(
     feet: &Feet,
     foot: usize,
     span: &Range<usize>,
     frame: usize,
     step: usize,
-) -> Option<Vector3<f64>> {
+) -> FootVelocities {
     let from = frame.saturating_sub(step).max(span.start);
     let to = (frame + step).min(span.end - 1);
     let seconds = (to - from).max(1) as f64 * feet.frame_time;
     let tracks = &feet.tracks[foot];
-    let [ankle, toe] = [&tracks.ankle, &tracks.toe].map(|track| (track[to] - track[from]) / seconds);
+    [&tracks.ankle, &tracks.toe].map(|track| (track[to] - track[from]) / seconds)
+}
+
+/// Returns the velocity relative to a belt of the slower part of a foot, unless it is in swing.
+fn planted_velocity(parts: FootVelocities, belt: &Vector3<f64>, swing_speed: f64) -> Option<Vector3<f64>> {
+    let [ankle, toe] = parts.map(|part| part - belt);
     let slower = if ankle.norm_squared() < toe.norm_squared() { ankle } else { toe };
-    (slower.norm() < SWING_SPEED * feet.leg).then_some(slower)
+    (slower.norm() < swing_speed).then_some(slower)
+}
+
+/// Velocity and height of a toe, in file units and seconds.
+#[derive(Clone, Copy)]
+struct ToeSample {
+    velocity: Vector3<f64>,
+    height: f64,
+}
+
+/// Returns the velocity of a belt at each sample, interpolated between estimates; zero where there is none.
+fn belt_velocities(toes: &[[ToeSample; 2]], leg: f64, interval: usize, half: usize) -> Vec<Vector3<f64>> {
+    let interval = interval.max(1);
+    let last = toes.len() - 1;
+    let estimate = |index: usize| belt_velocity(around(toes, (index * interval).min(last), half), leg);
+    let estimates: Vec<Vector3<f64>> =
+        (0..=last.div_ceil(interval)).map(|index| estimate(index).unwrap_or_default()).collect();
+    let at = |sample: usize| {
+        let (index, rest) = (sample / interval, sample % interval);
+        let next = estimates[(index + 1).min(estimates.len() - 1)];
+        estimates[index].lerp(&next, rest as f64 / interval as f64)
+    };
+    (0..toes.len()).map(at).collect()
+}
+
+/// Returns the constant velocity that the toes of both feet have for a large part of a period, if that of a
+/// belt.
+///
+/// The body stays where it is, and toes with the velocity of the belt are lower than others: a toe in
+/// swing may have a constant velocity as well.
+fn belt_velocity(toes: &[[ToeSample; 2]], leg: f64) -> Option<Vector3<f64>> {
+    let both = || toes.iter().flatten();
+    let pairs = toes.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
+    let constant: Vec<Vector3<f64>> = pairs
+        .map(|(before, after)| (before.velocity, after.velocity))
+        .filter(|(before, after)| (after - before).norm() < MAX_CHANGE * leg)
+        .map(|(_, velocity)| velocity)
+        .collect();
+    let median = |axis: usize| stats::median_high(constant.iter().map(|velocity| velocity[axis]));
+    let belt = Vector3::new(median(0)?, median(1)?, median(2)?);
+    let speed = belt.norm();
+    let is_with_belt = |toe: &ToeSample| (toe.velocity - belt).norm() < MAX_DEVIATION * speed;
+    let fraction =
+        |foot: usize| toes.iter().filter(|toes| is_with_belt(&toes[foot])).count() as f64 / toes.len() as f64;
+    let travel = both().map(|toe| toe.velocity).sum::<Vector3<f64>>().norm() / (2 * toes.len()) as f64;
+    let height = |with_belt: bool| {
+        let of_kind = || both().filter(|toe| is_with_belt(toe) == with_belt);
+        of_kind().map(|toe| toe.height).sum::<f64>() / of_kind().count() as f64
+    };
+    let is_belt = speed > MIN_BELT_SPEED * leg
+        && fraction(0).min(fraction(1)) > MIN_BELT_FRACTION
+        && travel < MAX_TRAVEL * speed
+        && height(true) < height(false);
+    is_belt.then_some(belt)
 }
 
 /// Returns the median of the known velocities, by coordinate; zero if too few are known.
@@ -177,6 +275,36 @@ mod tests {
         let belt = |time: f64| Vector3::z() * -0.6 * time;
         let ground = moved([&|time| walk(time, 0.0) + belt(time), &|time| walk(time, 0.5) + belt(time)]);
         assert!((ground - belt(6.0)).norm() < 0.1, "{ground}");
+    }
+
+    #[test]
+    fn fast_belts_are_found() {
+        for speed in [0.9, 1.3, 2.0] {
+            let belt = |time: f64| Vector3::z() * -speed * time;
+            let lift = |time: f64, ahead: f64| Vector3::y() * 0.1 * is_swing(time, ahead);
+            let foot =
+                |time: f64, ahead: f64| speed * 1.1 * walk(time, ahead) + belt(time) + lift(time, ahead);
+            let ground = moved([&|time| foot(time, 0.0), &|time| foot(time, 0.5)]);
+            assert!((ground - belt(6.0)).norm() < 0.1, "{speed}: {ground}");
+        }
+    }
+
+    /// Returns 1 while [`walk`] swings, otherwise 0.
+    fn is_swing(time: f64, ahead: f64) -> f64 {
+        f64::from((time / 1.1 + ahead).fract() > 0.64)
+    }
+
+    #[test]
+    fn feet_that_swing_at_a_constant_velocity_are_not_on_a_belt() {
+        // Steps of three leg lengths in 0.8 s, 60 % of which are swing.
+        let run = |time: f64, ahead: f64| {
+            let cycles = time / 0.8 + ahead;
+            let swing = ((cycles.fract() - 0.4) / 0.6).max(0.0);
+            let lift = 0.3 * (std::f64::consts::PI * swing).sin();
+            Vector3::new(0.0, lift, 3.0 * (cycles.floor() + swing))
+        };
+        let feet = feet(10.0, [&|time| run(time, 0.0), &|time| run(time, 0.5)]);
+        assert_eq!(displacement(&feet, &[0..600]), None);
     }
 
     #[test]

@@ -7,14 +7,17 @@ use crate::plants::postprocess::edges::series::{Series, TrackSpan};
 use crate::skeleton::Up;
 
 /// Standard deviation of the error per half range of the cues; fitted on generated motion (seeds 0 to
-/// 3).
-const ERROR_PER_RANGE: f64 = 1.3;
+/// 2).
+const ERROR_PER_RANGE: f64 = 1.5;
 
-/// Part of a foot with the fraction of its peak speed in the following swing that it exceeds at foot
-/// off.
+/// Part of a foot with the speeds that it exceeds at foot off.
+#[derive(Clone, Copy)]
 pub(super) struct Part<'a> {
     pub track: TrackSpan<'a>,
+    /// Fraction of its peak speed in the following swing.
     pub fraction: f64,
+    /// In leg lengths per second.
+    pub max_planted_speed: f64,
 }
 
 /// Times near a foot off, in seconds.
@@ -33,7 +36,9 @@ pub(super) struct OffPeriods {
 ///
 /// The foot rolls over its toe, so the part in front is at rest until the contact ends, whatever the speed
 /// of the gait: the speed that it reaches then is a fraction of its peak speed in the following
-/// swing. Velocities are relative to that of the stance, which is that of the belt on a treadmill.
+/// swing. In a run the foot leaves the ground upwards and accelerates forwards in the air: a part that is
+/// too fast for a planted one has left, even if it has not yet reached that fraction. Velocities are relative
+/// to that of the stance, which is that of the belt on a treadmill.
 ///
 /// The estimate of the clustering is a further cue, for swings that begin in an unusual way.
 pub(super) fn cues(parts: &[Part], up: Up, periods: &OffPeriods) -> Cues {
@@ -54,13 +59,16 @@ fn cue(part: &Part, up: Up, periods: &OffPeriods) -> Option<f64> {
         let [velocity] = track.derivatives(&periods.search, [1], |position| up.to_y_up(*position)[axis]);
         velocity.minus(up.to_y_up(belt)[axis])
     };
+    let (horizontal, vertical) = (Series::norm(component(0), &component(2)), component(1));
     // Jumps on the spot have no horizontal speed to speak of.
-    let (speed, peak) = if along.speed > upwards.speed {
-        (Series::norm(component(0), &component(2)), along)
-    } else {
-        (component(1), upwards)
-    };
-    if peak.is_last { None } else { speed.time_of_rise(part.fraction * peak.speed, periods.estimate) }
+    let (speed, peak) = if along.speed > upwards.speed { (&horizontal, along) } else { (&vertical, upwards) };
+    if peak.is_last {
+        return None;
+    }
+    let exceeds_fraction = speed.time_of_rise(part.fraction * peak.speed, periods.estimate);
+    let total = Series::norm(horizontal, &vertical);
+    let exceeds_limit = total.time_of_rise(part.max_planted_speed * track.leg, periods.estimate);
+    exceeds_fraction.into_iter().chain(exceeds_limit).reduce(f64::min)
 }
 
 /// Largest speed of a swing.
@@ -100,10 +108,13 @@ mod tests {
         let track =
             TrackSpan { track: &track, span: &(0..200), frame_time: 0.01, leg: 1.0, kernels: &kernels };
         let periods = OffPeriods { stance: 0.2..0.7, search: 0.8..1.2, swing: 1.0..1.4, estimate: 1.05 };
-        let time = cue(&Part { track, fraction: 0.25 }, Up::Y, &periods).unwrap();
+        let part = Part { track, fraction: 0.25, max_planted_speed: 9.0 };
+        let time = cue(&part, Up::Y, &periods).unwrap();
         // The peak speed is 4 m/s.
         assert!((time - 1.05).abs() < 0.003, "{time}");
+        let time = cue(&Part { max_planted_speed: 0.6, ..part }, Up::Y, &periods).unwrap();
+        assert!((time - 1.03).abs() < 0.003, "{time}");
         let cut_off = OffPeriods { swing: 1.0..1.15, ..periods };
-        assert_eq!(cue(&Part { track, fraction: 0.25 }, Up::Y, &cut_off), None);
+        assert_eq!(cue(&part, Up::Y, &cut_off), None);
     }
 }
