@@ -15,7 +15,7 @@
 use crate::plants::spectral::affinity::Kernel;
 use crate::plants::spectral::cells::{Cells, DIMS, Point};
 use crate::plants::spectral::source_cells::{
-    LANES, LEADING_AXES, Lanes, Sources, TRIANGLE, ZEROS, entries, source_moments,
+    LANES, LEADING_AXES, Lanes, Parents, Sources, TRIANGLE, ZEROS, entries, source_moments,
 };
 
 /// Samples farther from the centre of their cell than this, in units of the bandwidth, are
@@ -69,14 +69,17 @@ impl Selection {
     ///
     /// The error is that of the terms of third order and the first ones of fourth order, with the standard
     /// deviation of the samples of a parent as its extent, and that of the second moments along the axes that
-    /// have none.
+    /// have none. The derivatives are those at the nearest place that a cell of the parent can have, as in the
+    /// remainder of a Taylor series: there may be a cell of small weight far from the centre.
     #[inline(always)]
-    fn select(&mut self, parents: &[Sources], position: &[f32; DIMS], residual: f32, kernel: Kernel) {
+    fn select(&mut self, parents: &[Parents], position: &[f32; DIMS], residual: f32, kernel: Kernel) {
         let mut sums = ZEROS;
         self.errors.clear();
-        for parent in parents {
+        for Parents { sources: parent, radius } in parents {
             let (_, squared) = parent.offsets(position, residual);
-            let [f, _, f2, f3] = derivatives(kernel, squared);
+            let [f, ..] = derivatives(kernel, squared);
+            let nearest = std::array::from_fn(|lane| (squared[lane].sqrt() - radius[lane]).max(0.0).powi(2));
+            let [_, _, f2, f3] = derivatives(kernel, nearest);
             let mut minor = parent.trace;
             for (moments, _) in
                 parent.moments.iter().zip(entries()).filter(|(_, (row, column))| row == column)
@@ -101,7 +104,7 @@ impl Selection {
         }
         let limit = PARENT_ERROR * sums.iter().sum::<f32>();
         self.parents.clear();
-        self.parents.extend_from_slice(parents);
+        self.parents.extend(parents.iter().map(|parents| parents.sources.clone()));
         self.divided.clear();
         for (block, (parents, errors)) in self.parents.iter_mut().zip(&self.errors).enumerate() {
             let is_divided = errors.map(|error| error > limit);
@@ -128,7 +131,7 @@ pub(crate) struct Expansion {
     scale: f32,
     sources: Vec<Sources>,
     /// Parents of the sources, one lane for each element of `sources`.
-    parents: Vec<Sources>,
+    parents: Vec<Parents>,
 }
 
 impl Expansion {
@@ -139,8 +142,8 @@ impl Expansion {
         let parents = sources
             .chunks(LANES)
             .map(|chunk| {
-                let mut parents = Sources::NONE;
-                chunk.iter().enumerate().for_each(|(lane, children)| parents.set_parent(lane, children));
+                let mut parents = Parents::NONE;
+                chunk.iter().enumerate().for_each(|(lane, children)| parents.set(lane, children));
                 parents
             })
             .collect();

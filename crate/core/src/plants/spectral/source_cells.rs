@@ -35,33 +35,6 @@ impl Sources {
         residual: ZEROS,
     };
 
-    /// Sets one lane to the cell that stands for all lanes of `children`.
-    pub fn set_parent(&mut self, lane: usize, children: &Sources) {
-        let weight: f32 = children.weight.iter().sum();
-        if weight <= 0.0 {
-            return;
-        }
-        let mean = |values: &Lanes| {
-            values.iter().zip(&children.weight).map(|(value, weight)| value * weight).sum::<f32>() / weight
-        };
-        let centre = children.centre.each_ref().map(mean);
-        self.weight[lane] = weight;
-        self.residual[lane] = mean(&children.residual);
-        for (own, centre) in self.centre.iter_mut().zip(centre) {
-            own[lane] = centre;
-        }
-        for child in 0..LANES {
-            let weight = children.weight[child];
-            let offset: [f32; DIMS] = std::array::from_fn(|axis| children.centre[axis][child] - centre[axis]);
-            self.trace[lane] +=
-                children.trace[child] + weight * offset.iter().map(|offset| offset * offset).sum::<f32>();
-            for (entry, (row, column)) in entries().enumerate() {
-                self.moments[entry][lane] +=
-                    children.moments[entry][child] + weight * offset[row] * offset[column];
-            }
-        }
-    }
-
     /// Removes the cells of the given lanes.
     pub fn remove(&mut self, lanes: [bool; LANES]) {
         let moments = self.moments.iter_mut();
@@ -107,6 +80,46 @@ impl Sources {
             }
         }
         product
+    }
+}
+
+/// Cells that stand for eight source cells each, one per lane.
+pub(super) struct Parents {
+    pub sources: Sources,
+    /// Largest distance of a source cell from the centre of its parent.
+    pub radius: Lanes,
+}
+
+impl Parents {
+    /// Parents without weight.
+    pub const NONE: Parents = Parents { sources: Sources::NONE, radius: ZEROS };
+
+    /// Sets one lane to the cell that stands for all lanes of `children`.
+    pub fn set(&mut self, lane: usize, children: &Sources) {
+        let weight: f32 = children.weight.iter().sum();
+        if weight <= 0.0 {
+            return;
+        }
+        let mean = |values: &Lanes| {
+            values.iter().zip(&children.weight).map(|(value, weight)| value * weight).sum::<f32>() / weight
+        };
+        let centre = children.centre.each_ref().map(mean);
+        let own = &mut self.sources;
+        own.weight[lane] = weight;
+        own.residual[lane] = mean(&children.residual);
+        for (own, centre) in own.centre.iter_mut().zip(centre) {
+            own[lane] = centre;
+        }
+        for (child, &weight) in children.weight.iter().enumerate().filter(|(_, weight)| **weight > 0.0) {
+            let offset: [f32; DIMS] = std::array::from_fn(|axis| children.centre[axis][child] - centre[axis]);
+            let squared: f32 = offset.iter().map(|offset| offset * offset).sum();
+            self.radius[lane] = self.radius[lane].max(squared.sqrt());
+            own.trace[lane] += children.trace[child] + weight * squared;
+            for (entry, (row, column)) in entries().enumerate() {
+                own.moments[entry][lane] +=
+                    children.moments[entry][child] + weight * offset[row] * offset[column];
+            }
+        }
     }
 }
 
