@@ -6,6 +6,7 @@ use plantigrade::skeleton::{Skeleton, Up};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::second::second_module;
 use crate::types::{
     ArgumentError, EditInfo, Failure, GroundInfo, NoiseInfo, NoticeInfo, from_js, parse_side, to_js,
 };
@@ -58,6 +59,14 @@ impl WasmDetection {
     }
 }
 
+second_module! {
+    "1a" fn apply_edits(detection: &mut WasmDetection, edits: Vec<Ts<EditInfo>>) -> Result<(), Failure> {
+        let edits = edits_from_js(&edits)?;
+        detection.edited = Some(plants::apply_edits(&detection.detected, &edits, detection.frame_time));
+        Ok(())
+    }
+}
+
 #[wasm_bindgen]
 impl WasmDetection {
     /// Applies edits to the detected labels, replacing earlier edits; later entries take precedence.
@@ -65,10 +74,11 @@ impl WasmDetection {
     /// # Errors
     /// If an entry is not a valid edit.
     pub fn edit(&mut self, edits: Vec<Ts<EditInfo>>) -> Result<(), Failure> {
-        let edits = edits_from_js(&edits)?;
-        self.edited =
-            (!edits.is_empty()).then(|| plants::apply_edits(&self.detected, &edits, self.frame_time));
-        Ok(())
+        if edits.is_empty() {
+            self.edited = None;
+            return Ok(());
+        }
+        apply_edits(self, edits)
     }
 
     /// Names of the labelled parts, the principal part first.

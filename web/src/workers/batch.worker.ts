@@ -80,7 +80,10 @@ const api = {
     const changes = hash ? await changesOf(hash) : { edits: [] };
     await methodReady(options);
     const detected = await toResult(() => wasmClip.detect(options));
-    if (detected.ok) detected.value.edit(plantEditsOf(changes.edits));
+    if (detected.ok && changes.edits.length) {
+      await secondReady();
+      detected.value.edit(plantEditsOf(changes.edits));
+    }
     const clip = clipToPlain(wasmClip, name);
     const detection = detected.ok ? detectionToPlain(detected.value, options) : null;
     if (detected.ok) detected.value.free();

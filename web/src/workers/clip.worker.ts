@@ -339,7 +339,6 @@ const firstCalls: readonly (keyof ClipApi)[] = [
   "startSecondModule",
   "open",
   "detect",
-  "edit",
   "hash",
   "methods",
   "segmentMethods",

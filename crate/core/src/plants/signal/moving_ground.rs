@@ -188,28 +188,38 @@ fn belt_velocities(toes: &[[ToeSample; 2]], leg: f64, interval: usize, half: usi
 /// The body stays where it is, and toes with the velocity of the belt are lower than others: a toe in
 /// swing may have a constant velocity as well.
 fn belt_velocity(toes: &[[ToeSample; 2]], leg: f64) -> Option<Vector3<f64>> {
-    let both = || toes.iter().flatten();
-    let pairs = toes.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
-    let constant: Vec<Vector3<f64>> = pairs
-        .map(|(before, after)| (before.velocity, after.velocity))
-        .filter(|(before, after)| (after - before).norm() < MAX_CHANGE * leg)
-        .map(|(_, velocity)| velocity)
-        .collect();
-    let median = |axis: usize| stats::median_high(constant.iter().map(|velocity| velocity[axis]));
-    let belt = Vector3::new(median(0)?, median(1)?, median(2)?);
+    let mut constant = Vec::new();
+    for pair in toes.windows(2) {
+        for (before, after) in pair[0].iter().zip(&pair[1]) {
+            if (after.velocity - before.velocity).norm() < MAX_CHANGE * leg {
+                constant.push(Some(after.velocity));
+            }
+        }
+    }
+    if constant.is_empty() {
+        return None;
+    }
+    let belt = median(&constant);
     let speed = belt.norm();
-    let is_with_belt = |toe: &ToeSample| (toe.velocity - belt).norm() < MAX_DEVIATION * speed;
-    let fraction =
-        |foot: usize| toes.iter().filter(|toes| is_with_belt(&toes[foot])).count() as f64 / toes.len() as f64;
-    let travel = both().map(|toe| toe.velocity).sum::<Vector3<f64>>().norm() / (2 * toes.len()) as f64;
-    let height = |with_belt: bool| {
-        let of_kind = || both().filter(|toe| is_with_belt(toe) == with_belt);
-        of_kind().map(|toe| toe.height).sum::<f64>() / of_kind().count() as f64
-    };
+    // By foot: number of samples with the velocity of the belt.
+    let mut with_belt = [0; 2];
+    // Of the samples with another velocity, and of those with the velocity of the belt: sum of heights.
+    let mut heights = [0.0; 2];
+    let mut travel = Vector3::zeros();
+    for sample in toes {
+        for (toe, with_belt) in sample.iter().zip(&mut with_belt) {
+            let is_with_belt = (toe.velocity - belt).norm() < MAX_DEVIATION * speed;
+            *with_belt += usize::from(is_with_belt);
+            heights[usize::from(is_with_belt)] += toe.height;
+            travel += toe.velocity;
+        }
+    }
+    let [samples, with_both] = [2 * toes.len(), with_belt[0] + with_belt[1]].map(|count| count as f64);
+    let fraction = with_belt[0].min(with_belt[1]) as f64 / toes.len() as f64;
     let is_belt = speed > MIN_BELT_SPEED * leg
-        && fraction(0).min(fraction(1)) > MIN_BELT_FRACTION
-        && travel < MAX_TRAVEL * speed
-        && height(true) < height(false);
+        && fraction > MIN_BELT_FRACTION
+        && travel.norm() / samples < MAX_TRAVEL * speed
+        && heights[1] / with_both < heights[0] / (samples - with_both);
     is_belt.then_some(belt)
 }
 

@@ -72,10 +72,10 @@ impl Selection {
     /// have none. The derivatives are those at the nearest place that a cell of the parent can have, as in the
     /// remainder of a Taylor series: there may be a cell of small weight far from the centre.
     #[inline(always)]
-    fn select(&mut self, parents: &[Parents], position: &[f32; DIMS], residual: f32, kernel: Kernel) {
+    fn select(&mut self, parents: &Parents, position: &[f32; DIMS], residual: f32, kernel: Kernel) {
         let mut sums = ZEROS;
         self.errors.clear();
-        for Parents { sources: parent, radius } in parents {
+        for (parent, radius) in parents.cells.iter().zip(&parents.radii) {
             let (_, squared) = parent.offsets(position, residual);
             let [f, ..] = derivatives(kernel, squared);
             let nearest = std::array::from_fn(|lane| (squared[lane].sqrt() - radius[lane]).max(0.0).powi(2));
@@ -104,7 +104,7 @@ impl Selection {
         }
         let limit = PARENT_ERROR * sums.iter().sum::<f32>();
         self.parents.clear();
-        self.parents.extend(parents.iter().map(|parents| parents.sources.clone()));
+        self.parents.extend_from_slice(&parents.cells);
         self.divided.clear();
         for (block, (parents, errors)) in self.parents.iter_mut().zip(&self.errors).enumerate() {
             let is_divided = errors.map(|error| error > limit);
@@ -130,8 +130,7 @@ pub(crate) struct Expansion {
     /// Factor of lengths.
     scale: f32,
     sources: Vec<Sources>,
-    /// Parents of the sources, one lane for each element of `sources`.
-    parents: Vec<Parents>,
+    parents: Parents,
 }
 
 impl Expansion {
@@ -139,14 +138,7 @@ impl Expansion {
     /// cells.
     pub fn new(kernel: Kernel, sigma: f64, cells: &Cells, weights: &[f64]) -> Expansion {
         let sources = source_moments(cells, weights, 1.0 / sigma);
-        let parents = sources
-            .chunks(LANES)
-            .map(|chunk| {
-                let mut parents = Parents::NONE;
-                chunk.iter().enumerate().for_each(|(lane, children)| parents.set(lane, children));
-                parents
-            })
-            .collect();
+        let parents = Parents::new(&sources);
         Expansion { kernel, scale: (1.0 / sigma) as f32, sources, parents }
     }
 

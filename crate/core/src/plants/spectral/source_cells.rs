@@ -83,43 +83,55 @@ impl Sources {
     }
 }
 
-/// Cells that stand for eight source cells each, one per lane.
+/// Cells that stand for eight source cells each, one lane for each block of sources.
 pub(super) struct Parents {
-    pub sources: Sources,
+    pub cells: Vec<Sources>,
     /// Largest distance of a source cell from the centre of its parent.
-    pub radius: Lanes,
+    pub radii: Vec<Lanes>,
 }
 
 impl Parents {
-    /// Parents without weight.
-    pub const NONE: Parents = Parents { sources: Sources::NONE, radius: ZEROS };
+    /// Creates the parents of blocks of sources.
+    pub fn new(sources: &[Sources]) -> Parents {
+        let blocks = sources.len().div_ceil(LANES);
+        let mut parents = Parents { cells: vec![Sources::NONE; blocks], radii: vec![ZEROS; blocks] };
+        for (index, children) in sources.iter().enumerate() {
+            let (block, lane) = (index / LANES, index % LANES);
+            parents.radii[block][lane] = parents.cells[block].set_parent(lane, children);
+        }
+        parents
+    }
+}
 
-    /// Sets one lane to the cell that stands for all lanes of `children`.
-    pub fn set(&mut self, lane: usize, children: &Sources) {
+impl Sources {
+    /// Sets one lane to the cell that stands for all lanes of `children`. Returns the largest distance of
+    /// one of them from its centre.
+    fn set_parent(&mut self, lane: usize, children: &Sources) -> f32 {
         let weight: f32 = children.weight.iter().sum();
         if weight <= 0.0 {
-            return;
+            return 0.0;
         }
         let mean = |values: &Lanes| {
             values.iter().zip(&children.weight).map(|(value, weight)| value * weight).sum::<f32>() / weight
         };
         let centre = children.centre.each_ref().map(mean);
-        let own = &mut self.sources;
-        own.weight[lane] = weight;
-        own.residual[lane] = mean(&children.residual);
-        for (own, centre) in own.centre.iter_mut().zip(centre) {
+        self.weight[lane] = weight;
+        self.residual[lane] = mean(&children.residual);
+        for (own, centre) in self.centre.iter_mut().zip(centre) {
             own[lane] = centre;
         }
+        let mut radius: f32 = 0.0;
         for (child, &weight) in children.weight.iter().enumerate().filter(|(_, weight)| **weight > 0.0) {
             let offset: [f32; DIMS] = std::array::from_fn(|axis| children.centre[axis][child] - centre[axis]);
             let squared: f32 = offset.iter().map(|offset| offset * offset).sum();
-            self.radius[lane] = self.radius[lane].max(squared.sqrt());
-            own.trace[lane] += children.trace[child] + weight * squared;
+            radius = radius.max(squared.sqrt());
+            self.trace[lane] += children.trace[child] + weight * squared;
             for (entry, (row, column)) in entries().enumerate() {
-                own.moments[entry][lane] +=
+                self.moments[entry][lane] +=
                     children.moments[entry][child] + weight * offset[row] * offset[column];
             }
         }
+        radius
     }
 }
 
