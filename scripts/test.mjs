@@ -131,7 +131,7 @@ async function browserTests() {
   });
 }
 
-/** Runs one check. Returns its counts, and the failure, if any, and prints how long it took. */
+/** Runs one check and reports its duration. Returns its counts, and the failure, if any. */
 async function runCheck([title, check]) {
   step(title);
   const start = performance.now();

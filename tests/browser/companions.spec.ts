@@ -38,15 +38,15 @@ test("does not show a clip side by side with itself", async ({ app, page }) => {
   await app.drop(sample("curved-walk"), sample("bowling"), sample("frog-jumps"));
   await expect(page.getByText(/^All processed/)).toBeVisible();
   // The row of the sample that was opened before.
-  const beside = (name: string, open: string) =>
+  const sideBySide = (name: string, open: string) =>
     page.getByRole("button", { name: `${name}.bvh side by side with ${open}.bvh` });
-  await expect(beside("bowling", "curved-walk")).toBeAttached();
-  await expect(beside("curved-walk", "curved-walk")).toHaveCount(0);
-  await beside("bowling", "curved-walk").focus();
+  await expect(sideBySide("bowling", "curved-walk")).toBeAttached();
+  await expect(sideBySide("curved-walk", "curved-walk")).toHaveCount(0);
+  await sideBySide("bowling", "curved-walk").focus();
   await page.keyboard.press("Enter");
-  await beside("frog-jumps", "curved-walk").focus();
+  await sideBySide("frog-jumps", "curved-walk").focus();
   await page.keyboard.press("Enter");
-  await expect(beside("frog-jumps", "curved-walk")).toHaveAttribute("aria-pressed", "true");
+  await expect(sideBySide("frog-jumps", "curved-walk")).toHaveAttribute("aria-pressed", "true");
   // A comparison clip that is opened is no longer one.
   await page.getByRole("button", { name: "bowling.bvh", exact: true }).click();
   await app.waitForClip("bowling.bvh");

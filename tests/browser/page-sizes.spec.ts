@@ -136,8 +136,8 @@ atEachSize(
       const tracksHeight = async () => (await container(app).boundingBox())?.height ?? 0;
       const before = await tracksHeight();
       const minimum = height <= 560 ? 150 : 200;
-      const room = ((await app.stage.boundingBox())?.height ?? 0) - minimum;
-      const by = Math.min(100, room);
+      const available = ((await app.stage.boundingBox())?.height ?? 0) - minimum;
+      const by = Math.min(100, available);
       const box = await splitter.boundingBox();
       if (!box) throw new Error("There is no splitter.");
       await page.mouse.move(box.x + 300, box.y + 1);

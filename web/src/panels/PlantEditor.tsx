@@ -12,7 +12,7 @@ import type { FrameRange } from "../model/edits";
 import type { Instant } from "../model/plants";
 import type { Part, Side } from "../model/types";
 import { addTarget, detection, openClip, plantEdits } from "../store/session";
-import { HistoryButton } from "../ui/HistoryButton";
+import { CommandButton } from "../ui/CommandButton";
 import { EdgeStepper } from "../ui/Stepper";
 import { capitalize } from "../util/format";
 import { StorageNotices } from "./StorageNotices";
@@ -23,8 +23,8 @@ export function PlantEditor() {
     <div class="field plant-editor">
       <div class="field-head">
         <h2>Edit</h2>
-        <HistoryButton id="undo" />
-        <HistoryButton id="redo" />
+        <CommandButton id="undo" />
+        <CommandButton id="redo" />
       </div>
       <StorageNotices />
       {selection.value ? (

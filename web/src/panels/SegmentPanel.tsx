@@ -21,8 +21,8 @@ import {
   selectedCut,
 } from "../store/session";
 import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
+import { CommandButton } from "../ui/CommandButton";
 import { FormatButton } from "../ui/FormatButton";
-import { HistoryButton } from "../ui/HistoryButton";
 import { Icon } from "../ui/icons";
 import { ListHead } from "../ui/ListHead";
 import { OpenOrDrop } from "../ui/OpenOrDrop";
@@ -250,8 +250,8 @@ function CutEditor() {
     <div class="field">
       <div class="field-head">
         <h2>Cuts</h2>
-        <HistoryButton id="undo" />
-        <HistoryButton id="redo" />
+        <CommandButton id="undo" />
+        <CommandButton id="redo" />
       </div>
       {cut === null ? (
         <p class="note">Select a cut in the timeline to move it.</p>

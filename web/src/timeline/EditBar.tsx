@@ -1,8 +1,6 @@
-import { commandOf, tooltip } from "../actions/commands";
 import { selection } from "../actions/edit";
 import { selectedCut } from "../store/session";
-import { HistoryButton } from "../ui/HistoryButton";
-import { Icon } from "../ui/icons";
+import { CommandButton } from "../ui/CommandButton";
 import { CutStepper, EdgeStepper } from "../ui/Stepper";
 import { formatCount } from "../util/format";
 
@@ -14,8 +12,8 @@ export function EditBar() {
   return (
     <fieldset class="edit-bar" data-selected={isSelected}>
       <legend class="visually-hidden">Edit</legend>
-      <HistoryButton id="undo" />
-      <HistoryButton id="redo" />
+      <CommandButton id="undo" />
+      <CommandButton id="redo" />
       {plant && (
         <>
           <EdgeStepper edge="start">
@@ -31,17 +29,7 @@ export function EditBar() {
           <Value name="Cut">{cut}</Value>
         </CutStepper>
       )}
-      {isSelected && (
-        <button
-          type="button"
-          class="button flat icon-only"
-          aria-label={commandOf("delete").label}
-          title={tooltip("delete")}
-          onClick={commandOf("delete").run}
-        >
-          <Icon name="delete" />
-        </button>
-      )}
+      {isSelected && <CommandButton id="delete" />}
     </fieldset>
   );
 }

@@ -214,12 +214,13 @@ fn belt_velocity(toes: &[[ToeSample; 2]], leg: f64) -> Option<Vector3<f64>> {
             travel += toe.velocity;
         }
     }
-    let [samples, with_both] = [2 * toes.len(), with_belt[0] + with_belt[1]].map(|count| count as f64);
+    let samples = (2 * toes.len()) as f64;
+    let samples_with_belt = (with_belt[0] + with_belt[1]) as f64;
     let fraction = with_belt[0].min(with_belt[1]) as f64 / toes.len() as f64;
     let is_belt = speed > MIN_BELT_SPEED * leg
         && fraction > MIN_BELT_FRACTION
         && travel.norm() / samples < MAX_TRAVEL * speed
-        && heights[1] / with_both < heights[0] / (samples - with_both);
+        && heights[1] / samples_with_belt < heights[0] / (samples - samples_with_belt);
     is_belt.then_some(belt)
 }
 

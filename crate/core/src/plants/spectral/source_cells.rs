@@ -35,6 +35,36 @@ impl Sources {
         residual: ZEROS,
     };
 
+    /// Sets one lane to the cell that stands for all lanes of `children`. Returns the largest distance of
+    /// one of them from its centre.
+    fn set_parent(&mut self, lane: usize, children: &Sources) -> f32 {
+        let weight: f32 = children.weight.iter().sum();
+        if weight <= 0.0 {
+            return 0.0;
+        }
+        let mean = |values: &Lanes| {
+            values.iter().zip(&children.weight).map(|(value, weight)| value * weight).sum::<f32>() / weight
+        };
+        let centre = children.centre.each_ref().map(mean);
+        self.weight[lane] = weight;
+        self.residual[lane] = mean(&children.residual);
+        for (own, centre) in self.centre.iter_mut().zip(centre) {
+            own[lane] = centre;
+        }
+        let mut radius: f32 = 0.0;
+        for (child, &weight) in children.weight.iter().enumerate().filter(|(_, weight)| **weight > 0.0) {
+            let offset: [f32; DIMS] = std::array::from_fn(|axis| children.centre[axis][child] - centre[axis]);
+            let squared: f32 = offset.iter().map(|offset| offset * offset).sum();
+            radius = radius.max(squared.sqrt());
+            self.trace[lane] += children.trace[child] + weight * squared;
+            for (entry, (row, column)) in entries().enumerate() {
+                self.moments[entry][lane] +=
+                    children.moments[entry][child] + weight * offset[row] * offset[column];
+            }
+        }
+        radius
+    }
+
     /// Removes the cells of the given lanes.
     pub fn remove(&mut self, lanes: [bool; LANES]) {
         let moments = self.moments.iter_mut();
@@ -100,38 +130,6 @@ impl Parents {
             parents.radii[block][lane] = parents.cells[block].set_parent(lane, children);
         }
         parents
-    }
-}
-
-impl Sources {
-    /// Sets one lane to the cell that stands for all lanes of `children`. Returns the largest distance of
-    /// one of them from its centre.
-    fn set_parent(&mut self, lane: usize, children: &Sources) -> f32 {
-        let weight: f32 = children.weight.iter().sum();
-        if weight <= 0.0 {
-            return 0.0;
-        }
-        let mean = |values: &Lanes| {
-            values.iter().zip(&children.weight).map(|(value, weight)| value * weight).sum::<f32>() / weight
-        };
-        let centre = children.centre.each_ref().map(mean);
-        self.weight[lane] = weight;
-        self.residual[lane] = mean(&children.residual);
-        for (own, centre) in self.centre.iter_mut().zip(centre) {
-            own[lane] = centre;
-        }
-        let mut radius: f32 = 0.0;
-        for (child, &weight) in children.weight.iter().enumerate().filter(|(_, weight)| **weight > 0.0) {
-            let offset: [f32; DIMS] = std::array::from_fn(|axis| children.centre[axis][child] - centre[axis]);
-            let squared: f32 = offset.iter().map(|offset| offset * offset).sum();
-            radius = radius.max(squared.sqrt());
-            self.trace[lane] += children.trace[child] + weight * squared;
-            for (entry, (row, column)) in entries().enumerate() {
-                self.moments[entry][lane] +=
-                    children.moments[entry][child] + weight * offset[row] * offset[column];
-            }
-        }
-        radius
     }
 }
 

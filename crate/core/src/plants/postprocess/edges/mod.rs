@@ -38,7 +38,7 @@ const TOE_FRACTION: f64 = 0.2;
 const TIP_FRACTION: f64 = 0.1;
 /// Speeds of toe and tip that planted ones do not exceed, in leg lengths per second. The speed of the toe is
 /// about 1.2 at the foot offs of walks, 1.1 at those of runs and 1.3 at those of jumps. Chosen on generated
-/// motion (seeds 0 to 2) among the values with which foot offs over force plates do not become less exact.
+/// motion (seeds 0 to 2), such that foot offs over force plates do not become less exact.
 const MAX_TOE_SPEED: f64 = 1.5;
 const MAX_TIP_SPEED: f64 = 1.1;
 /// Uncertainty of boundaries of the clustering, and the least uncertainty of any edge, in seconds.

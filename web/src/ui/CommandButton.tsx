@@ -1,8 +1,8 @@
 import { commandOf, isEnabled, tooltip } from "../actions/commands";
 import { Icon } from "../ui/icons";
 
-/** Undoes or redoes an edit of plants or cuts. */
-export function HistoryButton({ id }: { id: "undo" | "redo" }) {
+/** A button with the icon of a command for edits. */
+export function CommandButton({ id }: { id: "undo" | "redo" | "delete" }) {
   const command = commandOf(id);
   return (
     <button
