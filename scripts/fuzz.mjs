@@ -31,8 +31,8 @@ await main(async () => {
     // Without a sanitizer, as the core has no unsafe code, and without tracing comparisons, which
     // takes two thirds of the time.
     const build = ["--fuzz-dir", folder, "--sanitizer", "none", "--no-trace-compares"];
-    // A run may take a second, and inputs have up to 10 kB.
-    const limits = [`-max_total_time=${seconds}`, "-timeout=1", "-max_len=10000"];
+    // Inputs have up to 10 kB. The targets limit processor time; this limit of 20 s finds endless waits.
+    const limits = [`-max_total_time=${seconds}`, "-timeout=20", "-max_len=10000"];
     await run(
       cargoFuzz,
       [

@@ -1,6 +1,6 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use plantigrade_fuzz::{ALLOCATOR, run, targets};
+use plantigrade_fuzz::{run, targets};
 
-fuzz_target!(|data: &[u8]| run(&ALLOCATOR, targets::bvh, data));
+fuzz_target!(|data: &[u8]| run(targets::bvh, data));

@@ -1,6 +1,6 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use plantigrade_fuzz::{ALLOCATOR, run, targets};
+use plantigrade_fuzz::{run, targets};
 
-fuzz_target!(|data: &[u8]| run(&ALLOCATOR, targets::labels, data));
+fuzz_target!(|data: &[u8]| run(targets::labels, data));

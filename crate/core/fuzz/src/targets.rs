@@ -273,8 +273,8 @@ fn absurd_value(code: u16) -> f64 {
     EXTREMES.get(usize::from(code)).copied().unwrap_or((f64::from(code) - 32768.0) / 100.0)
 }
 
-/// Returns short clips of several skeletons and motions.
-fn clips() -> &'static [Clip] {
+/// Returns short clips of several skeletons and motions, which are created once.
+pub fn clips() -> &'static [Clip] {
     static CLIPS: OnceLock<Vec<Clip>> = OnceLock::new();
     CLIPS.get_or_init(|| {
         let specs = full_set(1.0).into_iter().step_by(20).chain(hard_cases(1.0).into_iter().step_by(5));
