@@ -25,6 +25,9 @@ fn main() {
         test("unreal_script_scales_times_to_the_animation", unreal_script_scales, python),
         test("unreal_curves_equal_the_labels", unreal_curves, python),
         test("unity_script_adds_and_removes_events_at_any_rate", unity_script, mono),
+        test("unity_events_of_a_part_of_a_take_are_those_of_the_part", unity_part_of_take, mono),
+        test("unreal_script_adds_and_removes_segments", unreal_segments, python),
+        test("unity_script_adds_and_removes_segments", unity_segments, mono),
         test("scripts_of_several_skeletons_name_the_roots", several_skeletons, true),
     ];
     libtest_mimic::run(&arguments, tests).exit();
@@ -39,8 +42,13 @@ fn project(path: &str) -> PathBuf {
 
 /// Returns the result of `detect` for a clip.
 fn detect(clip: &str, format: &str, rate: &str) -> String {
+    output_of("detect", clip, format, rate)
+}
+
+/// Returns the result of a command for a clip.
+fn output_of(command: &str, clip: &str, format: &str, rate: &str) -> String {
+    let arguments = [command, clip, "--format", format, "--fps", rate];
     let mut command = assert_cmd::Command::cargo_bin("plantigrade").expect("the binary");
-    let arguments = ["detect", clip, "--format", format, "--fps", rate];
     let output = command.current_dir(project("samples")).args(arguments).output().expect("the program runs");
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
     String::from_utf8(output.stdout).expect("text")
@@ -87,10 +95,10 @@ fn assert_events(found: &[(f64, String)], expected: &[(f64, String)], rate: &str
     }
 }
 
-/// Runs the Unreal script of a clip on an animation of `length` seconds.
-fn run_unreal(clip: &str, rate: &str, length: f64) -> Value {
+/// Runs a script for Unreal on an animation of `length` seconds.
+fn run_unreal(script: &str, length: f64) -> Value {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("clip.unreal.py"), detect(clip, "unreal", rate)).expect("a script");
+    fs::write(folder.path().join("clip.unreal.py"), script).expect("a script");
     let mut command = Command::new("python3");
     command.arg("-c").arg(include_str!("unreal_stub.py")).arg(length.to_string());
     let output = command.current_dir(folder.path()).output().expect("Python runs");
@@ -109,7 +117,7 @@ fn added(run: &Value, list: &str) -> Vec<(f64, String)> {
 
 fn unreal_script() {
     for rate in RATES {
-        let state = run_unreal("curved-walk.bvh", rate, duration("curved-walk.bvh", rate));
+        let state = run_unreal(&detect("curved-walk.bvh", "unreal", rate), duration("curved-walk.bvh", rate));
         let events = expected("curved-walk.bvh", rate);
         let strikes: Vec<_> =
             events.iter().filter(|(_, name)| name.starts_with("FootStrike")).cloned().collect();
@@ -131,7 +139,7 @@ fn unreal_script() {
 
 fn unreal_script_scales() {
     let (clip, rate) = ("curved-walk.bvh", "60");
-    let state = run_unreal(clip, rate, 2.0 * duration(clip, rate));
+    let state = run_unreal(&detect(clip, "unreal", rate), 2.0 * duration(clip, rate));
     let doubled: Vec<_> = expected(clip, rate).into_iter().map(|(time, name)| (2.0 * time, name)).collect();
     assert_events(&added(&state["runs"][1], "notifies"), &doubled, "30");
     assert_eq!(state["warnings"].as_array().map(Vec::len), Some(2), "one for each run that adds");
@@ -140,7 +148,7 @@ fn unreal_script_scales() {
 /// The value of each curve in the middle of each frame's neighbourhood equals the label.
 fn unreal_curves() {
     let (clip, rate) = ("limp-to-run.bvh", "30");
-    let state = run_unreal(clip, rate, duration(clip, rate));
+    let state = run_unreal(&detect(clip, "unreal", rate), duration(clip, rate));
     let table = detect(clip, "csv", rate);
     let mut rows = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let head = rows.next().expect("a head");
@@ -164,41 +172,114 @@ fn unreal_curves() {
     }
 }
 
+/// Compiles a script for Unity and returns the output of its run on an animation of `length` seconds.
+fn run_unity(script: &str, length: f64, options: &[&str]) -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("clip.cs"), script).expect("a script");
+    fs::write(folder.path().join("stub.cs"), include_str!("unity_stub.cs")).expect("a stub");
+    let run = |program: &str, arguments: &[&str]| {
+        let output = Command::new(program).args(arguments).current_dir(folder.path()).output();
+        let output = output.expect("the program runs");
+        let [text, errors] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+        assert!(output.status.success(), "{text}{errors}");
+        text.into_owned()
+    };
+    run("mcs", &["-nologo", "-d:UNITY_EDITOR", "-out:test.exe", "clip.cs", "stub.cs"]);
+    let length = length.to_string();
+    run("mono", &[&["test.exe", length.as_str()], options].concat())
+}
+
+/// Returns the events of a line that the script has added, and the number of other events. Times are multiplied
+/// by `unit`.
+fn unity_events(list: &str, unit: f64) -> (Vec<(f64, String)>, usize) {
+    let all = list.split(',').filter(|text| !text.is_empty()).map(|text| text.split(' ').collect::<Vec<_>>());
+    let (own, others): (Vec<_>, Vec<_>) = all.partition(|words| words[1] == "OnFootEvent");
+    let event = |words: &Vec<&str>| (unit * words[0].parse::<f64>().expect("a time"), words[2].to_owned());
+    (own.iter().map(event).collect(), others.len())
+}
+
 fn unity_script() {
     for rate in RATES {
         let clip = "curved-walk.bvh";
-        let folder = tempfile::tempdir().expect("a folder");
-        fs::write(folder.path().join("clip.cs"), detect(clip, "unity", rate)).expect("a script");
-        fs::write(folder.path().join("stub.cs"), include_str!("unity_stub.cs")).expect("a stub");
-        let run = |program: &str, arguments: &[&str]| {
-            let output = Command::new(program).args(arguments).current_dir(folder.path()).output();
-            let output = output.expect("the program runs");
-            let [text, errors] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
-            assert!(output.status.success(), "{text}{errors}");
-            text.into_owned()
-        };
-        run("mcs", &["-nologo", "-d:UNITY_EDITOR", "-out:test.exe", "clip.cs", "stub.cs"]);
         let length = duration(clip, rate);
-        let printed = run("mono", &["test.exe", &length.to_string()]);
+        let output = run_unity(&detect(clip, "unity", rate), length, &[]);
         let events = expected(clip, rate);
-        let lines: Vec<&str> = printed.lines().collect();
+        let lines: Vec<&str> = output.lines().collect();
         assert_eq!(lines.len(), 6);
         for (index, line) in lines.iter().enumerate() {
             let (kind, list) = line.split_once('|').expect("a kind");
-            let unit = if kind == "model" { length } else { 1.0 };
-            let all = list
-                .split(',')
-                .filter(|text| !text.is_empty())
-                .map(|text| text.split(' ').collect::<Vec<_>>());
-            let (own, others): (Vec<_>, Vec<_>) = all.partition(|words| words[1] == "OnFootEvent");
-            assert_eq!(others.len(), usize::from(kind == "clip"), "other events stay");
-            let times = own
-                .iter()
-                .map(|words| (unit * words[0].parse::<f64>().expect("a time"), words[2].to_owned()));
-            let times: Vec<_> = times.collect();
+            let (times, others) = unity_events(list, if kind == "model" { length } else { 1.0 });
+            assert_eq!(others, usize::from(kind == "clip"), "other events stay");
             if index < 4 { assert_events(&times, &events, rate) } else { assert!(times.is_empty()) }
         }
     }
+}
+
+fn unity_part_of_take() {
+    let (clip, rate) = ("curved-walk.bvh", "60");
+    let length = duration(clip, rate);
+    let output = run_unity(&detect(clip, "unity", rate), length, &["half"]);
+    let model = output.lines().nth(1).and_then(|line| line.strip_prefix("model|")).expect("the model");
+    let (times, _) = unity_events(model, length / 2.0);
+    let second_half = expected(clip, rate).into_iter().map(|(time, name)| (time - length / 2.0, name));
+    assert_events(&times, &second_half.filter(|(time, _)| *time >= 0.0).collect::<Vec<_>>(), rate);
+}
+
+/// Returns the segments of a clip: start and end in seconds, and name.
+fn segments(clip: &str) -> Vec<(f64, f64, String)> {
+    let table = output_of("segment", clip, "csv", "30");
+    let mut rows = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let head = rows.next().expect("a head");
+    let column = |name: &str| head.iter().position(|other| *other == name).expect(name);
+    let (start, end, action) = (column("start_s"), column("end_s"), column("action"));
+    let segments: Vec<_> = rows
+        .map(|row| {
+            let [start, end] = [start, end].map(|column| row[column].parse().expect("a time"));
+            (start, end, row[action].to_owned())
+        })
+        .collect();
+    assert!(segments.len() > 1, "{table}");
+    segments
+}
+
+fn unreal_segments() {
+    let clip = "limp-to-run.bvh";
+    let length = duration(clip, "30");
+    let state = run_unreal(&output_of("segment", clip, "unreal", "30"), length);
+    let runs = state["runs"].as_array().expect("runs");
+    for run in &runs[..2] {
+        let states =
+            run["notifies"].as_array().expect("notifies").iter().filter(|notify| notify[3].is_number());
+        let found: Vec<_> = states.collect();
+        let expected = segments(clip);
+        assert_eq!(found.len(), expected.len());
+        for (state, (start, end, name)) in found.iter().zip(expected) {
+            assert_eq!(state[0], format!("Segment_{name}").as_str());
+            let [at, lasts] = [1, 3].map(|index| state[index].as_f64().expect("a time"));
+            assert!((at - start).abs() < 1e-4 && (at + lasts - end.min(length)).abs() < 1e-4, "{state}");
+        }
+    }
+    assert_eq!(runs[2]["notifies"].as_array().map(Vec::len), Some(1), "other notifies stay");
+}
+
+fn unity_segments() {
+    let clip = "limp-to-run.bvh";
+    let length = duration(clip, "30");
+    let output = run_unity(&output_of("segment", clip, "unity", "30"), length, &[]);
+    let lines: Vec<&str> = output.lines().map(|line| line.strip_prefix("clips|").expect("clips")).collect();
+    assert_eq!(lines.len(), 3);
+    assert_eq!(lines[0], lines[1], "a second run changes nothing");
+    let mut clips = lines[0].split(',').map(|text| text.splitn(4, ' ').collect::<Vec<_>>());
+    assert_eq!(clips.next().expect("the take")[3], "walk", "other clips stay");
+    let clips: Vec<_> = clips.collect();
+    let expected = segments(clip);
+    assert_eq!(clips.len(), expected.len());
+    for (index, (words, (start, end, name))) in clips.iter().zip(expected).enumerate() {
+        let [first, last] = [0, 1].map(|word| words[word].parse::<f64>().expect("a time"));
+        assert!((first - start).abs() < 1e-3 && (last - end.min(length)).abs() < 1e-3, "{words:?}");
+        assert_eq!(words[3], format!("limp-to-run - {} {name}", index + 1));
+    }
+    assert_eq!(lines[2].split(',').count(), 1, "only the take is left");
 }
 
 fn several_skeletons() {
@@ -206,4 +287,9 @@ fn several_skeletons() {
     assert!(script.contains("\"Hips_Contact_L\"") && script.contains("\"B_3aHips_Contact_R\""), "{script}");
     let script = detect("../tests/files/good/two-skeletons.bvh", "unity", "30");
     assert!(script.contains("static class FootEvents_two_2dskeletons_2ebvh"), "{script}");
+    let script = output_of("segment", "../tests/files/good/two-skeletons.bvh", "unreal", "30");
+    assert!(
+        script.contains("\"Segment_Hips_20A\"") && script.contains("\"Segment_B_3aHips_20A\""),
+        "{script}"
+    );
 }

@@ -1,5 +1,6 @@
-// Stub of the functions of Unity that the exported script calls, with their documented parameters. Runs the
-// commands of the script twice and removes, for an animation clip and for a model, and prints the events.
+// Stub of the functions of Unity that the exported scripts call, with their documented parameters. Runs the
+// commands of the script twice and removes, for an animation clip and for a model, and prints the events, or the
+// clips of the model.
 using System;
 using System.Collections.Generic;
 using System.Globalization;
@@ -73,7 +74,14 @@ namespace UnityEditor
         public void SaveAndReimport() { }
     }
 
-    public class ModelImporterClipAnimation { public AnimationEvent[] events = { }; }
+    public class ModelImporterClipAnimation
+    {
+        public string name = "walk";
+        public string takeName = "Take 001";
+        public float firstFrame = 1;
+        public float lastFrame;
+        public AnimationEvent[] events = { };
+    }
 
     public class ModelImporter : AssetImporter
     {
@@ -91,22 +99,49 @@ static class Program
         Console.WriteLine(name + "|" + string.Join(",", texts));
     }
 
+    // The clips of the model; the take has 25 frames per second, and begins at frame 1.
+    static void PrintClips(UnityEditor.ModelImporter model)
+    {
+        var texts = model.clipAnimations.Select(clip => string.Format(
+            CultureInfo.InvariantCulture,
+            "{0:0.000000} {1:0.000000} {2} {3}",
+            (clip.firstFrame - 1) / 25, (clip.lastFrame - 1) / 25, clip.takeName.Length, clip.name));
+        Console.WriteLine("clips|" + string.Join(",", texts));
+    }
+
     static void Main(string[] arguments)
     {
-        var clip = new UnityEngine.AnimationClip
+        var length = float.Parse(arguments[0], CultureInfo.InvariantCulture);
+        var clip = new UnityEngine.AnimationClip { length = length };
+        var model = UnityEditor.AssetImporter.model;
+        model.defaultClipAnimations[0].lastFrame = 1 + length * 25;
+        if (arguments.Length > 1)
         {
-            length = float.Parse(arguments[0], CultureInfo.InvariantCulture),
-        };
+            // A clip of the second half of the take.
+            model.clipAnimations = new[]
+            {
+                new UnityEditor.ModelImporterClipAnimation
+                {
+                    firstFrame = 1 + length * 12.5f, lastFrame = 1 + length * 25,
+                },
+            };
+        }
         UnityEditor.Selection.objects = new[] { clip, new UnityEngine.Object() };
-        var type = Assembly.GetExecutingAssembly().GetTypes().Single(t => t.Name.StartsWith("FootEvents_"));
+        var isScript = new Func<Type, bool>(t => t.Name.StartsWith("FootEvents_") || t.Name.StartsWith("Segments_"));
+        var type = Assembly.GetExecutingAssembly().GetTypes().Single(isScript);
         foreach (var command in new[] { "Add", "Add", "Remove" })
         {
             var method = type.GetMethod(command, BindingFlags.NonPublic | BindingFlags.Static);
             var menu = ((UnityEditor.MenuItem)method.GetCustomAttributes(typeof(UnityEditor.MenuItem), false)[0]).Path;
             if (!menu.StartsWith("Assets/Plantigrade/")) throw new Exception(menu);
             method.Invoke(null, null);
+            if (type.Name.StartsWith("Segments_"))
+            {
+                PrintClips(model);
+                continue;
+            }
             Print("clip", clip.stored);
-            Print("model", UnityEditor.AssetImporter.model.clipAnimations[0].events);
+            Print("model", model.clipAnimations[0].events);
         }
     }
 }

@@ -13,6 +13,10 @@ class AnimNotify:
     pass
 
 
+class AnimNotifyState:
+    pass
+
+
 class Blueprint:
     pass
 
@@ -56,8 +60,21 @@ class AnimationLibrary:
     def add_animation_notify_event(animation_sequence_base, notify_track_name, start_time, notify_class):
         animation = animation_sequence_base
         assert notify_track_name in animation.tracks and 0.0 <= start_time <= animation.length
+        assert notify_class.startswith("AnimNotify_")
         animation.notifies.append((notify_class[len("AnimNotify_"):], start_time, notify_track_name))
         return AnimNotify()
+
+    @staticmethod
+    def add_animation_notify_state_event(
+        animation_sequence_base, notify_track_name, start_time, duration, notify_state_class
+    ):
+        animation = animation_sequence_base
+        assert notify_track_name in animation.tracks and 0.0 <= start_time <= start_time + duration
+        assert start_time + duration <= animation.length + 1e-6
+        assert notify_state_class.startswith("AnimNotifyState_")
+        name = notify_state_class[len("AnimNotifyState_"):]
+        animation.notifies.append((name, start_time, notify_track_name, duration))
+        return AnimNotifyState()
 
     @staticmethod
     def add_animation_sync_marker(animation_sequence, marker_name, time, notify_track_name):
@@ -96,7 +113,8 @@ class LinearColor:
 
 class BlueprintFactory:
     def set_editor_property(self, name, value):
-        assert (name, value) == ("parent_class", AnimNotify)
+        assert name == "parent_class"
+        self.parent = value
 
 
 ASSETS = set()
@@ -104,7 +122,7 @@ ASSETS = set()
 
 class AssetTools:
     def create_asset(self, asset_name, package_path, asset_class, factory):
-        assert asset_class is Blueprint and isinstance(factory, BlueprintFactory)
+        assert asset_class is Blueprint and asset_name.startswith(factory.parent.__name__ + "_")
         ASSETS.add(package_path + "/" + asset_name)
 
 
@@ -133,7 +151,7 @@ class ScopedEditorTransaction:
 animation = AnimSequence(float(sys.argv[1]))
 unreal = types.ModuleType("unreal")
 for item in (
-    AnimNotify, Blueprint, AnimSequence, AnimationLibrary, LinearColor, BlueprintFactory, EditorAssetLibrary,
+    AnimNotify, AnimNotifyState, Blueprint, AnimSequence, AnimationLibrary, LinearColor, BlueprintFactory, EditorAssetLibrary,
     ScopedEditorTransaction,
 ):
     setattr(unreal, item.__name__, item)

@@ -230,7 +230,7 @@ fn segment(clip: &Clip, skeleton: &Skeleton, method: u8, flags: u8) {
     let export = SegmentExport { documents: vec![document], as_array: false };
     for &format in SegmentFormat::ALL {
         let file = format.write(&export);
-        if format == SegmentFormat::Npz {
+        if matches!(format, SegmentFormat::Npz | SegmentFormat::Unreal | SegmentFormat::Unity) {
             continue;
         }
         let text = std::str::from_utf8(&file).expect("text");

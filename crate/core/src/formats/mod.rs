@@ -10,6 +10,7 @@ mod format_info;
 mod gait;
 mod npy;
 mod plants;
+mod scripts;
 mod segments;
 mod zip;
 

@@ -127,8 +127,8 @@ class Segmentation:
         Parameters
         ----------
         format : str
-            ``"json"``, ``"csv"``, ``"babel"``, ``"audacity"``, ``"elan"`` or ``"npz"``, as in
-            ``plantigrade segment --format``.
+            ``"json"``, ``"csv"``, ``"babel"``, ``"audacity"``, ``"elan"``, ``"npz"``, ``"unreal"`` or
+            ``"unity"``, as in ``plantigrade segment --format``.
         """
         return self._raw.to_bytes(format)
 
@@ -155,7 +155,7 @@ class Segmentation:
         path : path
             File to write. Its ending determines the format: ``.segments.json`` or ``.json``,
             ``.segments.csv`` or ``.csv``, ``.babel.json``, ``.audacity.txt`` or ``.txt``, ``.elan.txt``,
-            ``.segments.npz`` or ``.npz``.
+            ``.segments.npz`` or ``.npz``, ``.segments.unreal.py`` or ``.py``, ``.segments.unity.cs`` or ``.cs``.
         format : str, optional
             Format, if the ending does not determine it; see :meth:`to_bytes`.
         """

@@ -6,6 +6,7 @@ use crate::formats::format_info::FormatInfo;
 use crate::formats::plants::events::events;
 use crate::formats::plants::export::{DetectionRef, PlantExport, Reader, Writer};
 use crate::formats::plants::tables::columns;
+use crate::formats::scripts::python_literal;
 use crate::intervals::intervals;
 
 pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
@@ -55,7 +56,7 @@ fn blender_script(export: &PlantExport) -> String {
     );
     // Writing to a String cannot fail.
     let _ = writeln!(script, "# File name, frame rate in Hz and number of frames of the clip.");
-    let _ = writeln!(script, "SOURCE = {}", literal(&export.source.name));
+    let _ = writeln!(script, "SOURCE = {}", python_literal(&export.source.name));
     let _ = writeln!(script, "RATE = {:?}", 1.0 / export.clip.frame_time());
     let _ = writeln!(script, "FRAMES = {frames}\n");
     let _ = writeln!(script, "# Frame of the scene at which the first frame of the clip was imported.");
@@ -63,7 +64,7 @@ fn blender_script(export: &PlantExport) -> String {
     let _ = writeln!(script, "# True if the clip was imported with \"Scale FPS\".\nSCALED = False\n");
     let _ = writeln!(script, "# Frame (from 0) and name of each marker.\nEVENTS = [");
     for (frame, name) in markers {
-        let _ = writeln!(script, "    ({frame}, {}),", literal(&name));
+        let _ = writeln!(script, "    ({frame}, {}),", python_literal(&name));
     }
     let _ = writeln!(
         script,
@@ -71,26 +72,11 @@ fn blender_script(export: &PlantExport) -> String {
     );
     for (name, runs) in plants {
         let runs: String = runs.iter().map(|(start, end)| format!("({start}, {end}), ")).collect();
-        let _ = writeln!(script, "    ({}, [{}]),", literal(&name), runs.trim_end());
+        let _ = writeln!(script, "    ({}, [{}]),", python_literal(&name), runs.trim_end());
     }
     script.push_str("]\n");
     script.push_str(BODY);
     script
-}
-
-/// Returns a text as a Python literal: JSON strings in ASCII are Python literals.
-pub(super) fn literal(text: &str) -> String {
-    let json = serde_json::Value::from(text).to_string();
-    let mut literal = String::with_capacity(json.len());
-    for c in json.chars() {
-        match c {
-            ' '..='~' => literal.push(c),
-            _ => {
-                let _ = write!(literal, "\\U{:08x}", u32::from(c));
-            }
-        }
-    }
-    literal
 }
 
 /// Returns the end of a name that is too long; the end distinguishes the properties of one root.
@@ -105,10 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn any_text_becomes_a_literal() {
-        assert_eq!(literal("walk.bvh"), "\"walk.bvh\"");
-        assert_eq!(literal("\"\"\"\\\n\r"), r#""\"\"\"\\\n\r""#);
-        assert_eq!(literal("à\u{2028}\u{7f}𝄞\0"), r#""\U000000e0\U00002028\U0000007f\U0001d11e\u0000""#);
+    fn long_names_keep_their_end() {
         assert_eq!(last_bytes(&"é".repeat(40)).len(), 62);
         assert_eq!(last_bytes("left_toe"), "left_toe");
     }

@@ -4,6 +4,7 @@ mod audacity;
 mod babel;
 mod document;
 mod elan;
+mod engines;
 mod export;
 mod file;
 mod json;
@@ -37,6 +38,10 @@ registry! {
         Elan => elan::FORMAT_INFO,
         /// NumPy archive.
         Npz => npz::FORMAT_INFO,
+        /// Script for Unreal Engine.
+        Unreal => engines::UNREAL,
+        /// Script for Unity.
+        Unity => engines::UNITY,
     }
     with {
         /// Returns the file extension, without the leading dot.
@@ -149,7 +154,7 @@ mod tests {
         assert_eq!(serde_json::from_str::<SegmentsDocument>(&to_json(&document)).unwrap(), document);
         let (frames, rate) = (document.header.frames, document.header.rate);
         let export = SegmentExport { documents: vec![document], as_array: false };
-        for format in SegmentFormat::ALL.iter().filter(|format| **format != SegmentFormat::Npz) {
+        for format in SegmentFormat::ALL.iter().filter(|format| format.entry().read.is_some()) {
             let text = String::from_utf8(format.write(&export)).unwrap();
             let read = read_segments(&text, "86_01", frames, rate).unwrap();
             assert_eq!(ranges(&read), [(0..40, "walk"), (40..41, ""), (41..500, "kick, \"high\"")], "{text}");

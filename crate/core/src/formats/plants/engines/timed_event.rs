@@ -3,6 +3,7 @@
 use crate::foot::Side;
 use crate::formats::plants::events::{EventKind, GaitEvent, part_events};
 use crate::formats::plants::export::{DetectionRef, PlantExport};
+use crate::formats::scripts::identifier;
 use crate::numeric::sort;
 
 /// An event of a foot at a time of the clip.
@@ -45,19 +46,6 @@ pub(super) fn name(root: Option<&str>, title: &str, side: Side) -> String {
     format!("{root}{title}_{suffix}")
 }
 
-/// Returns a name in which other characters than ASCII letters and digits are replaced by an underscore and
-/// their code, so that different names differ.
-pub(super) fn identifier(name: &str) -> String {
-    let mut identifier = String::with_capacity(name.len());
-    for c in name.chars() {
-        match c {
-            'a'..='z' | 'A'..='Z' | '0'..='9' => identifier.push(c),
-            _ => identifier.push_str(&format!("_{:x}", u32::from(c))),
-        }
-    }
-    identifier
-}
-
 /// Returns the time from the first frame to the last, in seconds.
 pub(super) fn duration(export: &PlantExport) -> f64 {
     export.clip.frame_count().saturating_sub(1) as f64 * export.clip.frame_time()
@@ -71,6 +59,5 @@ mod tests {
     fn names_are_identifiers() {
         assert_eq!(name(None, "FootStrike", Side::Left), "FootStrike_L");
         assert_eq!(name(Some("B:Hips"), "HeelOff", Side::Right), "B_3aHips_HeelOff_R");
-        assert_ne!(identifier("a b"), identifier("a_b"));
     }
 }

@@ -30,9 +30,13 @@
                 else if (clip != null)
                 {
                     Undo.RegisterCompleteObjectUndo(clip, "Foot events");
+                    // A clip that was imported at another frame rate has another length.
+                    var isScaled = Math.Abs(clip.length - Duration) > 1.5f / Rate;
+                    var scale = isScaled ? clip.length / Duration : 1f;
+                    var before = AnimationUtility.GetAnimationEvents(clip);
                     AnimationUtility.SetAnimationEvents(
                         clip,
-                        Replaced(AnimationUtility.GetAnimationEvents(clip), add, 1f, clip.length));
+                        Replaced(before, add, time => time * scale, clip.length));
                     EditorUtility.SetDirty(clip);
                     found = true;
                 }
@@ -43,22 +47,27 @@
             }
         }
 
-        // Events of an imported model are part of its import settings; their times are from 0 to 1.
+        // Events of an imported model are part of its import settings. Their times are from 0 at the first frame
+        // of a clip, which may be a part of its take, to 1 at the last.
         static void Import(ModelImporter importer, bool add)
         {
-            var clips = importer.clipAnimations.Length > 0
-                ? importer.clipAnimations
-                : importer.defaultClipAnimations;
+            var takes = importer.defaultClipAnimations;
+            var clips = importer.clipAnimations.Length > 0 ? importer.clipAnimations : takes;
             foreach (var clip in clips)
             {
-                clip.events = Replaced(clip.events, add, Duration, Duration);
+                var take = Array.Find(takes, other => other.takeName == clip.takeName) ?? clip;
+                var rate = (take.lastFrame - take.firstFrame) / Duration;
+                var offset = take.firstFrame - clip.firstFrame;
+                var frames = clip.lastFrame - clip.firstFrame;
+                clip.events = Replaced(clip.events, add, time => (time * rate + offset) / frames, 1f);
             }
             importer.clipAnimations = clips;
             importer.SaveAndReimport();
         }
 
-        // Returns the events with those of the clip added or removed. Times are divided by unit seconds.
-        static AnimationEvent[] Replaced(AnimationEvent[] before, bool add, float unit, float length)
+        // Returns the events with those of the clip added or removed. An animation of a part of the clip has only
+        // its events; end is the time of its last frame.
+        static AnimationEvent[] Replaced(AnimationEvent[] before, bool add, Func<float, float> at, float end)
         {
             var events = new List<AnimationEvent>();
             foreach (var other in before)
@@ -68,15 +77,15 @@
                     events.Add(other);
                 }
             }
-            if (add)
+            foreach (var contact in Events)
             {
-                // A clip that was imported at another frame rate has another length.
-                var scale = Math.Abs(length - Duration) > 1.5f / Rate ? length / Duration : 1f;
-                foreach (var contact in Events)
+                var time = at(contact.Key);
+                var halfFrame = at(0.5f / Rate) - at(0f);
+                if (add && time >= -halfFrame && time <= end + halfFrame)
                 {
                     events.Add(new AnimationEvent
                     {
-                        time = Math.Min(contact.Key * scale, length) / unit,
+                        time = Math.Max(0f, Math.Min(time, end)),
                         functionName = Function,
                         stringParameter = contact.Value,
                         messageOptions = SendMessageOptions.DontRequireReceiver,

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use crate::formats::format_info::FormatInfo;
-use crate::formats::plants::engines::timed_event::{TimedEvent, duration, identifier, timed_events};
+use crate::formats::plants::engines::timed_event::{TimedEvent, duration, timed_events};
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
+use crate::formats::scripts::{csharp_literal, identifier};
 
 pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "unity",
@@ -39,7 +40,7 @@ fn script(export: &PlantExport) -> String {
     // Writing to a String cannot fail.
     let _ = writeln!(script, "    static class FootEvents_{class}\n    {{");
     let _ = writeln!(script, "        // File name of the clip.");
-    let _ = writeln!(script, "        const string Menu = {};", literal(&export.source.name));
+    let _ = writeln!(script, "        const string Menu = {};", csharp_literal(&export.source.name));
     let _ = writeln!(script, "        // Frame rate in Hz, and duration in seconds.");
     let _ = writeln!(script, "        const float Rate = {:?}f;", (1.0 / export.clip.frame_time()) as f32);
     let _ = writeln!(script, "        const float Duration = {:?}f;", duration(export) as f32);
@@ -51,34 +52,4 @@ fn script(export: &PlantExport) -> String {
     script.push_str("        };\n");
     script.push_str(BODY);
     script
-}
-
-/// Returns a text as a C# string literal for a menu, in which a slash opens a submenu and other special
-/// characters are shortcuts.
-fn literal(text: &str) -> String {
-    let mut literal = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '/' | '%' | '#' | '&' | '\\' | '"' => literal.push('_'),
-            ' '..='~' => literal.push(c),
-            _ => {
-                for unit in c.encode_utf16(&mut [0; 2]) {
-                    let _ = write!(literal, "\\u{unit:04x}");
-                }
-            }
-        }
-    }
-    literal.push('"');
-    literal
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn any_text_becomes_a_literal() {
-        assert_eq!(literal("walk 1.bvh"), "\"walk 1.bvh\"");
-        assert_eq!(literal("a/b\\\"c\n𝄞"), "\"a_b__c\\u000a\\ud834\\udd1e\"");
-    }
 }

@@ -1,28 +1,13 @@
 
-import unreal
-
-LIBRARY = unreal.AnimationLibrary
 # Everything that the script adds is on this track, or is a curve of CURVES.
 TRACK = "Plantigrade"
 FLOAT = unreal.RawCurveTrackTypes.RCT_FLOAT
 
 
-def notify_class(name):
-    """Return the class of a notify; create its Blueprint if it does not exist."""
-    path = "%s/AnimNotify_%s" % (FOLDER, name)
-    if not unreal.EditorAssetLibrary.does_asset_exist(path):
-        factory = unreal.BlueprintFactory()
-        factory.set_editor_property("parent_class", unreal.AnimNotify)
-        tools = unreal.AssetToolsHelpers.get_asset_tools()
-        tools.create_asset("AnimNotify_" + name, FOLDER, unreal.Blueprint, factory)
-    return unreal.EditorAssetLibrary.load_blueprint_class(path)
-
-
 def remove(animation):
-    """Remove what an earlier run of the script has added."""
+    """Remove notifies, sync markers and curves."""
     LIBRARY.remove_animation_sync_markers_by_track(animation, TRACK)
-    if LIBRARY.is_valid_anim_notify_track_name(animation, TRACK):
-        LIBRARY.remove_animation_notify_track(animation, TRACK)
+    remove_track(animation)
     for name, _ in CURVES:
         if LIBRARY.does_curve_exist(animation, name, FLOAT):
             LIBRARY.remove_curve(animation, name)
@@ -46,19 +31,10 @@ def curve_keys(plants, end):
 
 def add(animation):
     """Add notifies, sync markers and curves at the times of the clip."""
-    length = LIBRARY.get_sequence_length(animation)
-    # An animation that was imported at another frame rate has another length.
-    scale = length / DURATION if DURATION > 0.0 else 1.0
-    if abs(scale - 1.0) * DURATION > 1.5 / RATE:
-        unreal.log_warning(
-            "%s lasts %.3f s and the clip %.3f s: times are scaled." % (animation.get_name(), length, DURATION)
-        )
-    else:
-        scale = 1.0
-    LIBRARY.add_animation_notify_track(animation, TRACK, unreal.LinearColor(0.2, 0.6, 1.0, 1.0))
+    length, scale = LIBRARY.get_sequence_length(animation), scale_of(animation)
     for time, name, is_marker in EVENTS:
         at = min(time * scale, length)
-        LIBRARY.add_animation_notify_event(animation, TRACK, at, notify_class(name))
+        LIBRARY.add_animation_notify_event(animation, TRACK, at, notify_class(unreal.AnimNotify, name))
         if is_marker:
             LIBRARY.add_animation_sync_marker(animation, name, at, TRACK)
     for name, plants in CURVES:
@@ -67,17 +43,4 @@ def add(animation):
         LIBRARY.add_float_curve_keys(animation, name, times, values)
 
 
-def main():
-    selected = unreal.EditorUtilityLibrary.get_selected_assets()
-    animations = [asset for asset in selected if isinstance(asset, unreal.AnimSequence)]
-    if not animations:
-        raise RuntimeError("Select the animation sequence in the content browser first, then run this script.")
-    for animation in animations:
-        with unreal.ScopedEditorTransaction("Plantigrade foot events"):
-            animation.modify()
-            remove(animation)
-            if not REMOVE:
-                add(animation)
-
-
-main()
+main("Plantigrade foot events", remove, add)

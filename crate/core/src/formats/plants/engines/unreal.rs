@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use crate::formats::format_info::FormatInfo;
-use crate::formats::plants::blender::literal;
 use crate::formats::plants::engines::timed_event::{TimedEvent, duration, name, timed_events};
 use crate::formats::plants::events::EventKind;
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
 use crate::formats::plants::tables::columns;
+use crate::formats::scripts::{RUN_IN_UNREAL, UNREAL, unreal_constants};
 use crate::intervals::intervals;
 
 pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
@@ -20,7 +20,7 @@ pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     read: None,
 };
 
-/// Second part of the script, which uses the data of the first part.
+/// Last part of the script, which uses the data of the first part.
 const BODY: &str = include_str!("unreal.py");
 
 /// Returns a Python script that adds the foot events of a clip to the animation sequences that are selected in
@@ -32,20 +32,10 @@ const BODY: &str = include_str!("unreal.py");
 /// duration. A second run replaces what the first one added; with `REMOVE = True` the script only removes it.
 /// Bones, root motion and other notifies, markers and curves are not changed.
 fn script(export: &PlantExport) -> String {
-    let mut script = String::from(
-        "# Foot events for Unreal Engine: select the animation sequence in the content browser, then run this script\n\
-         # (Tools > Execute Python Script; requires the plugins Python Editor Script Plugin and Editor Scripting Utilities).\n\n",
-    );
+    let (rate, duration) = (1.0 / export.clip.frame_time(), duration(export));
+    let mut script = format!("# Foot events for Unreal Engine: {RUN_IN_UNREAL}");
+    script.push_str(&unreal_constants(&export.source.name, rate, duration));
     // Writing to a String cannot fail.
-    let _ = writeln!(script, "# File name, frame rate in Hz and duration in seconds of the clip.");
-    let _ = writeln!(script, "SOURCE = {}", literal(&export.source.name));
-    let _ = writeln!(script, "RATE = {:?}", 1.0 / export.clip.frame_time());
-    let _ = writeln!(script, "DURATION = {:?}\n", duration(export));
-    let _ = writeln!(script, "# Folder of the classes of the notifies.\nFOLDER = \"/Game/Plantigrade\"\n");
-    let _ = writeln!(
-        script,
-        "# True to remove what an earlier run has added, and add nothing.\nREMOVE = False\n"
-    );
     let _ = writeln!(
         script,
         "# Time in seconds and name of each event; True for those that are sync markers, too."
@@ -56,7 +46,7 @@ fn script(export: &PlantExport) -> String {
         let _ = writeln!(script, "    ({time:.6}, \"{name}\", {is_marker}),");
     }
     let _ = writeln!(script, "]\n\n# Curves with their plants: start and end in seconds.\nCURVES = [");
-    let (frame_time, duration) = (export.clip.frame_time(), duration(export));
+    let frame_time = export.clip.frame_time();
     for labelled in export.labelled() {
         for (side, part) in columns(labelled.detection) {
             let Some(labels) = labelled.detection.part(part).map(|labels| labels.foot(side)) else {
@@ -78,6 +68,7 @@ fn script(export: &PlantExport) -> String {
         }
     }
     script.push_str("]\n");
+    script.push_str(UNREAL);
     script.push_str(BODY);
     script
 }
