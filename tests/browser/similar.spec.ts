@@ -2,7 +2,8 @@
 
 import { type App, expect, test } from "./app";
 import { readLabels } from "./labels";
-import { viewports } from "./viewports";
+import { editBar, overlap } from "./touch-targets";
+import { onPhones, viewports } from "./viewports";
 
 const plants = async (app: App) => {
   const { left, right } = readLabels(await app.save("Labels"));
@@ -96,3 +97,21 @@ for (const name of ["desktop", "phone"] as const) {
     await expect(offer(app)).toBeHidden();
   });
 }
+
+onPhones(() => {
+  test("the offer leaves the view, the tracks and the play button uncovered", async ({ app }) => {
+    await app.openSample("straight-jog");
+    await moveEnd(app, -3);
+    const lower = app.page.getByRole("button", { name: "Collapse panel" });
+    if (await lower.isVisible()) await lower.tap();
+    await expect(offer(app)).toBeVisible();
+    const box = app.timeline.locator(".similar-offer");
+    for (const other of [app.tracks, app.timeline.getByRole("button", { name: "Play" })])
+      expect(await overlap(box, other)).toBe(0);
+    const view = await app.stage.boundingBox();
+    const covered = (await overlap(box, app.stage)) + (await overlap(editBar(app), app.stage));
+    expect(covered).toBeLessThan(((view?.width ?? 0) * (view?.height ?? 0)) / 3);
+    await app.timeline.getByRole("button", { name: "Apply", exact: true }).tap();
+    await expect(offer(app)).toBeHidden();
+  });
+});
