@@ -375,7 +375,7 @@ export class Segmentation {
    */
   save(format: string, name: string, labels?: string[]): Uint8Array {
     const given = labels ?? this.segments.map(({ label }) => label);
-    return rethrow(() => this.clip.saveSegments(this.inner, given, format, name));
+    return rethrow(() => this.clip.saveSegments(this.inner, given, [], format, name));
   }
 
   free(): void {

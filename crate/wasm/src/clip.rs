@@ -1,5 +1,6 @@
 //! Clips and their reader.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use js_sys::Float32Array;
@@ -157,11 +158,12 @@ impl WasmClip {
             metres_per_unit: *metres_per_unit,
             unit: skeleton::unit_name(*metres_per_unit).map(Into::into),
             leg: leg.map(|leg| leg * metres_per_unit),
-            roles: roles.iter().map(|(role, joint)| (role.name().into(), joint)).collect(),
-            role_evidence: Role::ALL
-                .into_iter()
-                .filter_map(|role| Some((role.name().into(), roles.assignment(role)?.into())))
-                .collect(),
+            roles: map_of(roles.iter().map(|(role, joint)| (role.name().into(), joint))),
+            role_evidence: map_of(
+                Role::ALL
+                    .into_iter()
+                    .filter_map(|role| Some((role.name().into(), roles.assignment(role)?.into()))),
+            ),
             role_names: Role::ALL.map(|role| role.name().into()).into(),
             notices: self.notices.iter().chain(&self.skeleton.notices).map(Into::into).collect(),
         })
@@ -222,6 +224,13 @@ impl WasmClip {
     ) -> Result<Vec<u8>, Failure> {
         save(self, detection, format, name, sha256)
     }
+}
+
+/// Returns a map of the entries. Collecting would sort, which is compiled for each type of entries.
+fn map_of<T>(entries: impl Iterator<Item = (String, T)>) -> BTreeMap<String, T> {
+    let mut map = BTreeMap::new();
+    map.extend(entries);
+    map
 }
 
 second_module! {

@@ -24,7 +24,8 @@ pub use gait::{
     StrideInfo, SymmetryInfo, gait_formats,
 };
 pub use segmentation::{
-    CutScore, WasmSegmentAnnotation, WasmSegmentation, has_segments, segment_formats, segment_methods,
+    CutScore, WasmSegmentAnnotation, WasmSegmentation, common_actions, has_segments, segment_formats,
+    segment_methods,
 };
 pub use skate::{CleanedPlantInfo, SlideInfo, WasmCleanedClip};
 pub use types::{

@@ -6,6 +6,9 @@ import { type AnyEdit, isCutEdit } from "./cut-edits";
 import type { SegmentName } from "./segments";
 import type { CutEdit, Edit } from "./types";
 
+/** Returns the key of the record of a file. */
+export const keyOfHash = (hash: string) => `plantigrade:clip:${hash}`;
+
 /** Version of the records that this app writes. */
 const currentVersion = 3;
 
