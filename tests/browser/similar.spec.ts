@@ -56,6 +56,28 @@ test("applies an edit to similar plants, as one step", async ({ app, page }) => 
   await expect(offer(app)).toBeHidden();
 });
 
+test("retains the instants between frames, also in storage", async ({ app, page }) => {
+  await app.openSample("straight-jog");
+  const events = async () => (await app.save("Gait events")).text.trim().split("\n").slice(1);
+  const detected = await events();
+  // Only instants between frames have an uncertainty.
+  const known = (rows: string[]) => rows.filter((row) => !row.endsWith(",")).length;
+  expect(known(detected)).toBeGreaterThan(60);
+  await moveEnd(app, -3);
+  await expect(offer(app)).toBeVisible();
+  await app.playhead.focus();
+  await page.keyboard.press("y");
+  await expect(offer(app)).toBeHidden();
+  const accepted = await events();
+  expect(accepted.filter((row) => !detected.includes(row)).length).toBeGreaterThan(10);
+  // Both ends of the plant that was edited are known to the frame.
+  expect(known(accepted)).toBeGreaterThanOrEqual(known(detected) - 2);
+  await page.reload();
+  await app.waitForClip("straight-jog.bvh");
+  await expect(app.head.getByRole("button", { name: "edited" })).toBeVisible();
+  expect(await events()).toEqual(accepted);
+});
+
 test("leaves similar plants as they are", async ({ app, page }) => {
   await app.openSample("straight-jog");
   await moveEnd(app, -3);

@@ -253,7 +253,7 @@ second_module! {
         detection: &WasmDetection,
         edits: Vec<Ts<EditInfo>>,
     ) -> Result<Ts<SimilarInfo>, Failure> {
-        let edits = edits_from_js(&edits)?;
+        let (edits, _) = edits_from_js(&edits)?;
         let new_feet;
         let feet = match &clip.detector {
             Some(detector) => detector.feet(),
@@ -264,10 +264,17 @@ second_module! {
         };
         let corrections = Corrections::learn(feet, detection.detected(), &edits);
         let corrected = corrections.apply(feet, detection.detected(), &edits);
-        to_js(&SimilarInfo {
-            changes: corrected.changes.into_iter().map(Into::into).collect(),
-            plants: corrected.plants,
-        })
+        let mut changes: Vec<EditInfo> = corrected.changes.into_iter().map(Into::into).collect();
+        for instant in corrected.instants {
+            // That of a boundary that stays in its frame is part of any change.
+            let (side, part, frame) = (instant.side, instant.part, instant.edge.frame);
+            let is_own = |change: &EditInfo| {
+                (change.side, change.part) == (side, part) && [change.start, change.end].contains(&frame)
+            };
+            let index = changes.iter().position(is_own).unwrap_or(0);
+            changes.get_mut(index).into_iter().for_each(|change| change.instants.push(instant.into()));
+        }
+        to_js(&SimilarInfo { changes, plants: corrected.plants })
     }
 
     "02" fn save(

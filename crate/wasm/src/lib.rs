@@ -29,8 +29,8 @@ pub use segmentation::{
 };
 pub use skate::{CleanedPlantInfo, SlideInfo, WasmCleanedClip};
 pub use types::{
-    ArgumentError, ClipInfo, DetectOptions, EditInfo, Failure, FormatInfo, JointInfo, MethodInfo, NoticeInfo,
-    Overrides, SegmentInfo, SegmentMethodInfo, SegmentOptions,
+    ArgumentError, ClipInfo, DetectOptions, EditInfo, Failure, FormatInfo, InstantInfo, JointInfo,
+    MethodInfo, NoticeInfo, Overrides, SegmentInfo, SegmentMethodInfo, SegmentOptions,
 };
 
 use plantigrade::formats::PlantFormat;

@@ -137,6 +137,7 @@ fn edits_apply_until_they_are_removed() {
         start: before[0] as usize,
         end: before[1] as usize,
         planted: false,
+        instants: Vec::new(),
     };
     detection.edit(vec![edit.into_ts().unwrap()]).unwrap();
     assert_eq!(detection.intervals("contact", "left").unwrap(), before[2..]);
@@ -146,6 +147,7 @@ fn edits_apply_until_they_are_removed() {
         start: before[2] as usize,
         end: before[3] as usize + 2,
         planted: true,
+        instants: Vec::new(),
     };
     detection.edit(vec![extended.into_ts().unwrap()]).unwrap();
     assert_eq!(detection.intervals("contact", "left").unwrap()[3], before[3] + 2);
