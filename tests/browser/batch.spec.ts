@@ -352,3 +352,56 @@ atEachSize(() => {
     await expect(page.getByRole("heading", { name: "2 of 4 clips" })).toBeVisible();
   });
 });
+
+test("equal actions of all clips have the same letter and share a name", async ({ app, page }) => {
+  await app.openStartPage();
+  const copy = (name: string, from: string) => ({ ...sample(from), name: `${name}.bvh` });
+  await app.drop(copy("a", "frog-jumps"), copy("b", "skipping"), copy("c", "limp-to-run"));
+  await waitForBatch(app);
+  const open = async (name: string) => {
+    await page.getByRole("button", { name: `${name}.bvh`, exact: true }).click();
+    await app.waitForClip(`${name}.bvh`);
+    await app.segments();
+  };
+  const letters = () => app.panel.locator(".action-letter").allInnerTexts();
+  const nameOf = (segment: number) =>
+    app.panel.getByRole("textbox", { name: `Name of segment ${segment}`, exact: true });
+  const back = () => page.getByRole("button", { name: "3 clips" }).click();
+  const saved = async () => {
+    const { bytes } = await app.download(() =>
+      page.getByRole("button", { name: /^Save all/ }).click(),
+    );
+    const files = unzipSync(bytes);
+    return ["a", "b", "c"].map((name) => {
+      const { segments } = JSON.parse(Buffer.from(files[`${name}.segments.json`] ?? []).toString());
+      return segments as { action: string; label: string }[];
+    });
+  };
+  const [frog = [], skip = [], limp = []] = await saved();
+  expect(frog[0]?.action).toBe("A");
+  // The actor stands still after frog jumps and before skipping.
+  expect(skip[0]?.action).toBe(frog.at(-1)?.action);
+  expect(new Set([...frog, ...skip, ...limp].map(({ action }) => action)).size).toBeGreaterThan(3);
+  await open("b");
+  const shown = skip.map(({ action }) => action);
+  await expect.poll(letters).toEqual(shown);
+  expect((await app.saveSegments("Segments")).text).toContain(`"action": "${shown[1]}"`);
+  await nameOf(1).fill("stand");
+  await back();
+  await open("a");
+  await expect(nameOf(frog.length)).toHaveValue("stand");
+  await expect(nameOf(1)).toHaveValue("");
+  // A name of the clip itself takes precedence.
+  await nameOf(frog.length).fill("wait");
+  await back();
+  await open("b");
+  await expect(nameOf(1)).toHaveValue("stand");
+  await back();
+  const [frogLabels, skipLabels] = (await saved()).map((list) => list.map(({ label }) => label));
+  expect(frogLabels?.at(-1)).toBe("wait");
+  expect(skipLabels?.[0]).toBe("stand");
+  // A removed name is removed everywhere.
+  await open("b");
+  await nameOf(1).fill("");
+  await expect(nameOf(1)).toHaveValue("wait");
+});

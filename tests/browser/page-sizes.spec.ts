@@ -113,6 +113,36 @@ atEachSize((size) => {
     expect((await notice.allInnerTexts()).join()).not.toContain("segments");
   });
 
+  test("shows the segments below reference labels", async ({ app }) => {
+    await app.openSample("limp-to-run");
+    await app.drop(clip("samples/limp-to-run.json"));
+    await expect(app.page.getByRole("tab", { name: "Score" })).toBeVisible();
+    await app.tab("Segment");
+    await expect(app.panel.getByRole("textbox", { name: "Name of segment 1" })).toBeAttached();
+    await app.timeline.getByRole("button", { name: /^Tracks/ }).click();
+    const notice = app.timeline.getByText(/^There is no space/);
+    expect((await notice.allInnerTexts()).join()).not.toContain("segments");
+  });
+
+  test("leaves the overview in sight with references and clips side by side", async ({
+    app,
+    page,
+  }) => {
+    await app.openSample("limp-to-run");
+    await app.drop(clip("samples/limp-to-run.json"));
+    await app.drop(sample("bowling"), sample("frog-jumps"));
+    for (const name of ["bowling", "frog-jumps"]) {
+      const button = page.getByRole("button", { name: `${name}.bvh side by side` });
+      await button.focus();
+      await page.keyboard.press("Enter");
+      await expect(button).toHaveAttribute("aria-pressed", "true");
+    }
+    await page.getByRole("button", { name: "Back to limp-to-run.bvh" }).click();
+    await expect(page.getByRole("list", { name: "Comparison clips" })).toBeVisible();
+    const { height = 0 } = (await app.tracks.boundingBox()) ?? {};
+    expect(height).toBeLessThanOrEqual((await container(app).boundingBox())?.height ?? 0);
+  });
+
   test("shows the tab of a comparison, also in a hidden panel", async ({ app, page }) => {
     await app.openSample("frog-jumps");
     await page.keyboard.press("p");

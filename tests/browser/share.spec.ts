@@ -44,6 +44,19 @@ test("restores time, view, method and settings from a link", async ({ app, page,
   expect(other.unexpectedProblems()).toEqual([]);
 });
 
+test("says that a link carries neither edits nor names", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const notice = app.dialog.getByText("Edits and segment names are not included");
+  await app.openShareDialog();
+  await expect(notice).toBeHidden();
+  await page.keyboard.press("Escape");
+  await app.playhead.focus();
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await app.openShareDialog();
+  await expect(notice).toBeVisible();
+});
+
 test("restores camera pose and overrides from a link", async ({ app, page, context }) => {
   const url = `${app.site.origin}/clips/limp-to-run.bvh`;
   await page.goto(`${app.site.home}#url=${url}`);

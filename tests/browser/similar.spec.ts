@@ -2,7 +2,8 @@
 
 import { type App, expect, test } from "./app";
 import { readLabels } from "./labels";
-import { viewports } from "./viewports";
+import { editBar, overlap } from "./touch-targets";
+import { onPhones, viewports } from "./viewports";
 
 const plants = async (app: App) => {
   const { left, right } = readLabels(await app.save("Labels"));
@@ -55,6 +56,28 @@ test("applies an edit to similar plants, as one step", async ({ app, page }) => 
   await expect(offer(app)).toBeHidden();
 });
 
+test("retains the instants between frames, also in storage", async ({ app, page }) => {
+  await app.openSample("straight-jog");
+  const events = async () => (await app.save("Gait events")).text.trim().split("\n").slice(1);
+  const detected = await events();
+  // Only instants between frames have an uncertainty.
+  const known = (rows: string[]) => rows.filter((row) => !row.endsWith(",")).length;
+  expect(known(detected)).toBeGreaterThan(60);
+  await moveEnd(app, -3);
+  await expect(offer(app)).toBeVisible();
+  await app.playhead.focus();
+  await page.keyboard.press("y");
+  await expect(offer(app)).toBeHidden();
+  const accepted = await events();
+  expect(accepted.filter((row) => !detected.includes(row)).length).toBeGreaterThan(10);
+  // Both ends of the plant that was edited are known to the frame.
+  expect(known(accepted)).toBeGreaterThanOrEqual(known(detected) - 2);
+  await page.reload();
+  await app.waitForClip("straight-jog.bvh");
+  await expect(app.head.getByRole("button", { name: "edited" })).toBeVisible();
+  expect(await events()).toEqual(accepted);
+});
+
 test("leaves similar plants as they are", async ({ app, page }) => {
   await app.openSample("straight-jog");
   await moveEnd(app, -3);
@@ -96,3 +119,21 @@ for (const name of ["desktop", "phone"] as const) {
     await expect(offer(app)).toBeHidden();
   });
 }
+
+onPhones(() => {
+  test("the offer leaves the view, the tracks and the play button uncovered", async ({ app }) => {
+    await app.openSample("straight-jog");
+    await moveEnd(app, -3);
+    const lower = app.page.getByRole("button", { name: "Collapse panel" });
+    if (await lower.isVisible()) await lower.tap();
+    await expect(offer(app)).toBeVisible();
+    const box = app.timeline.locator(".similar-offer");
+    for (const other of [app.tracks, app.timeline.getByRole("button", { name: "Play" })])
+      expect(await overlap(box, other)).toBe(0);
+    const view = await app.stage.boundingBox();
+    const covered = (await overlap(box, app.stage)) + (await overlap(editBar(app), app.stage));
+    expect(covered).toBeLessThan(((view?.width ?? 0) * (view?.height ?? 0)) / 3);
+    await app.timeline.getByRole("button", { name: "Apply", exact: true }).tap();
+    await expect(offer(app)).toBeHidden();
+  });
+});

@@ -1,65 +1,10 @@
 /** What is done by keys elsewhere is done by buttons on touch screens, upright and in landscape. */
 
-import type { Locator } from "@playwright/test";
-import { type App, expect, test } from "./app";
+import { expect, test } from "./app";
 import { sample } from "./clips";
 import { readLabels } from "./labels";
+import { editBar, overlap, smallTargets, tapPlant } from "./touch-targets";
 import { onPhones } from "./viewports";
-
-const editBar = (app: App) => app.page.getByRole("group", { name: "Edit", exact: true });
-
-/** Taps the second plant of the left foot. Returns its frames, the end exclusive. */
-async function tapPlant(app: App) {
-  await app.openSample("curved-walk");
-  const plant = readLabels(await app.save("Labels")).left.contact?.[1];
-  if (!plant) throw new Error("There is no second plant.");
-  const lower = app.page.getByRole("button", { name: "Collapse panel" });
-  if (await lower.isVisible()) await lower.tap();
-  const box = await app.tracks.boundingBox();
-  if (!box) throw new Error("The timeline has no canvas.");
-  const labelWidth = box.width <= 560 ? 100 : 118;
-  const frames = (await app.lastFrame()) + 1;
-  const position = (plant.start + plant.end) / 2 / frames;
-  const x = box.x + labelWidth + position * (box.width - labelWidth - 14);
-  await app.page.touchscreen.tap(x, box.y + 48);
-  await expect(editBar(app)).toBeVisible();
-  return plant;
-}
-
-const overlaps = async (first: Locator, second: Locator) => {
-  if (!(await first.isVisible()) || !(await second.isVisible())) return false;
-  const [a, b] = [await first.boundingBox(), await second.boundingBox()];
-  if (!a || !b) return false;
-  const width = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
-  const height = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
-  return Math.min(width, height) > 0.5;
-};
-
-/** Returns the controls whose area for touch is lower than 44 pixels. */
-async function smallTargets(app: App): Promise<string[]> {
-  // Tables for screen readers are not visible; tapping a tab does the same as the handle of the sheet.
-  const controls = app.page.locator(
-    ":is(button, select, input):visible:not(.visually-hidden *, .sheet-handle)",
-  );
-  const sizes = await controls.evaluateAll((elements) =>
-    // A list may have replaced its rows since they were found.
-    elements
-      .filter((element) => element.isConnected)
-      .map((element) => {
-        // A label is part of the control.
-        const { height } = (element.closest("label") ?? element).getBoundingClientRect();
-        // The area in the camera controls of a low view is higher than what is displayed.
-        const area = Number.parseFloat(getComputedStyle(element, "::before").height) || 0;
-        const name = element.getAttribute("aria-label") ?? element.textContent;
-        return {
-          name: `${name} (${element.className})`,
-          height: Math.round(Math.max(height, area)),
-        };
-      }),
-  );
-  expect(sizes.length).toBeGreaterThan(10);
-  return sizes.filter(({ height }) => height < 44).map(({ name, height }) => `${name}: ${height}`);
-}
 
 onPhones((size) => {
   test("moves both ends of a plant by single frames, and undoes it", async ({ app }) => {
@@ -129,7 +74,7 @@ onPhones((size) => {
       app.view.locator(".pill.left"),
       app.view.locator(".pill.right"),
     ])
-      expect(await overlaps(bar, other)).toBe(false);
+      expect(await overlap(bar, other)).toBe(0);
     for (const button of await bar.getByRole("button").all()) {
       const box = await button.boundingBox();
       if (box) expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
@@ -167,7 +112,7 @@ onPhones((size) => {
     const shown = page.getByRole("list", { name: "Comparison clips" });
     await expect(shown).toBeInViewport({ ratio: 1 });
     const others = [editBar(app), app.view.locator(".pill.left"), app.view.locator(".pill.right")];
-    for (const other of others) expect(await overlaps(shown, other)).toBe(false);
+    for (const other of others) expect(await overlap(shown, other)).toBe(0);
     // Files are opened, not dropped.
     await app.tab("Segment");
     await expect(app.panel.getByText("a segment file")).toBeVisible();

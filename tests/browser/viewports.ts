@@ -10,6 +10,11 @@ export const viewports = {
   phone: { width: 390, height: 844 },
 } as const;
 
+const tablets = {
+  tablet: { width: 820, height: 1180 },
+  "landscape tablet": { width: 1180, height: 820 },
+} as const;
+
 export type PageSize = keyof typeof viewports;
 
 const eachViewport = Object.entries(viewports) as [PageSize, { width: number; height: number }][];
@@ -31,6 +36,16 @@ export function onPhones(define: (size: PageSize) => void) {
     test.describe(`${size}, touch`, () => {
       test.use({ viewport: viewports[size], hasTouch: true, isMobile: true });
       define(size);
+    });
+  }
+}
+
+/** Defines tests for tablets with touch, upright and in landscape. */
+export function onTablets(define: () => void) {
+  for (const [name, viewport] of Object.entries(tablets)) {
+    test.describe(name, () => {
+      test.use({ viewport, hasTouch: true, isMobile: true });
+      define();
     });
   }
 }

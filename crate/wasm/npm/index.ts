@@ -17,6 +17,7 @@ import load, {
   type FormatInfo,
   type GaitInfo,
   type GroundInfo,
+  type InstantInfo,
   gaitFormats as listGaitFormats,
   methods as listMethods,
   plantFormats as listPlantFormats,
@@ -49,6 +50,7 @@ export type {
   FormatInfo,
   GaitInfo,
   GroundInfo,
+  InstantInfo,
   MethodInfo,
   NoiseInfo,
   NoticeInfo,
@@ -375,7 +377,7 @@ export class Segmentation {
    */
   save(format: string, name: string, labels?: string[]): Uint8Array {
     const given = labels ?? this.segments.map(({ label }) => label);
-    return rethrow(() => this.clip.saveSegments(this.inner, given, format, name));
+    return rethrow(() => this.clip.saveSegments(this.inner, given, [], format, name));
   }
 
   free(): void {

@@ -1,5 +1,6 @@
 //! Clips and their reader.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use js_sys::Float32Array;
@@ -157,11 +158,12 @@ impl WasmClip {
             metres_per_unit: *metres_per_unit,
             unit: skeleton::unit_name(*metres_per_unit).map(Into::into),
             leg: leg.map(|leg| leg * metres_per_unit),
-            roles: roles.iter().map(|(role, joint)| (role.name().into(), joint)).collect(),
-            role_evidence: Role::ALL
-                .into_iter()
-                .filter_map(|role| Some((role.name().into(), roles.assignment(role)?.into())))
-                .collect(),
+            roles: map_of(roles.iter().map(|(role, joint)| (role.name().into(), joint))),
+            role_evidence: map_of(
+                Role::ALL
+                    .into_iter()
+                    .filter_map(|role| Some((role.name().into(), roles.assignment(role)?.into()))),
+            ),
             role_names: Role::ALL.map(|role| role.name().into()).into(),
             notices: self.notices.iter().chain(&self.skeleton.notices).map(Into::into).collect(),
         })
@@ -224,6 +226,13 @@ impl WasmClip {
     }
 }
 
+/// Returns a map of the entries. Collecting would sort, which is compiled for each type of entries.
+fn map_of<T>(entries: impl Iterator<Item = (String, T)>) -> BTreeMap<String, T> {
+    let mut map = BTreeMap::new();
+    map.extend(entries);
+    map
+}
+
 second_module! {
     "19" fn override_clip(clip: &mut WasmClip, overrides: Ts<Overrides>) -> Result<(), Failure> {
         let overrides = from_js(&overrides)?;
@@ -244,7 +253,7 @@ second_module! {
         detection: &WasmDetection,
         edits: Vec<Ts<EditInfo>>,
     ) -> Result<Ts<SimilarInfo>, Failure> {
-        let edits = edits_from_js(&edits)?;
+        let (edits, _) = edits_from_js(&edits)?;
         let new_feet;
         let feet = match &clip.detector {
             Some(detector) => detector.feet(),
@@ -255,10 +264,17 @@ second_module! {
         };
         let corrections = Corrections::learn(feet, detection.detected(), &edits);
         let corrected = corrections.apply(feet, detection.detected(), &edits);
-        to_js(&SimilarInfo {
-            changes: corrected.changes.into_iter().map(Into::into).collect(),
-            plants: corrected.plants,
-        })
+        let mut changes: Vec<EditInfo> = corrected.changes.into_iter().map(Into::into).collect();
+        for instant in corrected.instants {
+            // That of a boundary that stays in its frame is part of any change.
+            let (side, part, frame) = (instant.side, instant.part, instant.edge.frame);
+            let is_own = |change: &EditInfo| {
+                (change.side, change.part) == (side, part) && [change.start, change.end].contains(&frame)
+            };
+            let index = changes.iter().position(is_own).unwrap_or(0);
+            changes.get_mut(index).into_iter().for_each(|change| change.instants.push(instant.into()));
+        }
+        to_js(&SimilarInfo { changes, plants: corrected.plants })
     }
 
     "02" fn save(

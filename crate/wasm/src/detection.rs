@@ -1,7 +1,7 @@
 //! The detected plants of a clip.
 
 use plantigrade::intervals::intervals;
-use plantigrade::plants::{self, CaptureNoise, Detection, Edit, FootLabels, PartLabels};
+use plantigrade::plants::{self, CaptureNoise, Detection, Edit, FootLabels, Instant, PartLabels};
 use plantigrade::skeleton::{Skeleton, Up};
 use tsify::Ts;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -61,8 +61,10 @@ impl WasmDetection {
 
 second_module! {
     "1a" fn apply_edits(detection: &mut WasmDetection, edits: Vec<Ts<EditInfo>>) -> Result<(), Failure> {
-        let edits = edits_from_js(&edits)?;
-        detection.edited = Some(plants::apply_edits(&detection.detected, &edits, detection.frame_time));
+        let (edits, instants) = edits_from_js(&edits)?;
+        let mut edited = plants::apply_edits(&detection.detected, &edits, detection.frame_time);
+        edited.set_instants(&instants);
+        detection.edited = Some(edited);
         Ok(())
     }
 }
@@ -179,9 +181,15 @@ impl WasmDetection {
     }
 }
 
-/// Converts edits from JavaScript.
-pub(crate) fn edits_from_js(edits: &[Ts<EditInfo>]) -> Result<Vec<Edit>, Failure> {
-    edits.iter().map(|edit| Ok(from_js(edit)?.into())).collect()
+/// Converts edits from JavaScript. Returns the edits and their instants.
+pub(crate) fn edits_from_js(edits: &[Ts<EditInfo>]) -> Result<(Vec<Edit>, Vec<Instant>), Failure> {
+    let mut converted = (Vec::with_capacity(edits.len()), Vec::new());
+    for edit in edits {
+        let edit = from_js(edit)?;
+        converted.1.extend(edit.instants.iter().map(Instant::from));
+        converted.0.push(edit.into());
+    }
+    Ok(converted)
 }
 
 fn part_labels<'a>(detection: &'a Detection, part: &str) -> Result<&'a PartLabels, Failure> {

@@ -24,12 +24,13 @@ pub use gait::{
     StrideInfo, SymmetryInfo, gait_formats,
 };
 pub use segmentation::{
-    CutScore, WasmSegmentAnnotation, WasmSegmentation, has_segments, segment_formats, segment_methods,
+    CutScore, WasmSegmentAnnotation, WasmSegmentation, common_actions, has_segments, segment_formats,
+    segment_methods,
 };
 pub use skate::{CleanedPlantInfo, SlideInfo, WasmCleanedClip};
 pub use types::{
-    ArgumentError, ClipInfo, DetectOptions, EditInfo, Failure, FormatInfo, JointInfo, MethodInfo, NoticeInfo,
-    Overrides, SegmentInfo, SegmentMethodInfo, SegmentOptions,
+    ArgumentError, ClipInfo, DetectOptions, EditInfo, Failure, FormatInfo, InstantInfo, JointInfo,
+    MethodInfo, NoticeInfo, Overrides, SegmentInfo, SegmentMethodInfo, SegmentOptions,
 };
 
 use plantigrade::formats::PlantFormat;

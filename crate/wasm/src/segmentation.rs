@@ -6,7 +6,7 @@ use js_sys::Function;
 use plantigrade::bvh::Rewriter;
 use plantigrade::formats::{self, SegmentExport, SegmentFormat, SegmentsDocument};
 use plantigrade::score::{self, Tolerance, TrueCut};
-use plantigrade::segments::{self, CutEdit, Method, Segment, Segmentation};
+use plantigrade::segments::{self, ActionMovements, CutEdit, Method, Segment, Segmentation};
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsValue;
@@ -37,6 +37,13 @@ pub fn segment_formats() -> Result<Vec<Ts<FormatInfo>>, Failure> {
     SegmentFormat::ALL.iter().map(|&format| to_js(&FormatInfo::from(format))).collect()
 }
 
+/// Returns the names of the actions of several clips, such that equal actions have equal names: letters in order
+/// of first appearance. `movements` are the `actionMovements` of the clips, one after another.
+#[wasm_bindgen(js_name = commonActions)]
+pub fn common_actions(movements: &[f32]) -> Vec<String> {
+    name_actions(movements)
+}
+
 /// The segments of a clip.
 #[wasm_bindgen]
 pub struct WasmSegmentation {
@@ -60,7 +67,8 @@ impl WasmClip {
         segment(self, options, progress)
     }
 
-    /// Returns the segments with the given labels as a file in a format that `segmentFormats` lists.
+    /// Returns the segments with the given labels and names of actions as a file in a format that
+    /// `segmentFormats` lists. Without names of actions, they are those of the clip.
     ///
     /// # Errors
     /// If the format does not exist.
@@ -69,11 +77,12 @@ impl WasmClip {
         &self,
         segmentation: &WasmSegmentation,
         labels: Vec<String>,
+        actions: Vec<String>,
         format: &str,
         name: String,
         sha256: Option<String>,
     ) -> Result<Vec<u8>, Failure> {
-        save_segments(self, segmentation, labels, format, name, sha256)
+        save_segments(self, segmentation, labels, actions, format, name, sha256)
     }
 
     /// Returns a writer of the frames `start..end`, to which the file of the clip is given.
@@ -103,6 +112,12 @@ impl WasmSegmentation {
     /// Only if the conversion to JavaScript fails.
     pub fn segments(&self) -> Result<Vec<Ts<SegmentInfo>>, Failure> {
         segments_to_js(&self.current.segments)
+    }
+
+    /// Movements of the actions of the clip, in order of first appearance, for `commonActions`.
+    #[wasm_bindgen(js_name = actionMovements)]
+    pub fn action_movements(&self) -> Vec<f32> {
+        write_actions(self)
     }
 
     /// Transitions between actions, as half-open frame ranges: start, end, start, end, ….
@@ -246,6 +261,7 @@ second_module! {
         clip: &WasmClip,
         segmentation: &WasmSegmentation,
         labels: Vec<String>,
+        actions: Vec<String>,
         format: &str,
         name: String,
         sha256: Option<String>,
@@ -260,7 +276,18 @@ second_module! {
             clip.notices(),
         );
         document.set_labels(&labels);
+        document.set_actions(&actions);
         Ok(format.write(&SegmentExport { documents: vec![document], as_array: false }))
+    }
+
+    "1b" fn name_actions(movements: &[f32]) -> Vec<String> {
+        segments::common_names(&[&ActionMovements::read(movements)]).concat()
+    }
+
+    "1c" fn write_actions(segmentation: &WasmSegmentation) -> Vec<f32> {
+        let mut values = Vec::new();
+        segmentation.current.actions.iter().for_each(|action| action.write(&mut values));
+        values
     }
 
     "0f" fn cut(clip: &WasmClip, start: usize, end: usize) -> Result<WasmRewriter, Failure> {

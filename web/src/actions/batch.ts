@@ -8,15 +8,21 @@ import { failureOf } from "../model/failure";
 import { fileTooLarge, maxFileBytes } from "../model/limits";
 import type { Source } from "../model/source";
 import { tableCsv } from "../model/table";
-import { type BatchRow, batchRequest, batchRows, tableVisible } from "../store/batch";
-import { session } from "../store/clip-session";
+import {
+  type BatchRow,
+  batchRequest,
+  batchRows,
+  openBatchRow,
+  tableVisible,
+  vocabularyOf,
+} from "../store/batch";
 import { type ErrorReport, errorReport } from "../store/errors";
 import { runJob } from "../store/jobs";
-import { edits, plants, segmentNames, source } from "../store/session";
+import { edits, plants, segmentNames } from "../store/session";
 import { detectOptions, segmentOptions } from "../store/settings";
 import { announcement, notify } from "../store/view";
 import { safeFileName, stemOf, uniqueNames } from "../util/file-names";
-import { keyOfHash, readChecked, writeChecked } from "./clip-storage";
+import { readChecked, writeChecked } from "./clip-storage";
 import { compareQuietly } from "./compare";
 import { download } from "./download";
 import { addHistoryEntry, addTableEntry, leaveTableEntry } from "./history";
@@ -56,8 +62,21 @@ export async function resumeBatch() {
   await Promise.all(waiting.map((row) => summarizeRow(row, request, signal)));
   if (signal.aborted) return;
   flushUpdates();
+  await nameActions(signal);
+  if (signal.aborted) return;
   const failed = batchRows.value.filter(({ status }) => status === "failed").length;
   announcement.value = `${batchRows.value.length} files processed${failed ? `, ${failed} could not be read` : ""}`;
+}
+
+/** Gives equal actions of all clips equal letters. */
+async function nameActions(signal: AbortSignal) {
+  const clips = batchRows.value.map(({ summary }) => summary?.actions);
+  try {
+    const actions = await batchWorkers.run((calls) => calls.commonActions(clips), signal);
+    batchRows.value = batchRows.value.map((row, i) => ({ ...row, actions: actions[i] }));
+  } catch (error) {
+    if (!signal.aborted) notify(`The actions have no common letters: ${failureOf(error).message}`);
+  }
 }
 
 /** Processes all clips again, with the current options. */
@@ -147,7 +166,8 @@ export function stopBatch() {
 export async function refreshOpenRow(): Promise<void> {
   const row = openBatchRow.value;
   const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
-  if (row?.status !== "done" || !(row.summary?.edited || hasChanges)) return;
+  const { edited = false, actions } = row?.summary ?? {};
+  if (row?.status !== "done" || !(edited || actions?.names.size || hasChanges)) return;
   const options = batchRequest.peek() ?? {
     detect: detectOptions.value,
     segment: segmentOptions.value,
@@ -182,14 +202,6 @@ const reviewQueue = () =>
   batchRows.value
     .filter(({ status, isChecked }) => status === "done" && !isChecked)
     .toSorted((a, b) => (a.summary?.confidence ?? 0) - (b.summary?.confidence ?? 0));
-
-/** The row of the open clip, which may have been opened from elsewhere. */
-export const openBatchRow = computed(() => {
-  const rows = batchRows.value;
-  const key = session.value.storageKey.value;
-  const isSameFile = ({ hash }: BatchRow) => hash !== undefined && keyOfHash(hash) === key;
-  return rows.find((row) => row.source === source.value) ?? rows.find(isSameFile);
-});
 
 /** Number of clips that are not marked as checked. */
 export const uncheckedCount = computed(() => reviewQueue().length);
@@ -237,9 +249,12 @@ export async function exportAll(): Promise<void> {
   const writeArchive = ({ signal, onProgress }: CallOptions) =>
     zipWorkers.run(async (zip) => {
       let count = 0;
-      const addFiles = async ({ source: { name, data } }: BatchRow, i: number) => {
+      const addFiles = async (row: BatchRow, i: number) => {
+        const { name, data } = row.source;
+        const vocabulary = vocabularyOf(row);
+        const rowRequest = vocabulary ? { ...request, vocabulary } : request;
         const result = await batchWorkers.run(
-          (calls) => calls.summarize(data, name, request, [], Comlink.proxy(storedChangesOf)),
+          (calls) => calls.summarize(data, name, rowRequest, [], Comlink.proxy(storedChangesOf)),
           signal,
         );
         if (!result.ok) throw new Error(`${name}: ${result.failure.message}`);

@@ -6,8 +6,6 @@
 import { parseRecord, type StoredRecord, type UnreadableRecord } from "../model/stored-changes";
 import { randomId } from "../util/random-id";
 
-export const keyOfHash = (hash: string) => `plantigrade:clip:${hash}`;
-
 const checkedKeyOfHash = (hash: string) => `plantigrade:checked:${hash}`;
 
 /** Returns the stored mark of a checked file; null if there is none or the storage is denied. */

@@ -4,13 +4,13 @@
  */
 
 import type { NamedSegment } from "../model/segments";
-import { batchRows } from "../store/batch";
+import { batchRows, openBatchRow } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected, selectedCut, similar } from "../store/session";
 import { endTour, tourStep } from "../store/tour";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
-import { openBatchRow, reviewNext, toggleChecked } from "./batch";
+import { reviewNext, toggleChecked } from "./batch";
 import { stepDisagreement } from "./compare";
 import {
   addToTarget,

@@ -28,7 +28,8 @@ export async function exportLabels(format = plantFormats.value[0]): Promise<void
 /** Downloads the segments under their names. */
 export async function exportSegments(format: FileFormat): Promise<void> {
   const names = namedSegments.value.map(segmentTitle);
-  await downloadAs(format, () => engine.saveSegments(format.name, names));
+  const actions = namedSegments.value.map(({ action = "" }) => action);
+  await downloadAs(format, () => engine.saveSegments(format.name, names, actions));
 }
 
 /** Downloads a file that is named after the clip. */

@@ -45,7 +45,7 @@ test("asks for the hash again if the worker is stopped", async () => {
   vi.spyOn(engine, "hash").mockRejectedValueOnce(new Error("stopped")).mockResolvedValueOnce("abc");
   await restorePersisted();
   await commitEdits([edit(0)], "");
-  expect(stored()).toMatchObject({ version: 3, edits: [edit(0)] });
+  expect(stored()).toMatchObject({ version: 4, edits: [edit(0)] });
 });
 
 test("reports edits of a file that cannot be identified", async () => {

@@ -13,6 +13,7 @@ import type { StoredChanges } from "../model/batch";
 import { messageOf } from "../model/failure";
 import {
   isConflict,
+  keyOfHash,
   mergeChanges,
   nextRecord,
   noChanges,
@@ -30,7 +31,6 @@ import {
   dropUnsaved,
   hasUnsaved,
   keepUnsaved,
-  keyOfHash,
   readText,
   readUnsaved,
   setAside,

@@ -1,6 +1,7 @@
 /** Showing a video next to the open clip. The file stays on this computer; only its alignment is stored. */
 
 import { effect } from "@preact/signals";
+import { keyOfHash } from "../model/stored-changes";
 import {
   defaultAlignment,
   formatStoredVideo,
@@ -14,7 +15,6 @@ import { openClip } from "../store/session";
 import { showToast } from "../store/toasts";
 import { video } from "../store/video";
 import { announcement } from "../store/view";
-import { keyOfHash } from "./clip-storage";
 
 /** Shows a video file next to the open clip. A file that was shown before retains its alignment. */
 export function openVideo(file: File) {

@@ -9,13 +9,13 @@ import { isHosted } from "../store/embedded";
 import { phase } from "../store/phase";
 import { panelCollapsed, panelWidth } from "../store/preferences";
 import { detection, openClip, selected, selectedCut } from "../store/session";
+import { video } from "../store/video";
 import { announcement, dialog, filesDragged, message, sheetOpen } from "../store/view";
 import { Timeline } from "../timeline/Timeline";
 import { lazy } from "../ui/lazy";
 import { Progress } from "../ui/Progress";
 import { setSize } from "../ui/Splitter";
 import { isTouch } from "../ui/touch";
-import { VideoPane } from "../viewer/VideoPane";
 import { Viewer } from "../viewer/Viewer";
 import { Dialogs } from "./Dialogs";
 import { listenForDrops } from "./drop";
@@ -30,6 +30,7 @@ import { Toasts } from "./Toasts";
 import { hintTarget, Tour } from "./Tour";
 
 const EditBar = lazy(() => import("../timeline/EditBar").then((module) => module.EditBar));
+const VideoPane = lazy(() => import("../viewer/VideoPane").then((module) => module.VideoPane));
 const Batch = lazy(() => import("../batch/Batch").then((module) => module.Batch));
 
 /** Time for which a message is displayed or stays in the live region, in milliseconds. */
@@ -67,7 +68,9 @@ export function App() {
     return () => controller.abort();
   }, []);
   useSignalEffect(() => {
-    if (detection.value) preloadPanels();
+    if (!detection.value) return;
+    preloadPanels();
+    VideoPane.preload();
   });
   // A text that stays in the live region would be read again, out of context.
   useSignalEffect(() => clearLater(announcement));
@@ -91,7 +94,7 @@ export function App() {
       <main>
         <div class="views">
           <Viewer />
-          {clip && <VideoPane />}
+          {clip && video.value && <VideoPane />}
         </div>
         {clip ? <Timeline /> : !isHosted && <StartPage />}
         <TouchEdits />

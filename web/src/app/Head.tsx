@@ -1,9 +1,9 @@
-import { hideTable, openBatchRow, showTable, uncheckedCount } from "../actions/batch";
+import { hideTable, showTable, uncheckedCount } from "../actions/batch";
 import { commandOf, tooltip } from "../actions/commands";
 import { goHome } from "../actions/navigation";
 import { pickFiles } from "../actions/pick-files";
 import { openShareDialog } from "../actions/share";
-import { batchRows, tableVisible } from "../store/batch";
+import { batchRows, openBatchRow, tableVisible } from "../store/batch";
 import { embedded, isHosted } from "../store/embedded";
 import { panelCollapsed } from "../store/preferences";
 import { edits, notices, openClip } from "../store/session";

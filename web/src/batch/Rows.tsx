@@ -1,9 +1,9 @@
 import { useRef } from "preact/hooks";
-import { openBatchRow, openRow, toggleChecked } from "../actions/batch";
+import { openRow, toggleChecked } from "../actions/batch";
 import { addCompanion, removeCompanion } from "../actions/companions";
 import { toSentence } from "../model/report";
 import { columns } from "../model/table";
-import type { BatchRow } from "../store/batch";
+import { type BatchRow, openBatchRow } from "../store/batch";
 import { companions, maxCompanions } from "../store/companions";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";

@@ -160,8 +160,8 @@ test("restores the segmentation only for calls that need it", async () => {
   engine.cancel();
   await engine.detect(options);
   expect(log.slice(4)).toEqual(["start", "open walk", "compare cuts", "detect walk"]);
-  await engine.saveSegments("json", []);
-  await engine.saveSegments("csv", []);
+  await engine.saveSegments("json", [], []);
+  await engine.saveSegments("csv", [], []);
   expect(log.slice(8)).toEqual(["segment auto", "save segments", "save segments"]);
 });
 
@@ -178,7 +178,7 @@ test("stops a segmentation and repeats other pending calls", async () => {
   await stopped;
   expect((await detected).ok).toBe(true);
   expect(log.slice(3)).toEqual(["segment mvu", "start", "open walk", "detect walk"]);
-  await engine.saveSegments("json", []);
+  await engine.saveSegments("json", [], []);
   expect(log.slice(7)).toEqual(["segment auto", "save segments"]);
   const late = engine.segment({ method: "auto" }, { signal: controller.signal });
   await expect(late).rejects.toBeInstanceOf(Cancelled);
@@ -207,7 +207,7 @@ test.each([
   await engine.segment({ method: "auto" });
   engine.cancel();
   const segmented = engine.segment({ method: segmentation.method });
-  await engine.saveSegments("json", []);
+  await engine.saveSegments("json", [], []);
   expect((await segmented).ok).toBe(segmentation.ok);
   expect(log.slice(3)).toEqual(["start", "open walk", ...segmentation.calls]);
 });

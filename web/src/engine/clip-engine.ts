@@ -81,7 +81,7 @@ const simpleCalls: {
   cut: ["clip", 1],
   editCuts: ["segmentation", 1],
   scoreSegments: ["segmentation", 0],
-  saveSegments: ["segmentation", 2],
+  saveSegments: ["segmentation", 3],
 };
 
 /** The error of calls that were pending when the worker was ended. */

@@ -1,7 +1,7 @@
 /** Requests to the batch worker, and its results. */
 
 import type { AnyEdit } from "./cut-edits";
-import type { SegmentName } from "./segments";
+import type { SegmentName, Vocabulary } from "./segments";
 import type { DetectOptions, SegmentOptions } from "./types";
 
 /** Computation requested for each file of a batch. */
@@ -10,6 +10,8 @@ export interface BatchRequest {
   segment: SegmentOptions;
   /** True to return plants and segments as files, in all formats. */
   save: boolean;
+  /** Letters and names of actions in the files; without them, letters are those of the clip. */
+  vocabulary?: Vocabulary;
 }
 
 /** Summary of one clip, for a row of the table. */
@@ -31,6 +33,8 @@ export interface ClipSummary {
   agreement?: number;
   /** Number of segments. */
   segments?: number;
+  /** Actions of the segments; absent without segments. */
+  actions?: ActionSummary;
   /** Steps per minute; absent without gait. */
   cadence?: number;
   /** Mean and largest slide of a plant, in metres; absent without plants. */
@@ -43,6 +47,16 @@ export interface ClipSummary {
   hasUnreadableEdits?: boolean;
   /** Processing time, in milliseconds. */
   elapsedMs: number;
+}
+
+/** Actions of one clip. */
+export interface ActionSummary {
+  /** Letters in the clip, in order of first appearance. */
+  letters: readonly string[];
+  /** Movements of the actions, by which they are found in other clips. */
+  movements: Float32Array;
+  /** Names that the user gave, by the letter in the clip. */
+  names: ReadonlyMap<string, string>;
 }
 
 /** Edits and names that the browser has stored for a file. */

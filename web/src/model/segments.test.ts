@@ -94,3 +94,23 @@ it("joins the segments of an action and names actions apart", () => {
   const named = actionsOf(nameSegments(segments, names)).map(({ name }) => name);
   expect(named).toEqual(["limp", "limp (B)", "C", "5"]);
 });
+
+it("names actions by a vocabulary of several clips", () => {
+  const segments = segmentsEndingAt(10, 25, 40).map((segment, i) => ({
+    ...segment,
+    action: "ABC"[i] ?? "",
+  }));
+  const actions = new Map([
+    ["A", "D"],
+    ["B", "D"],
+    ["C", "A"],
+  ]);
+  const names = new Map([
+    ["D", "walk"],
+    ["A", "bow"],
+  ]);
+  const shown = (own: { start: number; end: number; name: string }[]) =>
+    nameSegments(segments, own, { actions, names }).map(({ action, name }) => `${action} ${name}`);
+  expect(shown([])).toEqual(["D walk", "D walk", "A bow"]);
+  expect(shown([{ start: 0, end: 10, name: "stroll" }])).toEqual(["D stroll", "D stroll", "A bow"]);
+});

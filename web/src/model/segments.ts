@@ -41,25 +41,53 @@ export function matchingSegment<T extends FrameRange>(
   return match;
 }
 
+/** Letters and names of actions that several clips share. */
+export interface Vocabulary {
+  /** The common letter of each action of a clip. */
+  actions: ReadonlyMap<string, string>;
+  /** The names that the user gave to actions, by their common letter. */
+  names: ReadonlyMap<string, string>;
+}
+
+const emptyVocabulary: Vocabulary = { actions: new Map(), names: new Map() };
+
 /**
  * Numbers the segments and names them: by the name given to the segment, or else by the first name given to
- * a segment with the same action.
+ * a segment with the same action, in this clip or else in another one with the same vocabulary.
  */
 export function nameSegments(
   segments: readonly Segment[],
   names: readonly SegmentName[],
+  vocabulary = emptyVocabulary,
 ): NamedSegment[] {
+  const renamed = segments.map((segment) => ({
+    ...segment,
+    action: vocabulary.actions.get(segment.action ?? "") ?? segment.action ?? "",
+  }));
+  const nameOf = namesOfActions(renamed, names);
+  return renamed.map((segment, i) => ({
+    ...segment,
+    number: i + 1,
+    name:
+      matchingSegment(names, segment)?.name ??
+      nameOf.get(segment.action) ??
+      vocabulary.names.get(segment.action) ??
+      "",
+  }));
+}
+
+/** Returns the first name that was given to a segment of each action. */
+export function namesOfActions(
+  segments: readonly Segment[],
+  names: readonly SegmentName[],
+): Map<string, string> {
   const own = segments.map((segment) => matchingSegment(names, segment));
   const nameOf = new Map<string, string>();
   for (const name of names) {
     const action = segments[own.indexOf(name)]?.action;
     if (action && !nameOf.has(action)) nameOf.set(action, name.name);
   }
-  return segments.map((segment, i) => ({
-    ...segment,
-    number: i + 1,
-    name: own[i]?.name ?? nameOf.get(segment.action ?? "") ?? "",
-  }));
+  return nameOf;
 }
 
 /** Replaces the name of one segment; an empty name removes it. */

@@ -6,6 +6,7 @@ import {
   mergeLists,
   nextRecord,
   noChanges,
+  parseChanges,
   parseRecord,
   sameChanges,
 } from "./stored-changes";
@@ -86,4 +87,15 @@ test("records of the first version are read and get a revision", () => {
 test("fields that the schema does not have are dropped", () => {
   const record = { version: 1, name: "", edits: [{ ...edit(0), extra: {} }], names: [], more: 1 };
   expect(parseRecord(JSON.stringify(record))).toMatchObject({ record: { edits: [edit(0)] } });
+});
+
+test("reads instants of boundaries, and rejects invalid ones", () => {
+  const instant = { side: "left", part: "toe", frame: 10, time: 0.32, uncertainty: 0.01 };
+  const read = (instants: unknown) =>
+    parseChanges({ edits: [{ ...edit(0), instants }], names: [] })?.edits[0];
+  expect(read([{ ...instant, other: 1 }])).toEqual({ ...edit(0), instants: [instant] });
+  expect(read(undefined)).toEqual(edit(0));
+  for (const field of ["side", "part", "frame", "time", "uncertainty"])
+    expect(read([{ ...instant, [field]: null }])).toBeUndefined();
+  expect(read(3)).toBeUndefined();
 });

@@ -4,14 +4,18 @@ import { randomId } from "../util/random-id";
 import type { StoredChanges } from "./batch";
 import { type AnyEdit, isCutEdit } from "./cut-edits";
 import type { SegmentName } from "./segments";
-import type { CutEdit, Edit } from "./types";
+import type { CutEdit, Edit, Instant } from "./types";
+
+/** Returns the key of the record of a file. */
+export const keyOfHash = (hash: string) => `plantigrade:clip:${hash}`;
 
 /** Version of the records that this app writes. */
-const currentVersion = 3;
+const currentVersion = 4;
 
 /**
- * The edits and names of one clip as stored. Version 1 had no revisions, version
- * 2 no edits of cuts. */
+ * The edits and names of one clip as stored. Version 1 had no revisions, version 2 no edits of cuts, version 3
+ * no instants of boundaries.
+ */
 export interface StoredClip extends StoredChanges {
   version: typeof currentVersion;
   /** Identifies this state of the record. */
@@ -47,7 +51,7 @@ export function parseRecord(text: string | null): StoredRecord {
     version === 1 ? { ...value, ...firstRevision(text) } : value;
   const changes = parseChanges(value);
   const isValid =
-    [1, 2, currentVersion].includes(version as number) &&
+    [1, 2, 3, currentVersion].includes(version as number) &&
     changes &&
     typeof name === "string" &&
     typeof revision === "string" &&
@@ -92,15 +96,22 @@ export function parseChanges(value: unknown): StoredChanges | undefined {
   if (!Array.isArray(names) || !names.every(isSegmentName)) return undefined;
   return {
     edits: edits.map(copyEdit),
-    names: names.map(({ start, end, name }) => ({ start, end, name })),
+    names: names.map((name) => pick(name, "start", "end", "name")),
   };
 }
 
+/** Returns an object with some of its fields only. */
+const pick = <T extends object, K extends keyof T>(value: T, ...fields: K[]) =>
+  Object.fromEntries(fields.map((field) => [field, value[field]])) as Pick<T, K>;
+
 /** Returns an edit without other fields. */
 function copyEdit(edit: AnyEdit): AnyEdit {
-  if (isCutEdit(edit)) return { cut: edit.cut, present: edit.present };
-  const { side, part, start, end, planted } = edit;
-  return { side, part, start, end, planted };
+  if (isCutEdit(edit)) return pick(edit, "cut", "present");
+  const copy = pick(edit, "side", "part", "start", "end", "planted");
+  const instants = edit.instants?.map((instant) =>
+    pick(instant, "side", "part", "frame", "time", "uncertainty"),
+  );
+  return instants ? { ...copy, instants } : copy;
 }
 
 function parseJson(text: string): unknown {
@@ -128,11 +139,22 @@ function isEdit(value: unknown): value is Edit {
   return (
     isObject(value) &&
     isRange(value) &&
-    ["left", "right"].includes(value.side as string) &&
-    ["contact", "heel", "toe"].includes(value.part as string) &&
-    typeof value.planted === "boolean"
+    isPartOfFoot(value) &&
+    typeof value.planted === "boolean" &&
+    (value.instants === undefined ||
+      (Array.isArray(value.instants) && value.instants.every(isInstant)))
   );
 }
+
+const isPartOfFoot = ({ side, part }: Record<string, unknown>) =>
+  ["left", "right"].includes(side as string) && ["contact", "heel", "toe"].includes(part as string);
+
+const isInstant = (value: unknown): value is Instant =>
+  isObject(value) &&
+  isPartOfFoot(value) &&
+  isFrame(value.frame) &&
+  Number.isFinite(value.time) &&
+  Number.isFinite(value.uncertainty);
 
 function isAnyEdit(value: unknown): value is AnyEdit {
   return isEdit(value) || isValidCutEdit(value);

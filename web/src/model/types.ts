@@ -30,6 +30,7 @@ export type {
   FormatInfo as FileFormat,
   GaitInfo as Gait,
   GroundInfo as Ground,
+  InstantInfo as Instant,
   JointInfo as Joint,
   MethodInfo as DetectionMethod,
   NoticeInfo as Notice,

@@ -9,6 +9,7 @@ import { runSegmentation, setSegmentName, setSegmentOptions } from "../actions/s
 import { toSentence } from "../model/report";
 import { actionText, type NamedSegment, segmentKind } from "../model/segments";
 import type { SegmentOptions } from "../model/types";
+import { openVocabulary } from "../store/batch";
 import { frame, loopedSegment } from "../store/playback";
 import {
   cutScores,
@@ -317,6 +318,11 @@ function SegmentList() {
         scrollsAtFirst
         renderRow={(segment) => <Row key={segment.start} segment={segment} rate={rate} />}
       />
+      {openVocabulary.value && (
+        <p class="note">
+          Equal actions of all clips of the table have the same letter, and share a name.
+        </p>
+      )}
       {!referenceSegments.value && (
         <p class="note">
           <OpenOrDrop /> a segment file (JSON or CSV) to compare it with these segments.

@@ -2,8 +2,11 @@
 
 import { computed, signal } from "@preact/signals";
 import type { BatchRequest, ClipSummary } from "../model/batch";
+import { namesOfActions, type Vocabulary } from "../model/segments";
 import type { Source } from "../model/source";
+import { keyOfHash } from "../model/stored-changes";
 import type { Failure } from "../model/types";
+import { session } from "./clip-session";
 
 /** One file of the table. */
 export interface BatchRow {
@@ -17,6 +20,8 @@ export interface BatchRow {
   hash?: string;
   /** True if the user has marked it as checked. */
   isChecked?: boolean;
+  /** The letter in all clips of each action of this clip; absent until all clips are processed. */
+  actions?: ReadonlyMap<string, string> | undefined;
 }
 
 /** The files of the last drop that had several; empty if there was none. */
@@ -31,3 +36,49 @@ export const finishedCount = computed(
 
 /** Options with which the table was computed. */
 export const batchRequest = signal<Pick<BatchRequest, "detect" | "segment">>();
+
+/** The row of the open clip, which may have been opened from elsewhere. */
+export const openBatchRow = computed(() => {
+  const rows = batchRows.value;
+  const { source, storageKey } = session.value;
+  const isSameFile = ({ hash }: BatchRow) =>
+    hash !== undefined && keyOfHash(hash) === storageKey.value;
+  return rows.find((row) => row.source === source) ?? rows.find(isSameFile);
+});
+
+/** The row of the open clip if its actions are those of the table: of the same options, without overrides. */
+const openRowOfTable = computed(() => {
+  const { segmentation, overrides } = session.value;
+  const options = JSON.stringify(segmentation.value?.options);
+  const isSame =
+    options === JSON.stringify(batchRequest.value?.segment) &&
+    Object.keys(overrides.value).length === 0;
+  return isSame ? openBatchRow.value : undefined;
+});
+
+/** The first name that the user gave to each action of the table. */
+const batchNames = computed(() => {
+  const names = new Map<string, string>();
+  for (const row of batchRows.value) {
+    const { actions, summary } = row;
+    if (!actions) continue;
+    // The names of the open clip may be newer than its row.
+    const { segmentation, segmentNames } = session.value;
+    const given =
+      row === openRowOfTable.value
+        ? namesOfActions(segmentation.value?.segments ?? [], segmentNames.value)
+        : (summary?.actions?.names ?? []);
+    for (const [letter, name] of given) {
+      const common = actions.get(letter);
+      if (common && !names.has(common)) names.set(common, name);
+    }
+  }
+  return names;
+});
+
+/** Returns the letters and names of the actions of a row; undefined until all clips are processed. */
+export const vocabularyOf = (row: BatchRow | undefined): Vocabulary | undefined =>
+  row?.actions && { actions: row.actions, names: batchNames.value };
+
+/** The letters and names that the open clip shares with the table. */
+export const openVocabulary = computed(() => vocabularyOf(openRowOfTable.value));

@@ -4,6 +4,7 @@ import { computed } from "@preact/signals";
 import { plantEditsOf } from "../model/cut-edits";
 import { plantEdges, plantsOf } from "../model/plants";
 import { actionsOf, cutsOf, nameSegments } from "../model/segments";
+import { openVocabulary } from "./batch";
 import { session, sessionField } from "./clip-session";
 
 export const source = computed(() => session.value.source);
@@ -58,7 +59,7 @@ export const edges = computed(() => plantEdges(plants.value));
 
 /** The segments with the names that the user gave them. */
 export const namedSegments = computed(() =>
-  nameSegments(segmentation.value?.segments ?? [], segmentNames.value),
+  nameSegments(segmentation.value?.segments ?? [], segmentNames.value, openVocabulary.value),
 );
 
 /** The actions whose gait can be measured separately; empty if all of the clip is one action. */

@@ -192,8 +192,8 @@ export function createFakeEngine(): ClipEngine {
     async scoreSegments() {
       return segmentAnnotation ? [{ within: 0.5, precision: 1, recall: 0.5, f1: 2 / 3 }] : [];
     },
-    saveSegments: async (format, names) =>
-      new TextEncoder().encode(JSON.stringify({ format, names })),
+    saveSegments: async (format, names, actions) =>
+      new TextEncoder().encode(JSON.stringify({ format, names, actions })),
     cut: async (parts) => new Blob(parts.map(({ name }) => name)),
     save: async (format) => new TextEncoder().encode(`{"format": "${format}"}`),
     cancel() {

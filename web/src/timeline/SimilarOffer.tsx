@@ -23,7 +23,7 @@ export function SimilarOffer() {
           </button>
           <button
             type="button"
-            class="icon-button"
+            class="button flat icon-only"
             aria-label={commandOf("dismiss-similar").label}
             title={tooltip("dismiss-similar")}
             onClick={commandOf("dismiss-similar").run}

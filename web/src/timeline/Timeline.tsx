@@ -27,6 +27,7 @@ import { theme } from "../store/theme";
 import { video } from "../store/video";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";
 import { Splitter, setSize } from "../ui/Splitter";
+import { isTouch } from "../ui/touch";
 import { attachGestures } from "./gestures";
 import { LanesMessage } from "./LanesMessage";
 import { layoutTimeline } from "./layout";
@@ -58,6 +59,7 @@ export function Timeline() {
       referenceSegments: referenceSegments.value,
       companions: shownCompanions.value,
       hidden: hiddenTracks.value,
+      isTouch: isTouch(),
     };
     return layoutTimeline(input, size.value.width, size.value.height);
   });
@@ -167,8 +169,8 @@ export function Timeline() {
         measure={() => (container.current ? ownHeight(container.current) : 0)}
       />
       <StorageStatus />
-      <SimilarOffer />
       <Transport layout={layout} />
+      <SimilarOffer />
       {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div
         class="tracks"

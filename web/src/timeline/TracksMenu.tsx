@@ -13,6 +13,7 @@ const groupNames: Record<TrackGroup, string> = {
 const omittedNames: Record<OmittedTrack, string> = {
   parts: "heel and toe",
   references: "references of heel and toe",
+  companions: "clips side by side",
   height: "height",
   speed: "speed",
   segments: "segments",

@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
+import type { Companion } from "../model/source";
 import type { Annotation, Detection, Segmentation } from "../model/types";
 import { createWalkingClip, createWalkingTrack } from "../testing/walking-clip";
-import { type LayoutInput, layoutTimeline } from "./layout";
+import { isCurves, type LayoutInput, layoutTimeline } from "./layout";
 
 const clip = createWalkingClip("walk.bvh", 2);
 const tracks = {
@@ -22,6 +23,7 @@ const emptyInput: LayoutInput = {
   referenceSegments: null,
   companions: [],
   hidden: [],
+  isTouch: false,
 };
 const kinds = (detection: Detection | null, width: number, height: number) =>
   layoutTimeline({ ...emptyInput, detection }, width, height).lanes.map((lane) => lane.kind);
@@ -98,6 +100,43 @@ it("makes bars large enough to touch on a phone", () => {
   }
 });
 
+it("makes bars large enough to touch on a tablet", () => {
+  const input = { ...emptyInput, detection: robust, isTouch: true };
+  const bars = layoutTimeline(input, 860, 360).lanes.filter((lane) => !isCurves(lane));
+  expect(bars).toHaveLength(6);
+  for (const { height } of bars) expect(height).toBeGreaterThanOrEqual(24);
+});
+
+describe("comparison clips", () => {
+  const companions = Array.from({ length: 5 }, () => ({ source: {}, clip }) as Companion);
+  const layoutOf = (count: number, width: number, height: number) =>
+    layoutTimeline(
+      { ...emptyInput, detection: robust, companions: companions.slice(0, count) },
+      width,
+      height,
+    );
+
+  it("take the space of curves and parts, not that of the minimap", () => {
+    for (const [width, height] of [
+      [1440, 324],
+      [1440, 236],
+      [554, 157],
+      [390, 280],
+    ] as const) {
+      for (const count of [1, 2, 5])
+        expect(layoutOf(count, width, height).height).toBeLessThanOrEqual(height);
+    }
+    const shown = layoutOf(5, 1440, 236).lanes.filter(({ kind }) => kind === "companion");
+    expect(shown).toHaveLength(5);
+  });
+
+  it("are listed if they do not fit", () => {
+    const { lanes, omitted } = layoutOf(5, 554, 157);
+    expect(lanes.filter(({ kind }) => kind === "companion").length).toBeLessThan(5);
+    expect(omitted).toContain("companions");
+  });
+});
+
 describe("segments", () => {
   const values = new Float32Array(9);
   const curve = {
@@ -124,6 +163,7 @@ describe("segments", () => {
     referenceSegments,
     companions: [],
     hidden: [],
+    isTouch: false,
   };
   const lanesBelowFeet = (input: LayoutInput, width: number, height: number) =>
     layoutTimeline(input, width, height)
@@ -176,6 +216,18 @@ describe("segments", () => {
     expect(lanes[0]?.y).toBeGreaterThan(160);
     expect(minimap.y).toBeGreaterThan(lanes.at(-1)?.y ?? 0);
     expect(height).toBeLessThanOrEqual(351);
+  });
+
+  it("fit below the references on a phone in landscape", () => {
+    const labels = { left: new Int8Array(9), right: new Int8Array(9) };
+    const reference = { name: "truth", parts: { contact: labels } };
+    const plain = { ...segmentation, motifs: new Uint32Array(0) };
+    const compared = { ...input, reference, segmentation: plain, referenceSegments: null };
+    const { lanes, height } = layoutTimeline({ ...compared, isTouch: true }, 554, 157);
+    const foot = ["contact", "reference"];
+    expect(lanes.map(({ kind }) => kind)).toEqual([...foot, ...foot, "segments"]);
+    expect(lanes[0]?.height).toBeGreaterThanOrEqual(28);
+    expect(height).toBeLessThanOrEqual(157);
   });
 
   it("are high enough to touch on a phone", () => {

@@ -76,10 +76,19 @@ export interface LayoutInput {
   companions: readonly Companion[];
   /** Groups of tracks that the user has hidden. */
   hidden: readonly TrackGroup[];
+  /** True if lanes are touched by fingers. */
+  isTouch: boolean;
 }
 
 /** Tracks that are left out if the timeline is too small for all. */
-export type OmittedTrack = "parts" | "references" | "height" | "speed" | "segments" | "curve";
+export type OmittedTrack =
+  | "parts"
+  | "references"
+  | "companions"
+  | "height"
+  | "speed"
+  | "segments"
+  | "curve";
 
 export interface Layout {
   lanes: readonly Lane[];
@@ -96,7 +105,7 @@ export interface Layout {
 /** A lane without its vertical position. */
 type WithoutY<T> = T extends unknown ? Omit<T, "y"> : never;
 
-/** Sizes on a wide page, on a phone, where lanes are large enough to touch, and on a short phone. */
+/** Sizes for a pointer, for fingers, and for fingers on a short page. */
 const wideSizes = {
   labelWidth: 118,
   ruler: 30,
@@ -111,6 +120,7 @@ const wideSizes = {
   group: 10,
   curve: 30,
   minimap: 18,
+  bottom: 10,
 };
 const narrowSizes: Sizes = {
   ...wideSizes,
@@ -137,15 +147,32 @@ const shortSizes: Sizes = {
 /** Sizes in landscape on a phone: both feet and the segments fit. */
 const landscapeSizes: Sizes = { ...shortSizes, segments: 20, group: 5, minimap: 18 };
 
+/** Sizes if these do not suffice: both feet with their references and the segments fit. */
+const denseSizes: Sizes = {
+  ...landscapeSizes,
+  ruler: 24,
+  reference: 8,
+  companion: 8,
+  segments: 16,
+  group: 3,
+  minimap: 14,
+  bottom: 6,
+};
+
 type Sizes = typeof wideSizes;
 
-/** Wider timelines have the sizes for a pointer. */
+/** Wider timelines have the sizes for a pointer, unless they are touched. */
 const maxNarrowWidth = 560;
 
-function sizesOf(width: number, availableHeight: number): Sizes {
-  if (width > maxNarrowWidth) return wideSizes;
-  if (availableHeight < 170) return landscapeSizes;
-  return availableHeight < 300 ? shortSizes : narrowSizes;
+/** Returns the sizes that are possible, the largest first. */
+function possibleSizes(width: number, availableHeight: number, isTouch: boolean): Sizes[] {
+  const isNarrow = width <= maxNarrowWidth;
+  if (!isNarrow && !isTouch) return [wideSizes, denseSizes];
+  const { labelWidth } = isNarrow ? narrowSizes : wideSizes;
+  const largest = availableHeight < 170 ? 2 : availableHeight < 300 ? 1 : 0;
+  return [narrowSizes, shortSizes, landscapeSizes, denseSizes]
+    .slice(largest)
+    .map((size) => ({ ...size, labelWidth }));
 }
 
 /** Greatest height of a curve lane beyond its minimum, in pixels. */
@@ -157,24 +184,30 @@ const partOrder = ["contact", "heel", "toe"] as const;
  * Lays out the lanes from top to bottom: for each foot the principal part and the others as far as they
  * are labelled, each above its reference; comparison clips; curves of the feet; segments, motifs and
  * reference segments; the curve of the segmentation method. Curves divide the remaining height evenly, and
- * are left out if it is too small, as are the parts that do not define the plants; `omitted` lists what is
- * left out. Sizes are in CSS pixels.
+ * are left out if it is too small, as are the parts that do not define the plants, then the segments and then
+ * comparison clips; `omitted` lists what is left out. Sizes are in CSS pixels.
  */
 export function layoutTimeline(input: LayoutInput, width: number, availableHeight: number): Layout {
   const { detection, reference, hidden } = input;
-  const size = sizesOf(width, availableHeight);
   const parts = detection?.parts ?? {};
   const principal = principalPart(parts);
-  const footHeight = size.principal + size.group;
-  const referenceHeight = detection && reference ? size.reference + size.gap : 0;
-  const feetHeight = principal ? 2 * (footHeight + referenceHeight) : 0;
-  const minHeight = size.ruler + 6 + feetHeight + size.minimap + 10;
+  const possible = possibleSizes(width, availableHeight, input.isTouch);
+  const fits = (size: Sizes) => {
+    const { feet, companions, segments } = minHeights(input, size);
+    return feet + companions + segments <= availableHeight;
+  };
+  const size = possible.find(fits) ?? (possible.at(-1) as Sizes);
+  const needed = minHeights(input, size);
+  // On a very short timeline the feet come first, then the comparison clips.
   const allSegments = segmentLanes(input, size);
-  // On a very short timeline the feet come first.
-  const isShort = availableHeight < minHeight + (allSegments[0]?.height ?? 0) + size.gap;
-  const segments = isShort && principal ? [] : allSegments;
-  const segmentsHeight = segments.reduce((sum, { height }) => sum + height + size.gap, 0);
-  const reservedHeight = size.minimap + 10 + segmentsHeight + (segments.length ? size.gap : 0);
+  const segments = fits(size) || !principal ? allSegments : [];
+  const segmentsHeight = segments.length ? needed.segments : 0;
+  const companions = input.companions.slice(
+    0,
+    companionCount(size, availableHeight - needed.feet - segmentsHeight),
+  );
+  const companionsHeight = companionLanesHeight(companions.length, size);
+  const reservedHeight = size.minimap + size.bottom + segmentsHeight;
   const referenced =
     detection && reference ? partOrder.filter((part) => reference.parts[part]) : [];
   const wantedParts = partOrder.filter(
@@ -185,7 +218,7 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
     referenced,
     principal,
     size,
-    availableHeight - reservedHeight,
+    availableHeight - reservedHeight - companionsHeight,
   );
   const lanes: Lane[] = [];
   let y = size.ruler + 6;
@@ -208,10 +241,10 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
     }
     if (lanes.length > laneCount) y += size.group - size.gap;
   }
-  for (const companion of input.companions) {
+  for (const companion of companions) {
     add({ kind: "companion", companion, height: size.companion });
   }
-  if (input.companions.length) y += size.group - size.gap;
+  if (companions.length) y += size.group - size.gap;
   const part = parts.toe ? "toe" : principalPart(parts);
   const tracks = part && parts[part];
   const remaining = availableHeight - y - reservedHeight - 2;
@@ -241,18 +274,47 @@ export function layoutTimeline(input: LayoutInput, width: number, availableHeigh
   } else if (segments.length) y += size.gap;
   const omitted: OmittedTrack[] = wantedCurves.slice(curveCount);
   if (segments.length < allSegments.length) omitted.unshift("segments");
+  if (companions.length < input.companions.length) omitted.unshift("companions");
   if (visible.referenced.length < referenced.length) omitted.unshift("references");
   if (visible.parts.length < wantedParts.length) omitted.unshift("parts");
-  const minimapY = Math.max(y, availableHeight - size.minimap - 10);
+  const minimapY = Math.max(y, availableHeight - size.minimap - size.bottom);
   return {
     lanes,
     omitted,
     minimap: { y: minimapY, height: size.minimap },
     ruler: { height: size.ruler },
     labelWidth: size.labelWidth,
-    height: minimapY + size.minimap + 10,
+    height: minimapY + size.minimap + size.bottom,
   };
 }
+
+/**
+ * Returns the heights of what is not left out if it fits: ruler, principal part of both feet and minimap, each
+ * foot with one reference; comparison clips; segments.
+ */
+function minHeights(input: LayoutInput, size: Sizes) {
+  const { detection, reference, companions } = input;
+  const referenceHeight = reference ? size.reference + size.gap : 0;
+  const footHeight = size.principal + size.group + referenceHeight;
+  const feetHeight = principalPart(detection?.parts ?? {}) ? 2 * footHeight : 0;
+  const segments = segmentLanes(input, size);
+  return {
+    feet: size.ruler + 6 + feetHeight + size.minimap + size.bottom,
+    companions: companionLanesHeight(companions.length, size),
+    segments: segments.reduce(
+      (sum, { height }) => sum + height + size.gap,
+      segments.length ? size.gap : 0,
+    ),
+  };
+}
+
+/** Returns the height of the lanes of comparison clips. */
+const companionLanesHeight = (count: number, size: Sizes) =>
+  count ? count * (size.companion + size.gap) + size.group - size.gap : 0;
+
+/** Returns how many comparison clips fit. */
+const companionCount = (size: Sizes, availableHeight: number) =>
+  Math.max(0, Math.floor((availableHeight - size.group + size.gap) / (size.companion + size.gap)));
 
 /** Returns the lanes of segments, without the curve. */
 function segmentLanes({ segmentation, referenceSegments, hidden }: LayoutInput, size: Sizes) {

@@ -1,13 +1,20 @@
 /** Processes files one at a time: summaries for the table, and clips to be shown as companions. */
 
 import * as Comlink from "comlink";
-import type { BatchRequest, ClipSummary, SavedFile, StoredChanges } from "../model/batch";
+import type {
+  ActionSummary,
+  BatchRequest,
+  ClipSummary,
+  SavedFile,
+  StoredChanges,
+} from "../model/batch";
 import { cutEditsOf, plantEditsOf } from "../model/cut-edits";
 import { minPlantConfidence } from "../model/plants";
-import { nameSegments, segmentTitle } from "../model/segments";
+import { nameSegments, namesOfActions, segmentTitle } from "../model/segments";
 import { summarizeSlides } from "../model/slides";
 import type { Clip, Detection, DetectOptions, OnProgress, Result } from "../model/types";
 import {
+  commonActions,
   plantFormats,
   segmentFormats,
   WasmAnnotation,
@@ -63,6 +70,18 @@ const api = {
     } finally {
       for (const object of owned) object.free();
     }
+  },
+
+  /** Returns for each action of several clips, by its letter in the clip, a letter that equal actions share. */
+  async commonActions(
+    clips: readonly (ActionSummary | undefined)[],
+  ): Promise<(Map<string, string> | undefined)[]> {
+    await secondReady();
+    const movements = clips.flatMap((clip) => (clip ? [...clip.movements] : []));
+    const names = commonActions(Float32Array.from(movements));
+    return clips.map(
+      (clip) => clip && new Map(clip.letters.map((letter) => [letter, names.shift() ?? letter])),
+    );
   },
 
   /** Reads and labels a clip that is shown next to another one. */
@@ -143,12 +162,21 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
   if (segmented.ok) {
     const { value } = segmented;
     owned.push(value);
+    const letters = new Set(value.segments().map(({ action }) => action ?? ""));
+    letters.delete("");
     value.editCuts(cutEditsOf(changes.edits));
     const segments = value.segments();
     summary.segments = segments.length;
-    const names = nameSegments(segments, changes.names).map(segmentTitle);
+    summary.actions = {
+      letters: [...letters],
+      movements: value.actionMovements(),
+      names: namesOfActions(segments, changes.names),
+    };
+    const named = nameSegments(segments, changes.names, request.vocabulary);
+    const names = named.map(segmentTitle);
+    const actions = named.map(({ action = "" }) => action);
     for (const { name: format, extension } of request.save ? segmentFormats() : []) {
-      files.push({ extension, data: clip.saveSegments(value, names, format, name, hash) });
+      files.push({ extension, data: clip.saveSegments(value, names, actions, format, name, hash) });
     }
   } else summary.missing.push(segmented.failure.message);
   return { summary, files };

@@ -297,13 +297,18 @@ const api = {
     return segmentation && segmentAnnotation ? segmentAnnotation.score(clip, segmentation) : [];
   },
 
-  /** Returns the segments under the given names, in order, as a file. */
-  async saveSegments(format: string, names: string[]): Promise<Uint8Array<ArrayBuffer>> {
+  /** Returns the segments under the given names and letters of actions, in order, as a file. */
+  async saveSegments(
+    format: string,
+    names: string[],
+    actions: string[],
+  ): Promise<Uint8Array<ArrayBuffer>> {
     const open = current();
     const hash = await hashOf(open);
     const { name, clip, segmentation } = open;
     if (!segmentation) throw new Error("There are no segments to save.");
-    return clip.saveSegments(segmentation, names, format, name, hash) as Uint8Array<ArrayBuffer>;
+    const file = clip.saveSegments(segmentation, names, actions, format, name, hash);
+    return file as Uint8Array<ArrayBuffer>;
   },
 
   /** Writes parts of the clip as BVH files into a zip archive. */

@@ -2,7 +2,7 @@
 
 use crate::foot::{Part, Side};
 use crate::intervals::intervals;
-use crate::plants::{Detection, Edit, FootLabels, PartLabels};
+use crate::plants::{Detection, Edit, FootLabels, Instant, PartLabels};
 
 /// Minimum duration of a fragment, in seconds: of what an edit leaves of a detected plant. Shorter
 /// fragments are removed.
@@ -63,6 +63,22 @@ fn drop_fragments(foot: &mut FootLabels, edited: &[bool], shortest: f64) {
 }
 
 impl Detection {
+    /// Sets instants of boundaries, as [`Corrected`](crate::plants::Corrected) lists them. Instants of other
+    /// frames and of parts without labels have no effect.
+    pub fn set_instants(&mut self, instants: &[Instant]) {
+        for Instant { side, part, edge } in instants {
+            let Some(labels) = self.parts.iter_mut().find(|labels| labels.part == *part) else { continue };
+            let foot = &mut labels.feet[*side as usize];
+            if !foot.is_boundary(edge.frame) {
+                continue;
+            }
+            match foot.edges.binary_search_by_key(&edge.frame, |edge| edge.frame) {
+                Ok(index) => foot.edges[index] = *edge,
+                Err(index) => foot.edges.insert(index, *edge),
+            }
+        }
+    }
+
     /// True if a run of planted frames overlaps an edit that plants this part.
     pub fn is_edited(&self, side: Side, part: Part, run: &std::ops::Range<usize>) -> bool {
         self.edits.iter().any(|edit| {

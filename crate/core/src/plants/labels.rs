@@ -45,7 +45,24 @@ pub struct Edge {
     pub uncertainty: f64,
 }
 
+/// Instant of a boundary of one part of one foot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Instant {
+    /// The foot.
+    pub side: Side,
+    /// The part of the foot.
+    pub part: Part,
+    /// The instant.
+    pub edge: Edge,
+}
+
 impl FootLabels {
+    /// True if the label changes at `frame`.
+    pub(crate) fn is_boundary(&self, frame: usize) -> bool {
+        frame.checked_sub(1).is_some_and(|before| self.planted.get(before) != self.planted.get(frame))
+            && frame < self.planted.len()
+    }
+
     /// Returns the edge that is known at the boundary before `frame`.
     ///
     /// Boundaries of an edit have none, nor have those of methods that label frames only.

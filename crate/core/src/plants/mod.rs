@@ -37,7 +37,7 @@ pub use edit::Edit;
 pub use feet::{DetectError, Feet, FootTracks};
 pub use ground::Ground;
 pub(crate) use ground::levels;
-pub use labels::{Edge, FootLabels, PartLabels};
+pub use labels::{Edge, FootLabels, Instant, PartLabels};
 pub use methods::{Family, Method, Thresholds};
 pub use params::{ParamError, Params, ValidParams};
 pub use postprocess::capture_noise::CaptureNoise;

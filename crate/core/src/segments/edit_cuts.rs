@@ -21,7 +21,9 @@ pub struct CutEdit {
 pub fn edit_cuts(segments: &[Segment], edits: &[CutEdit]) -> Vec<Segment> {
     let (Some(first), Some(last)) = (segments.first(), segments.last()) else { return Vec::new() };
     let (start, end) = (first.frames.start, last.frames.end);
-    let mut cuts: BTreeSet<usize> = segments.iter().skip(1).map(|segment| segment.frames.start).collect();
+    let mut cuts = BTreeSet::new();
+    // Collecting would sort, which is compiled for each type of items.
+    cuts.extend(segments.iter().skip(1).map(|segment| segment.frames.start));
     for edit in edits.iter().filter(|edit| edit.frame > start && edit.frame < end) {
         if edit.present {
             cuts.insert(edit.frame);

@@ -11,9 +11,9 @@ use crate::segments::progress::Cancelled;
 pub(crate) fn groups(
     count: usize,
     max_compared: usize,
-    distance: impl Fn(usize, usize) -> f64,
+    distance: &dyn Fn(usize, usize) -> f64,
     max_distance: f64,
-    checkpoint: &mut impl FnMut() -> Result<(), Cancelled>,
+    checkpoint: &mut dyn FnMut() -> Result<(), Cancelled>,
 ) -> Result<Vec<usize>, Cancelled> {
     let compared = count.min(max_compared);
     let mut rows = Vec::with_capacity(compared);
@@ -90,8 +90,14 @@ mod tests {
     const MAX_COMPARED: usize = 100;
 
     fn group_values(values: &[f64], max_distance: f64) -> Vec<usize> {
-        groups(values.len(), MAX_COMPARED, |a, b| (values[a] - values[b]).abs(), max_distance, &mut || Ok(()))
-            .unwrap()
+        groups(
+            values.len(),
+            MAX_COMPARED,
+            &|a, b| (values[a] - values[b]).abs(),
+            max_distance,
+            &mut || Ok(()),
+        )
+        .unwrap()
     }
 
     /// Merges the nearest pair each time, with every mean computed from scratch.
@@ -141,7 +147,7 @@ mod tests {
 
     #[test]
     fn can_be_cancelled() {
-        assert_eq!(groups(3, 9, |_, _| 0.0, 1.0, &mut || Err(Cancelled)), Err(Cancelled));
+        assert_eq!(groups(3, 9, &|_, _| 0.0, 1.0, &mut || Err(Cancelled)), Err(Cancelled));
     }
 
     proptest! {

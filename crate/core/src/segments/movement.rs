@@ -77,6 +77,14 @@ pub(crate) type Row = [f32; WIDTH];
 pub(crate) struct JointSet(u16);
 
 impl JointSet {
+    pub fn bits(self) -> u16 {
+        self.0
+    }
+
+    pub fn from_bits(bits: u16) -> JointSet {
+        JointSet(bits)
+    }
+
     fn count(self) -> u32 {
         self.0.count_ones()
     }

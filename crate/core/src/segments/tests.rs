@@ -304,6 +304,19 @@ fn common_names_are_in_order_of_the_clips() {
 }
 
 #[test]
+fn actions_are_read_as_they_were_written() {
+    let mut actions = cut(&walk_bow_walk(60.0), Params::default()).unwrap().actions;
+    let mut values = Vec::new();
+    actions.iter().for_each(|action| action.write(&mut values));
+    actions.iter_mut().for_each(|action| action.name.clear());
+    assert_eq!(ActionMovements::read(&values), actions);
+    // Damaged values are no reason to fail.
+    for length in [0, 1, 2, 80, values.len() - 1] {
+        assert!(ActionMovements::read(&values[..length]).len() <= actions.len());
+    }
+}
+
+#[test]
 fn actions_are_unknown_without_both_sides() {
     let clip = clip(10, 300, 60.0, |joint, frame| (frame as f64 / 9.0 + joint as f64).sin() * 30.0);
     let found = cut(&clip, Params::default()).unwrap();

@@ -1,7 +1,7 @@
 //! Detection options, methods and edits.
 
 use plantigrade::foot::{Part, Side};
-use plantigrade::plants::{Edit, Method, Params};
+use plantigrade::plants::{Edge, Edit, Instant, Method, Params};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 
@@ -128,6 +128,27 @@ pub struct EditInfo {
     pub end: usize,
     /// True if planted.
     pub planted: bool,
+    /// Instants of boundaries that result from a correction of similar motion.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[tsify(type = "InstantInfo[] | undefined", optional)]
+    pub instants: Vec<InstantInfo>,
+}
+
+/// Instant of a boundary of one part of one foot. It has no effect if the boundary has moved.
+#[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
+pub struct InstantInfo {
+    /// Foot.
+    #[tsify(type = r#""left" | "right""#)]
+    pub side: Side,
+    /// Part of the foot.
+    #[tsify(type = r#""contact" | "toe" | "heel""#)]
+    pub part: Part,
+    /// Frame at which the label changes.
+    pub frame: usize,
+    /// Time from the first frame of the clip, in seconds.
+    pub time: f64,
+    /// Standard deviation of the error of `time`, in seconds.
+    pub uncertainty: f64,
 }
 
 /// Changes of labels by which corrections apply to similar motion.
@@ -141,12 +162,24 @@ pub struct SimilarInfo {
 
 impl From<Edit> for EditInfo {
     fn from(Edit { side, part, start, end, planted }: Edit) -> EditInfo {
-        EditInfo { side, part, start, end, planted }
+        EditInfo { side, part, start, end, planted, instants: Vec::new() }
+    }
+}
+
+impl From<Instant> for InstantInfo {
+    fn from(Instant { side, part, edge: Edge { frame, time, uncertainty } }: Instant) -> InstantInfo {
+        InstantInfo { side, part, frame, time, uncertainty }
+    }
+}
+
+impl From<&InstantInfo> for Instant {
+    fn from(&InstantInfo { side, part, frame, time, uncertainty }: &InstantInfo) -> Instant {
+        Instant { side, part, edge: Edge { frame, time, uncertainty } }
     }
 }
 
 impl From<EditInfo> for Edit {
-    fn from(EditInfo { side, part, start, end, planted }: EditInfo) -> Edit {
+    fn from(EditInfo { side, part, start, end, planted, .. }: EditInfo) -> Edit {
         Edit { side, part, start, end, planted }
     }
 }

@@ -8,7 +8,7 @@ mod format;
 mod segmentation;
 
 pub use clip::{ClipInfo, JointInfo, Overrides};
-pub use detection::{DetectOptions, EditInfo, GroundInfo, MethodInfo, NoiseInfo, SimilarInfo};
+pub use detection::{DetectOptions, EditInfo, GroundInfo, InstantInfo, MethodInfo, NoiseInfo, SimilarInfo};
 pub use error::ArgumentError;
 pub use failure::{Failure, NoticeInfo};
 pub use format::FormatInfo;

@@ -10,7 +10,7 @@ use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::Skeleton;
 use plantigrade_wasm::{
     ClipInfo, DetectOptions, EditInfo, Failure, Overrides, SegmentInfo, SegmentOptions, WasmAnnotation,
-    WasmClip, WasmDetection, WasmReader, WasmRewriter, WasmSegmentAnnotation, has_segments,
+    WasmClip, WasmDetection, WasmReader, WasmRewriter, WasmSegmentAnnotation, common_actions, has_segments,
 };
 use tsify::{Ts, Tsify};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -137,6 +137,7 @@ fn edits_apply_until_they_are_removed() {
         start: before[0] as usize,
         end: before[1] as usize,
         planted: false,
+        instants: Vec::new(),
     };
     detection.edit(vec![edit.into_ts().unwrap()]).unwrap();
     assert_eq!(detection.intervals("contact", "left").unwrap(), before[2..]);
@@ -146,6 +147,7 @@ fn edits_apply_until_they_are_removed() {
         start: before[2] as usize,
         end: before[3] as usize + 2,
         planted: true,
+        instants: Vec::new(),
     };
     detection.edit(vec![extended.into_ts().unwrap()]).unwrap();
     assert_eq!(detection.intervals("contact", "left").unwrap()[3], before[3] + 2);
@@ -365,7 +367,9 @@ fn segments_read_back_under_given_names() {
     let count = segmentation.segments().unwrap().len();
     let names: Vec<String> = (1..=count).map(|number| format!("move {number}")).collect();
     for format in ["json", "csv", "babel"] {
-        let file = clip.save_segments(&segmentation, names.clone(), format, "limp.bvh".into(), None).unwrap();
+        let file = clip
+            .save_segments(&segmentation, names.clone(), Vec::new(), format, "limp.bvh".into(), None)
+            .unwrap();
         let text = String::from_utf8(file).unwrap();
         assert!(has_segments(&text, "limp") && !has_segments("frame,left_toe\n", "limp"));
         let reference = WasmSegmentAnnotation::new(&text, "limp", &clip).unwrap();
@@ -375,8 +379,22 @@ fn segments_read_back_under_given_names() {
             assert_eq!(score.to_rust().unwrap().f1, 1.0);
         }
     }
-    assert!(clip.save_segments(&segmentation, names, "xml", "limp.bvh".into(), None).is_err());
+    assert!(clip.save_segments(&segmentation, names, Vec::new(), "xml", "limp.bvh".into(), None).is_err());
     assert!(WasmSegmentAnnotation::new("{}", "limp", &clip).is_err());
+}
+
+#[wasm_bindgen_test]
+fn equal_actions_of_clips_have_equal_names() {
+    let clip = limp_to_run();
+    let segmentation = clip.segment(segment_options("auto"), &no_progress()).unwrap();
+    let movements = segmentation.action_movements();
+    let names = common_actions(&[movements.clone(), movements].concat());
+    let (first, second) = names.split_at(names.len() / 2);
+    assert!(first.len() > 1 && first == second, "{names:?}");
+    let count = segmentation.segments().unwrap().len();
+    let (labels, actions) = (vec![String::new(); count], vec!["Q".to_owned(); count]);
+    let file = clip.save_segments(&segmentation, labels, actions, "json", "limp.bvh".into(), None).unwrap();
+    assert_eq!(String::from_utf8(file).unwrap().matches(r#""action": "Q""#).count(), count);
 }
 
 #[wasm_bindgen_test]

@@ -64,7 +64,9 @@ struct Action {
 /// If the clip has several skeletons, the name of the root follows. Segments without a label are named
 /// by their number, as in `segment 3`. Their category is the name of the action.
 fn babel_json(documents: &[SegmentsDocument]) -> String {
-    let sequences: BTreeMap<String, Sequence> = documents.iter().map(sequence).collect();
+    let mut sequences = BTreeMap::new();
+    // Collecting would sort, which is compiled for each type of items.
+    sequences.extend(documents.iter().map(sequence));
     to_json(&sequences)
 }
 

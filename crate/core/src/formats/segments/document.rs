@@ -164,6 +164,13 @@ impl SegmentsDocument {
         }
     }
 
+    /// Sets the names of the actions of the segments, in order.
+    pub fn set_actions(&mut self, names: &[String]) {
+        for (segment, name) in self.segments.iter_mut().zip(names) {
+            segment.action.clone_from(name);
+        }
+    }
+
     /// Sets the labels of the segments in order; segments whose label changes become [`Origin::Edited`].
     pub fn set_labels(&mut self, labels: &[String]) {
         for (segment, label) in self.segments.iter_mut().zip(labels) {

@@ -21,7 +21,7 @@ use std::sync::Arc;
 use crate::foot::{Part, Side};
 use crate::intervals::intervals;
 use crate::notice::{Code, Notice};
-use crate::plants::{Detection, Edit, Feet, apply_edits};
+use crate::plants::{Detection, Edge, Edit, Feet, Instant, apply_edits};
 use edges::EdgeExample;
 use example::{Example, edited_frames};
 use profile::Profile;
@@ -43,6 +43,8 @@ pub struct Corrected {
     pub changes: Vec<Edit>,
     /// Number of plants that were changed, added or removed outside of the edits.
     pub plants: usize,
+    /// Instants of boundaries that the labels with `changes` as edits lack; in order of part, side and frame.
+    pub instants: Vec<Instant>,
 }
 
 impl Corrected {
@@ -113,7 +115,8 @@ impl Corrections {
         let detection = apply_edits(&corrected, edits, feet.frame_time);
         let changes = changes(&before, &detection);
         let plants = changed_plants(&before, &detection);
-        Corrected { detection, changes, plants }
+        let instants = instants(&before, &detection);
+        Corrected { detection, changes, plants, instants }
     }
 }
 
@@ -156,6 +159,20 @@ fn changes(before: &Detection, after: &Detection) -> Vec<Edit> {
         }
     }
     changes
+}
+
+/// Returns the instants of boundaries of the second detection that the first one lacks.
+fn instants(before: &Detection, after: &Detection) -> Vec<Instant> {
+    let mut instants = Vec::new();
+    for (old, new) in before.parts.iter().zip(&after.parts) {
+        for side in Side::BOTH {
+            let (old, now) = (old.foot(side), new.foot(side));
+            let is_new = |edge: &&Edge| now.is_boundary(edge.frame) && old.edge(edge.frame) != Some(edge);
+            let new_edges = now.edges.iter().filter(is_new);
+            instants.extend(new_edges.map(|&edge| Instant { side, part: new.part, edge }));
+        }
+    }
+    instants
 }
 
 /// Returns the number of plants of the principal part that differ: those of either detection, of which
@@ -251,6 +268,35 @@ mod tests {
         // The changes are edits: added to those of the person, they give the same labels.
         let all: Vec<Edit> = edits.iter().chain(&corrected.changes).copied().collect();
         assert_eq!(plants(&apply_edits(&detected, &all, FRAME_TIME)), expected);
+    }
+
+    #[test]
+    fn instants_complete_the_changes() {
+        let mut detected = detection(|_| 0.2, |frame| frame % STEP < 70);
+        detected.parts[0].feet[0].edges = (0..STEPS)
+            .flat_map(|step| {
+                let edge =
+                    |frame: usize| Edge { frame, time: (frame as f64 - 0.2) * FRAME_TIME, uncertainty: 0.01 };
+                [edge(step * STEP), edge(step * STEP + 70)]
+            })
+            .skip(1)
+            .collect();
+        let edits = [edit(260, 270, false), edit(200, 260, true)];
+        let corrected = apply(&detected, &edits);
+        assert_eq!(corrected.instants.len(), STEPS - 1);
+        let all: Vec<Edit> = edits.iter().chain(&corrected.changes).copied().collect();
+        let mut repeated = apply_edits(&detected, &all, FRAME_TIME);
+        repeated.set_instants(&corrected.instants);
+        let instants = |detection: &Detection| -> Vec<Option<Edge>> {
+            let foot = detection.principal().foot(Side::Left);
+            let boundaries = (0..STEP * STEPS).filter(|&frame| foot.is_boundary(frame));
+            boundaries.map(|frame| foot.edge(frame).copied()).collect()
+        };
+        assert_eq!(instants(&repeated), instants(&corrected.detection));
+        // Where there is no boundary, there is no instant.
+        let mut other = apply_edits(&detected, &[edit(0, 800, true)], FRAME_TIME);
+        other.set_instants(&corrected.instants);
+        assert!(instants(&other).is_empty());
     }
 
     #[test]

@@ -58,7 +58,7 @@ pub(crate) fn name_actions(
         sets.push(spread(rows.iter()));
     }
     let distance = |a: usize, b: usize| distance(&sets[a], &sets[b]);
-    let first_members = linkage::groups(sets.len(), MAX_COMPARED, distance, MAX_DISTANCE, checkpoint)?;
+    let first_members = linkage::groups(sets.len(), MAX_COMPARED, &distance, MAX_DISTANCE, checkpoint)?;
     let names = names::in_order(&first_members);
     for (segment, name) in segments.iter_mut().zip(&names) {
         segment.action.clone_from(name);
@@ -81,12 +81,31 @@ pub(crate) fn name_actions(
 pub fn common_names(clips: &[&[ActionMovements]]) -> Vec<Vec<String>> {
     let actions: Vec<&ActionMovements> = clips.iter().copied().flatten().collect();
     let distance = |a: usize, b: usize| actions[a].distance(actions[b]);
-    let groups = linkage::groups(actions.len(), MAX_COMPARED, distance, MAX_DISTANCE, &mut || Ok(()));
+    let groups = linkage::groups(actions.len(), MAX_COMPARED, &distance, MAX_DISTANCE, &mut || Ok(()));
     let mut names = names::in_order(&groups.unwrap_or_default()).into_iter();
     clips.iter().map(|actions| names.by_ref().take(actions.len()).collect()).collect()
 }
 
 impl ActionMovements {
+    /// Appends the action without its name as numbers, which [`ActionMovements::read`] reads: its joints, the
+    /// number of its movements, and the movements.
+    pub fn write(&self, values: &mut Vec<f32>) {
+        values.extend([f32::from(self.joints.bits()), self.rows.len() as f32]);
+        values.extend(self.rows.as_flattened());
+    }
+
+    /// Reads actions that [`ActionMovements::write`] wrote. Their names are empty.
+    pub fn read(mut values: &[f32]) -> Vec<ActionMovements> {
+        let mut actions = Vec::new();
+        while let &[joints, count, ref rest @ ..] = values {
+            let rows: Vec<Row> = rest.as_chunks().0.iter().take(count as usize).copied().collect();
+            values = &rest[rows.as_flattened().len()..];
+            let joints = JointSet::from_bits(joints as u16);
+            actions.push(ActionMovements { name: String::new(), rows, joints });
+        }
+        actions
+    }
+
     /// Returns the distance of two actions by the joints that are known for both; infinite if they are
     /// too few.
     fn distance(&self, other: &ActionMovements) -> f64 {

@@ -76,7 +76,7 @@ pub(crate) fn classes(
     let mut first_members = vec![0; curves.len()];
     for motifs in [rising, falling] {
         let distance = |a: usize, b: usize| distance(motifs[a], motifs[b]);
-        let groups = linkage::groups(motifs.len(), MAX_COMPARED, distance, 1.0, checkpoint)?;
+        let groups = linkage::groups(motifs.len(), MAX_COMPARED, &distance, 1.0, checkpoint)?;
         for (&motif, first) in motifs.iter().zip(groups) {
             first_members[motif] = motifs[first];
         }
