@@ -94,14 +94,14 @@ impl ActionMovements {
         values.extend(self.rows.as_flattened());
     }
 
-    /// Reads actions that [`ActionMovements::write`] wrote. Their names are empty.
+    /// Reads actions that [`ActionMovements::write`] wrote. Their names are empty. Stops at an incomplete one.
     pub fn read(mut values: &[f32]) -> Vec<ActionMovements> {
         let mut actions = Vec::new();
         while let &[joints, count, ref rest @ ..] = values {
-            let rows: Vec<Row> = rest.as_chunks().0.iter().take(count as usize).copied().collect();
+            let Some(rows) = rest.as_chunks().0.get(..count as usize) else { break };
             values = &rest[rows.as_flattened().len()..];
             let joints = JointSet::from_bits(joints as u16);
-            actions.push(ActionMovements { name: String::new(), rows, joints });
+            actions.push(ActionMovements { name: String::new(), rows: rows.to_vec(), joints });
         }
         actions
     }
