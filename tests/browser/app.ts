@@ -309,7 +309,7 @@ export class App {
     button:
       | "Labels"
       | "Every frame"
-      | "Intervals"
+      | "Every plant"
       | "Gait events"
       | "Heel and toe events"
       | "Arrays"

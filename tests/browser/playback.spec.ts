@@ -82,6 +82,19 @@ test("cycles loop modes by L", async ({ app, page }) => {
   await expect(loop).toHaveText("Loop clip");
 });
 
+test("loops the selected plant, not another one at the playhead", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await app.tab("Labels");
+  await page.keyboard.press("e");
+  const number = (await app.panel.getByRole("button", { pressed: true }).innerText()).split(
+    /\s/,
+  )[0];
+  await page.keyboard.press("End");
+  await page.keyboard.press("Shift+l");
+  const loop = app.timeline.getByRole("button", { name: `Loop plant ${number}`, exact: true });
+  await expect(loop).toBeVisible();
+});
+
 test("stops at the last frame without a loop", async ({ app, page }) => {
   await app.openSample("bowling");
   for (let i = 0; i < 3; i++) await page.keyboard.press("Shift+l");

@@ -63,7 +63,7 @@ test("the frame table agrees with the JSON document", async ({ app }) => {
 
 test("the interval table lists every plant of every part", async ({ app }) => {
   await app.openSample("bowling");
-  const saved = await app.save("Intervals");
+  const saved = await app.save("Every plant");
   expect(saved.name).toBe("bowling.intervals.csv");
   const { header, rows } = readTable(saved);
   expect(header).toBe("foot,part,start_frame,end_frame,start_s,end_s");

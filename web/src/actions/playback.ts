@@ -17,7 +17,7 @@ import {
   speed,
   timeView,
 } from "../store/playback";
-import { clip, cuts, edges, isPreview, namedSegments, plants } from "../store/session";
+import { clip, cuts, edges, isPreview, namedSegments, plants, selected } from "../store/session";
 import { mediaClock } from "../store/video";
 import { announcement } from "../store/view";
 import { spokenRange } from "../util/format";
@@ -191,10 +191,16 @@ export function setLoopEdge(edge: "start" | "end") {
   else loopRange({ start: at >= start ? start : 0, end: at + 1 });
 }
 
-/** Loops nothing, the clip, the plant under the playhead or the next one, or the segment there. */
+/** Returns the selected plant, or else that under the playhead or the next one. */
+function plantToLoop(): Plant | undefined {
+  const [all, ref, now] = [plants.value, selected.value, playhead.value];
+  const isSelected = ({ side, start }: Plant) => side === ref?.side && start === ref.start;
+  return all.find(isSelected) ?? plantAt(all, now) ?? all.find(({ start }) => start >= now);
+}
+
+/** Loops nothing, the clip, the selected plant or the one at the playhead, or the segment there. */
 export function cycleLoop() {
-  const now = playhead.value;
-  const plant = plantAt(plants.value, now) ?? plants.value.find(({ start }) => start >= now);
+  const plant = plantToLoop();
   const regions = { plant, segment: segmentAtPlayhead() };
   const order = ["off", "clip", "plant", "segment"] as const;
   const next = order

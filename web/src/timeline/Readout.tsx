@@ -46,7 +46,8 @@ function laneDetails(lane: Lane, frame: number): string {
   if (isCurves(lane)) return curveDetails(lane, frame);
   if (!isBars(lane)) return "";
   const { side, track, isPrincipal } = lane;
-  const plant = isPrincipal && plantAt(plants.value, frame, side);
+  const plant = isPrincipal ? plantAt(plants.value, frame, side) : undefined;
+  if (plant?.edited) return `plant ${plant.number}, edited`;
   const confidence = `confidence ${Math.floor(100 * (track.confidence[frame] ?? 0))} %`;
   return [plant && `plant ${plant.number}`, confidence].filter(Boolean).join(", ");
 }

@@ -5,6 +5,7 @@ import {
   direction,
   frame,
   loop,
+  loopedRange,
   loopedSegment,
   loopRegion,
   playing,
@@ -49,6 +50,7 @@ export function Transport({ layout }: { layout: ReadonlySignal<Layout> }) {
         type="button"
         class="button flat loop"
         aria-pressed={loop.value !== "off"}
+        data-is-part={loopedRange.value !== null}
         title={tooltip("loop")}
         onClick={commandOf("loop").run}
         disabled={isStill}
@@ -95,6 +97,7 @@ function LoopLabel() {
   if (loop.value === "segment") return <span>Loop segment {loopedSegment.value?.number}</span>;
   if (loop.value === "range")
     return <span>Loop {loopRegion.value && formatRange(loopRegion.value)}</span>;
-  const plant = plants.value.find((p) => p.start === loopRegion.value?.start);
+  const region = loopRegion.value;
+  const plant = plants.value.find((p) => p.start === region?.start && p.end === region.end);
   return <span>Loop plant {plant?.number}</span>;
 }

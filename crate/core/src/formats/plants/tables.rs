@@ -25,7 +25,7 @@ pub(super) const FRAMES: FormatInfo<Writer, Reader> = FormatInfo {
 
 pub(super) const INTERVALS: FormatInfo<Writer, Reader> = FormatInfo {
     name: "intervals",
-    title: "Intervals",
+    title: "Every plant",
     description: "One row per plant, with its frames and times.",
     extension: "intervals.csv",
     media_type: "text/csv",
