@@ -128,7 +128,9 @@ impl Recording {
         let truth = formats::read_plants(&bytes, clip.frame_count())?;
         let contact = truth.part(Part::Contact).context("labels of contact")?;
         let contact = contact.each_ref().map(|labels| score::mask_near_unknown(labels, clip.frame_time()));
-        Ok(Recording { name: path.display().to_string(), activity: activity.0, clip, contact })
+        // The noise depends on the name, not on the folder.
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(Recording { name, activity: activity.0, clip, contact })
     }
 
     /// Returns the trial at 30 Hz with noise.
