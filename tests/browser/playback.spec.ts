@@ -93,6 +93,11 @@ test("loops the selected plant, not another one at the playhead", async ({ app, 
   await page.keyboard.press("Shift+l");
   const loop = app.timeline.getByRole("button", { name: `Loop plant ${number}`, exact: true });
   await expect(loop).toBeVisible();
+  const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+  await last.fill(String(Number(await last.inputValue()) + 2));
+  await page.keyboard.press("Enter");
+  await expect(app.head.getByText("edited")).toBeVisible();
+  await expect(loop).toBeVisible();
 });
 
 test("stops at the last frame without a loop", async ({ app, page }) => {

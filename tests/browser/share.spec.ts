@@ -44,7 +44,7 @@ test("restores time, view, method and settings from a link", async ({ app, page,
   expect(other.unexpectedProblems()).toEqual([]);
 });
 
-test("says that a link carries neither edits nor names", async ({ app, page }) => {
+test("states that a link carries neither edits nor names", async ({ app, page }) => {
   await app.openSample("curved-walk");
   const notice = app.dialog.getByText("Edits and segment names are not included");
   await app.openShareDialog();

@@ -110,7 +110,8 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
       return storedChangesOf(hash);
     };
     const result = await batchWorkers.run((calls) => {
-      updateRow(row, { status: "running" });
+      // A processed clip keeps its results until there are new ones.
+      if (row.status !== "done") updateRow(row, { status: "running" });
       return calls.summarize(data, name, request, references, Comlink.proxy(changesOf));
     }, signal);
     if (signal.aborted) return;

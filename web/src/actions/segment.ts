@@ -3,7 +3,7 @@
 import { batch } from "@preact/signals";
 import { engine } from "../engine";
 import { failureOf } from "../model/failure";
-import { matchingSegment, type NamedSegment, renameSegment } from "../model/segments";
+import { matchingRange, type NamedSegment, renameSegment } from "../model/segments";
 import type { SegmentOptions } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
 import { createExclusiveJob } from "../store/jobs";
@@ -79,7 +79,7 @@ function revertOptions(clipSession: ClipSession) {
 function moveLoop(clipSession: ClipSession) {
   const { loop, loopRegion, segmentation } = clipSession;
   if (loop.value !== "segment" || !loopRegion.value) return;
-  const same = matchingSegment(segmentation.value?.segments ?? [], loopRegion.value);
+  const same = matchingRange(segmentation.value?.segments ?? [], loopRegion.value);
   loopRegion.value = same ?? null;
   if (!same) loop.value = "clip";
 }

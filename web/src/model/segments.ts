@@ -27,8 +27,8 @@ function overlap(a: FrameRange, b: FrameRange): number {
   return common / Math.max(a.end - a.start, b.end - b.start);
 }
 
-/** Returns the item that covers the same action as a range, if any. */
-export function matchingSegment<T extends FrameRange>(
+/** Returns the item of which the overlap with a range is more than one half of both, if any. */
+export function matchingRange<T extends FrameRange>(
   items: readonly T[],
   range: FrameRange,
 ): T | undefined {
@@ -69,7 +69,7 @@ export function nameSegments(
     ...segment,
     number: i + 1,
     name:
-      matchingSegment(names, segment)?.name ??
+      matchingRange(names, segment)?.name ??
       nameOf.get(segment.action) ??
       vocabulary.names.get(segment.action) ??
       "",
@@ -81,7 +81,7 @@ export function namesOfActions(
   segments: readonly Segment[],
   names: readonly SegmentName[],
 ): Map<string, string> {
-  const own = segments.map((segment) => matchingSegment(names, segment));
+  const own = segments.map((segment) => matchingRange(names, segment));
   const nameOf = new Map<string, string>();
   for (const name of names) {
     const action = segments[own.indexOf(name)]?.action;

@@ -1,6 +1,7 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { commandOf, keyOf, tooltip } from "../actions/commands";
 import { speeds } from "../actions/playback";
+import { matchingRange } from "../model/segments";
 import {
   direction,
   frame,
@@ -97,7 +98,7 @@ function LoopLabel() {
   if (loop.value === "segment") return <span>Loop segment {loopedSegment.value?.number}</span>;
   if (loop.value === "range")
     return <span>Loop {loopRegion.value && formatRange(loopRegion.value)}</span>;
-  const region = loopRegion.value;
-  const plant = plants.value.find((p) => p.start === region?.start && p.end === region.end);
+  // An edit may have moved its edges.
+  const plant = loopRegion.value && matchingRange(plants.value, loopRegion.value);
   return <span>Loop plant {plant?.number}</span>;
 }

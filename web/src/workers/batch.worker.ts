@@ -77,10 +77,17 @@ const api = {
     clips: readonly (ActionSummary | undefined)[],
   ): Promise<(Map<string, string> | undefined)[]> {
     await secondReady();
-    const movements = clips.flatMap((clip) => (clip ? [...clip.movements] : []));
-    const names = commonActions(Float32Array.from(movements));
+    const present = clips.flatMap((clip) => clip?.movements ?? []);
+    const movements = new Float32Array(present.reduce((sum, { length }) => sum + length, 0));
+    let end = 0;
+    for (const values of present) {
+      movements.set(values, end);
+      end += values.length;
+    }
+    const names = commonActions(movements).values();
     return clips.map(
-      (clip) => clip && new Map(clip.letters.map((letter) => [letter, names.shift() ?? letter])),
+      (clip) =>
+        clip && new Map(clip.letters.map((letter) => [letter, names.next().value ?? letter])),
     );
   },
 

@@ -21,6 +21,29 @@ pub(super) fn unreal_constants(source: &str, rate: f64, duration: f64) -> String
     )
 }
 
+/// Menu commands that add to what is selected in Unity, or remove it. They call `Change` of the script for an
+/// animation clip, and `Import` for an imported model; each returns false if it does not apply.
+pub(super) const UNITY: &str = include_str!("unity.cs");
+
+/// Returns the start of an editor script for Unity, with the constants of its class: `contents` is what it adds
+/// to `target`.
+pub(super) fn unity_class(class: &str, contents: &str, target: &str, source: &str) -> String {
+    format!(
+        "// To add {contents} in Unity, put this script into a folder named Editor, select {target}\n\
+         // in the project window, and choose Assets > Plantigrade > Add {contents}.\n\
+         #if UNITY_EDITOR\n\
+         using System;\nusing System.Collections.Generic;\nusing UnityEditor;\nusing UnityEngine;\n\n\
+         namespace Plantigrade\n{{\n    static class {class}_{}\n    {{\n\
+         {INDENT}const string Menu = {};\n{INDENT}const string Target = {};\n",
+        identifier(source),
+        csharp_literal(&format!("{contents} of {source}")),
+        csharp_literal(target),
+    )
+}
+
+/// Indentation of the members of a class.
+const INDENT: &str = "        ";
+
 /// Returns a text as a Python literal: JSON strings in ASCII are Python literals.
 pub(super) fn python_literal(text: &str) -> String {
     let json = serde_json::Value::from(text).to_string();

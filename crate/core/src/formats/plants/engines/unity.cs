@@ -2,54 +2,25 @@
         // Events that this script has added, and no others, have this function.
         const string Function = "OnFootEvent";
 
-        [MenuItem("Assets/Plantigrade/Add foot events of " + Menu)]
-        static void Add()
+        static bool Change(AnimationClip clip, bool add)
         {
-            ForEachSelected(true);
-        }
-
-        [MenuItem("Assets/Plantigrade/Remove foot events of " + Menu)]
-        static void Remove()
-        {
-            ForEachSelected(false);
-        }
-
-        static void ForEachSelected(bool add)
-        {
-            var found = false;
-            foreach (var selected in Selection.objects)
+            if (clip == null)
             {
-                var path = AssetDatabase.GetAssetPath(selected);
-                var importer = AssetImporter.GetAtPath(path) as ModelImporter;
-                var clip = selected as AnimationClip;
-                if (importer != null)
-                {
-                    Import(importer, add);
-                    found = true;
-                }
-                else if (clip != null)
-                {
-                    Undo.RegisterCompleteObjectUndo(clip, "Foot events");
-                    // A clip that was imported at another frame rate has another length.
-                    var isScaled = Math.Abs(clip.length - Duration) > 1.5f / Rate;
-                    var scale = isScaled ? clip.length / Duration : 1f;
-                    var before = AnimationUtility.GetAnimationEvents(clip);
-                    AnimationUtility.SetAnimationEvents(
-                        clip,
-                        Replaced(before, add, time => time * scale, clip.length));
-                    EditorUtility.SetDirty(clip);
-                    found = true;
-                }
+                return false;
             }
-            if (!found)
-            {
-                Debug.LogError("Select the animation clip, or the model with the clip, in the project window first.");
-            }
+            Undo.RegisterCompleteObjectUndo(clip, "Foot events");
+            // A clip that was imported at another frame rate has another length.
+            var isScaled = Math.Abs(clip.length - Duration) > 1.5f / Rate;
+            var scale = isScaled ? clip.length / Duration : 1f;
+            var before = AnimationUtility.GetAnimationEvents(clip);
+            AnimationUtility.SetAnimationEvents(clip, Replaced(before, add, time => time * scale, clip.length));
+            EditorUtility.SetDirty(clip);
+            return true;
         }
 
         // Events of an imported model are part of its import settings. Their times are from 0 at the first frame
         // of a clip, which may be a part of its take, to 1 at the last.
-        static void Import(ModelImporter importer, bool add)
+        static bool Import(ModelImporter importer, bool add)
         {
             var takes = importer.defaultClipAnimations;
             var clips = importer.clipAnimations.Length > 0 ? importer.clipAnimations : takes;
@@ -63,6 +34,7 @@
             }
             importer.clipAnimations = clips;
             importer.SaveAndReimport();
+            return true;
         }
 
         // Returns the events with those of the clip added or removed. An animation of a part of the clip has only

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::formats::format_info::FormatInfo;
 use crate::formats::plants::engines::timed_event::{TimedEvent, duration, timed_events};
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
-use crate::formats::scripts::{csharp_literal, identifier};
+use crate::formats::scripts::{UNITY, unity_class};
 
 pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     name: "unity",
@@ -17,7 +17,7 @@ pub(crate) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
     read: None,
 };
 
-/// Second part of the script, which uses the data of the first part.
+/// Last part of the script, which uses the data of the first part.
 const BODY: &str = include_str!("unity.cs");
 
 /// Returns an editor script, with a menu command that adds the foot events of a clip to the animation clip, or
@@ -28,28 +28,22 @@ const BODY: &str = include_str!("unity.cs");
 /// replaces what the first one added; another command removes it. Curves, root motion and other events are not
 /// changed.
 fn script(export: &PlantExport) -> String {
-    let class = identifier(&export.source.name);
-    let mut script = String::from(
-        "// Foot events for Unity: put this script into a folder named Editor, select the animation clip or its\n\
-         // model in the project window, and choose Assets > Plantigrade > Add foot events. Each event calls\n\
-         // OnFootEvent(string name) of the scripts of the animated object, if there is one.\n\
-         #if UNITY_EDITOR\n\
-         using System;\nusing System.Collections.Generic;\nusing UnityEditor;\nusing UnityEngine;\n\n\
-         namespace Plantigrade\n{\n",
-    );
+    let target = "the animation clip, or the model with the clip,";
+    let mut script = unity_class("FootEvents", "foot events", target, &export.source.name);
     // Writing to a String cannot fail.
-    let _ = writeln!(script, "    static class FootEvents_{class}\n    {{");
-    let _ = writeln!(script, "        // File name of the clip.");
-    let _ = writeln!(script, "        const string Menu = {};", csharp_literal(&export.source.name));
     let _ = writeln!(script, "        // Frame rate in Hz, and duration in seconds.");
     let _ = writeln!(script, "        const float Rate = {:?}f;", (1.0 / export.clip.frame_time()) as f32);
     let _ = writeln!(script, "        const float Duration = {:?}f;", duration(export) as f32);
-    let _ = writeln!(script, "        // Time in seconds and name of each event.");
+    let _ = writeln!(
+        script,
+        "        // Time in seconds and name of each event, which calls OnFootEvent(string name) of the scripts of\n        // the animated object, if there is one."
+    );
     let _ = writeln!(script, "        static readonly KeyValuePair<float, string>[] Events =\n        {{");
     for TimedEvent { time, name, .. } in timed_events(export) {
         let _ = writeln!(script, "            new KeyValuePair<float, string>({time:.6}f, \"{name}\"),");
     }
     script.push_str("        };\n");
+    script.push_str(UNITY);
     script.push_str(BODY);
     script
 }

@@ -1,39 +1,18 @@
 
-        [MenuItem("Assets/Plantigrade/Add segments of " + Menu)]
-        static void Add()
+        // A clip cannot be divided, but its model.
+        static bool Change(AnimationClip clip, bool add)
         {
-            ForEachSelected(true);
-        }
-
-        [MenuItem("Assets/Plantigrade/Remove segments of " + Menu)]
-        static void Remove()
-        {
-            ForEachSelected(false);
-        }
-
-        static void ForEachSelected(bool add)
-        {
-            var found = false;
-            foreach (var selected in Selection.objects)
-            {
-                var path = AssetDatabase.GetAssetPath(selected);
-                var importer = AssetImporter.GetAtPath(path) as ModelImporter;
-                if (importer != null && importer.defaultClipAnimations.Length > 0)
-                {
-                    Import(importer, add);
-                    found = true;
-                }
-            }
-            if (!found)
-            {
-                Debug.LogError("Select the model with the animation in the project window first.");
-            }
+            return false;
         }
 
         // The segments are parts of the first take.
-        static void Import(ModelImporter importer, bool add)
+        static bool Import(ModelImporter importer, bool add)
         {
             var takes = importer.defaultClipAnimations;
+            if (takes.Length == 0)
+            {
+                return false;
+            }
             var clips = new List<ModelImporterClipAnimation>();
             foreach (var clip in importer.clipAnimations.Length > 0 ? importer.clipAnimations : takes)
             {
@@ -59,6 +38,7 @@
             }
             importer.clipAnimations = clips.ToArray();
             importer.SaveAndReimport();
+            return true;
         }
     }
 }

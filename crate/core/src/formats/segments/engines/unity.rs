@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::formats::format_info::FormatInfo;
-use crate::formats::scripts::{csharp_literal, identifier};
+use crate::formats::scripts::{UNITY, csharp_literal, unity_class};
 use crate::formats::segments::document::SegmentsDocument;
 use crate::formats::segments::engines::names::{duration, named_segments};
 use crate::formats::segments::export::{Reader, Writer};
@@ -29,19 +29,11 @@ const BODY: &str = include_str!("unity.cs");
 /// it. Other clips of the model are not changed.
 fn script(documents: &[SegmentsDocument]) -> String {
     let header = &documents[0].header;
-    let (source, class) = (&header.source.name, identifier(&header.source.name));
+    let source = &header.source.name;
     let stem = source.strip_suffix(".bvh").unwrap_or(source);
-    let mut script = String::from(
-        "// Segments for Unity: put this script into a folder named Editor, select the imported model with the\n\
-         // animation in the project window, and choose Assets > Plantigrade > Add segments.\n\
-         #if UNITY_EDITOR\n\
-         using System;\nusing System.Collections.Generic;\nusing UnityEditor;\nusing UnityEngine;\n\n\
-         namespace Plantigrade\n{\n",
-    );
+    let mut script = unity_class("Segments", "segments", "the model with the animation", source);
     // Writing to a String cannot fail.
-    let _ = writeln!(script, "    static class Segments_{class}\n    {{");
-    let _ = writeln!(script, "        // File name of the clip, and start of the names of the added clips.");
-    let _ = writeln!(script, "        const string Menu = {};", csharp_literal(source));
+    let _ = writeln!(script, "        // Start of the names of the added clips.");
     let _ = writeln!(script, "        const string Prefix = {};", csharp_literal(&format!("{stem} - ")));
     let _ = writeln!(script, "        // Duration in seconds.");
     let _ = writeln!(script, "        const float Duration = {:?}f;", duration(&documents[0]) as f32);
@@ -53,6 +45,7 @@ fn script(documents: &[SegmentsDocument]) -> String {
         let _ = writeln!(script, "            Tuple.Create({start:.6}f, {end:.6}f, {name}),");
     }
     script.push_str("        };\n");
+    script.push_str(UNITY);
     script.push_str(BODY);
     script
 }
