@@ -110,7 +110,7 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
       return storedChangesOf(hash);
     };
     const result = await batchWorkers.run((calls) => {
-      // A processed clip keeps its results until there are new ones.
+      // A processed clip retains its results until there are new ones.
       if (row.status !== "done") updateRow(row, { status: "running" });
       return calls.summarize(data, name, request, references, Comlink.proxy(changesOf));
     }, signal);
