@@ -155,7 +155,8 @@ class Segmentation:
         path : path
             File to write. Its ending determines the format: ``.segments.json`` or ``.json``,
             ``.segments.csv`` or ``.csv``, ``.babel.json``, ``.audacity.txt`` or ``.txt``, ``.elan.txt``,
-            ``.segments.npz`` or ``.npz``, ``.segments.unreal.py`` or ``.py``, ``.segments.unity.cs`` or ``.cs``.
+            ``.segments.npz`` or ``.npz``, ``.segments.unreal.py`` or ``.py``, ``.segments.unity.cs``
+            or ``.cs``.
         format : str, optional
             Format, if the ending does not determine it; see :meth:`to_bytes`.
         """
