@@ -5,6 +5,7 @@ pub(crate) mod motion_segments;
 pub(crate) mod moving_ground;
 pub(crate) mod resampling;
 pub(crate) mod samples;
+pub(crate) mod tilt;
 pub(crate) mod velocity;
 
 use std::ops::Range;

@@ -12,7 +12,7 @@ use crate::notice::{Code, Notice};
 use crate::numeric::stats;
 use crate::plants::signal::resampling::Resampler;
 use crate::plants::signal::samples::Ranges;
-use crate::plants::signal::{Signals, ground, motion_segments, moving_ground};
+use crate::plants::signal::{Signals, ground, motion_segments, moving_ground, tilt};
 use crate::plants::spectral::bandwidth;
 use crate::plants::spectral::cells::PartitionedSamples;
 use crate::plants::{Feet, FootTracks, signal};
@@ -54,6 +54,8 @@ impl Motion {
         let spans = motion_segments::motion_spans(feet);
         let on_ground = moving_ground::displacement(feet, &spans).map(|ground| relative_to(feet, &ground));
         let feet = on_ground.as_ref().unwrap_or(feet);
+        let levelled = tilt::levelled(feet, &spans);
+        let feet = levelled.as_ref().unwrap_or(feet);
         let resampler = Resampler::new(feet, &spans);
         let mut ankle = signal::filtered(feet, &resampler, |foot| &foot.ankle);
         let mut toe = signal::filtered(feet, &resampler, |foot| &foot.toe);
