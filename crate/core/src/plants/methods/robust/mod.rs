@@ -5,10 +5,11 @@
 //! smoothed without blurring stops and starts. Positions are relative to moving ground, and heights
 //! to the plane of tilted ground and to the ground of each stance, so that belts, slopes, stairs and
 //! tilted floors do not matter. The slower of ankle and toe bears weight; if both are still, the lower
-//! one. Ranges are capped, degrees are weighted towards rest, the kernel has a heavy tail, and the threshold is the mean of the class
-//! medians. Toes are compared with the samples that bear weight; heels are clustered separately. Runs
-//! that are too short for human motion, swings that noise explains, and dragged feet are removed. The
-//! edges of contact are moved to the instants of impact and release.
+//! one. Ranges are capped, degrees are weighted towards rest, the kernel has a heavy tail, and the
+//! threshold is the mean of the class medians. Toes are compared with the samples that bear weight;
+//! heels are clustered separately. Runs that are too short for human motion, swings that noise
+//! explains, and dragged feet are removed. The edges of contact are moved to the instants of impact
+//! and release.
 
 pub(crate) mod cache;
 
