@@ -16,7 +16,7 @@ import { join } from "node:path";
 import { browser } from "./browser.mjs";
 import { writeNotebookPage } from "./notebook-page.mjs";
 import { ask, main, root, run, Stop, step } from "./run.mjs";
-import { CRATES, pathFlags, setup, targetFolder } from "./setup.mjs";
+import { CRATES, pathFlags, setup, TESTED_CRATES, targetFolder } from "./setup.mjs";
 import { noticesText, sitePackages, uniquePackages, wheelPackages } from "./third-party.mjs";
 
 const INDEX = "The Python package index";
@@ -162,7 +162,8 @@ export async function pythonTests(environments) {
   const size = readFileSync(wheel).length;
   if (size > MAX_WHEEL) throw new Stop(`The wheel has ${size} bytes, more than ${MAX_WHEEL}.`);
   await installWheel(interpreter, wheel);
-  await run("cargo", ["build", "--locked", "--profile", "test", "-p", "plantigrade-cli"], {
+  // Builds the command line, of which this is a test.
+  await run("cargo", ["test", "--locked", "--no-run", ...TESTED_CRATES, "--test", "exports"], {
     source: CRATES,
   });
   const program = join(targetFolder(), "debug", isWindows ? "plantigrade.exe" : "plantigrade");

@@ -1,6 +1,7 @@
 /** Runs other programs, and reports how to proceed when they fail. */
 
 import { spawn, spawnSync } from "node:child_process";
+import { constants, setPriority } from "node:os";
 import { fileURLToPath } from "node:url";
 
 /** The folder of the project. */
@@ -26,12 +27,13 @@ const NETWORK =
  * Runs a program in the folder of the project, shows its output and returns it.
  * @param {string} program
  * @param {string[]} args
- * @param {{ cwd?: string, env?: Record<string, string>, hint?: string, source?: string, quiet?: boolean }} [options]
- *   `cwd`: another folder; `hint`: what to do on failure; `source`: name of the server that it downloads from.
+ * @param {{ cwd?: string, env?: Record<string, string>, hint?: string, source?: string, quiet?: boolean, isBackground?: boolean }} [options]
+ *   `cwd`: another folder; `hint`: what to do on failure; `source`: name of the server that it downloads from;
+ *   `isBackground`: use only the processor time that other programs leave.
  * @returns {Promise<string>}
  */
 export function run(program, args, options = {}) {
-  const { cwd = root, env = {}, hint, source, quiet = false } = options;
+  const { cwd = root, env = {}, hint, source, quiet = false, isBackground = false } = options;
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, {
       cwd,
@@ -39,6 +41,7 @@ export function run(program, args, options = {}) {
       stdio: ["ignore", "pipe", "pipe"],
       shell: process.platform === "win32" && program === "npm",
     });
+    if (isBackground && child.pid) setPriority(child.pid, constants.priority.PRIORITY_LOW);
     let output = "";
     for (const [stream, target] of [
       [child.stdout, process.stdout],

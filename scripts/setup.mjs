@@ -9,6 +9,17 @@ import { ask, root, run, Stop, step } from "./run.mjs";
 const WASM = "wasm32-unknown-unknown";
 export const CRATES = "The crates registry (crates.io)";
 
+/**
+ * Selects the crates with tests on this machine. All commands that build tests select the same ones, because the
+ * selection determines the features of dependencies, which would otherwise be compiled again.
+ */
+export const TESTED_CRATES = ["--workspace", ...without("wasm", "bindgen", "python")];
+
+/** Excludes crates from a workspace command. */
+export function without(...crates) {
+  return crates.flatMap((crate) => ["--exclude", `plantigrade-${crate}`]);
+}
+
 /** Installs what is missing and builds the wasm modules. */
 export async function setup() {
   checkNode();
@@ -95,8 +106,10 @@ const bindingsFolder = join(root, "web/src/wasm");
 /** Compiles the core to two wasm modules of the app, and generates their JavaScript bindings and types. */
 async function bindings() {
   step("Building the WebAssembly modules");
-  const module = await compileModule(["--features", "split"], ["-Clink-arg=--emit-relocs"]);
-  await bindgen();
+  const [module] = await Promise.all([
+    compileModule(["--features", "split"], ["-Clink-arg=--emit-relocs"]),
+    bindgen(),
+  ]);
   mkdirSync(bindingsFolder, { recursive: true });
   const first = join(targetFolder(), "first.wasm");
   await run(tool("wasm-split"), [module, first, join(bindingsFolder, "plantigrade_second.wasm")]);
@@ -107,8 +120,7 @@ async function bindings() {
 /** Writes the core as one wasm module, with its bindings and types, to a folder. */
 export async function singleModule(folder) {
   step("Building the WebAssembly module");
-  const module = await compileModule([], []);
-  await bindgen();
+  const [module] = await Promise.all([compileModule([], []), bindgen()]);
   await bind(module, folder, []);
 }
 

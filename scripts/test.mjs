@@ -8,7 +8,7 @@ import { countTests } from "./counts.mjs";
 import { buildPackage } from "./package.mjs";
 import { prepareEnvironments, pythonTests } from "./python.mjs";
 import { main, root, run, Stop, step } from "./run.mjs";
-import { bindgen, CRATES, setup, tool } from "./setup.mjs";
+import { bindgen, CRATES, setup, TESTED_CRATES, tool, without } from "./setup.mjs";
 
 const WASM = "wasm32-unknown-unknown";
 
@@ -16,7 +16,7 @@ const node = (script, ...args) =>
   run(process.execPath, [join(root, "node_modules", script), ...args]);
 const nodeTest = (...files) =>
   run(process.execPath, ["--test", ...files.map((file) => join(root, file))]);
-const cargo = (args, env) => run("cargo", args, { source: CRATES, env });
+const cargo = (args, env) => run("cargo", args, { source: CRATES, env, isBackground: true });
 
 /** Each check by name: its title, and a function that runs it and returns its output. */
 const checks = {
@@ -49,14 +49,7 @@ const checks = {
   ],
   core: [
     "Core, samples and command line",
-    () =>
-      cargo([
-        "test",
-        "--locked",
-        "--no-fail-fast",
-        "--workspace",
-        ...without("wasm", "bindgen", "python"),
-      ]),
+    () => cargo(["test", "--locked", "--no-fail-fast", ...TESTED_CRATES]),
   ],
   wasm: ["WebAssembly in a page and in a worker", wasm],
   web: ["Web units", () => node("vitest/vitest.mjs", "run", "--root", "web")],
@@ -66,10 +59,18 @@ const checks = {
   browser: ["The app in a browser", browserTests],
 };
 
-/** Excludes crates from a workspace command: those of another target, and tools without tests. */
-function without(...crates) {
-  return crates.flatMap((crate) => ["--exclude", `plantigrade-${crate}`]);
-}
+/**
+ * The order of the checks. Phases run one after the other, and the lists of a phase at the same time: the compiler
+ * uses the processor time that the browser leaves.
+ */
+const phases = [
+  [["format", "biome", "types", "layers", "scripts", "web"]],
+  [
+    ["size", "browser"],
+    ["clippy", "doc", "core"],
+  ],
+  [["wasm", "package", "python"]],
+];
 
 async function clippy() {
   const deny = ["--all-targets", "--", "-D", "warnings"];
@@ -124,10 +125,10 @@ async function packageTests() {
 }
 
 async function browserTests() {
-  const { chromium } = await browser();
+  const { headlessShell } = await browser();
   await site();
   return run(process.execPath, [join(root, "node_modules/@playwright/test/cli.js"), "test"], {
-    env: { CHROMIUM_PATH: chromium },
+    env: { CHROMIUM_PATH: headlessShell },
   });
 }
 
@@ -150,9 +151,9 @@ async function runCheck([title, check]) {
 
 await main(async () => {
   const names = process.argv.slice(2);
-  const unknown = names.find((name) => !(name in checks));
-  if (unknown)
-    throw new Stop(`Unknown check "${unknown}". The checks are ${Object.keys(checks).join(", ")}.`);
+  const all = phases.flat(2);
+  const unknown = names.find((name) => !all.includes(name));
+  if (unknown) throw new Stop(`Unknown check "${unknown}". The checks are ${all.join(", ")}.`);
   await setup();
   const isSelected = (name) => names.length === 0 || names.includes(name);
   if (isSelected("python")) {
@@ -162,12 +163,14 @@ await main(async () => {
   }
   const failures = [];
   const total = { passed: 0, failed: 0, skipped: 0 };
-  for (const [name, check] of Object.entries(checks)) {
-    if (!isSelected(name)) continue;
-    const { counts, failure } = await runCheck(check);
-    for (const kind of Object.keys(total)) total[kind] += counts[kind];
-    if (failure) failures.push(failure);
-  }
+  const runList = async (list) => {
+    for (const name of list.filter(isSelected)) {
+      const { counts, failure } = await runCheck(checks[name]);
+      for (const kind of Object.keys(total)) total[kind] += counts[kind];
+      if (failure) failures.push(failure);
+    }
+  };
+  for (const lists of phases) await Promise.all(lists.map(runList));
   console.log("");
   for (const failure of failures) console.error(`✖ ${failure}`);
   if (total.skipped > 0) {

@@ -34,6 +34,9 @@ const defaultPictureTime = 0.05;
 /** Times between pictures after which the shortest is their duration: not all of them were dropped. */
 const minPictureTimes = 8;
 
+/** Time after the end of a seek within which a busy browser presents its picture, in milliseconds. */
+const maxDelay = 500;
+
 /** Time for which playback waits for a picture, in milliseconds; then the clock of the page applies. */
 const maxWait = 2000;
 
@@ -78,7 +81,17 @@ export function synchronizeVideo(
     const target = nextSeek;
     nextSeek = undefined;
     if (target !== undefined) element.currentTime = target;
-    else drawPicture();
+    else {
+      const isDrawing = performance.now() < drawUntil;
+      drawUntil = performance.now() + maxDelay;
+      if (!isDrawing) drawRepeatedly();
+    }
+  };
+  let drawUntil = 0;
+  /** Draws the current picture in each animation frame, while the element is paused. */
+  const drawRepeatedly = () => {
+    if (element.paused && !element.seeking) drawPicture();
+    if (!signal.aborted && performance.now() < drawUntil) requestAnimationFrame(drawRepeatedly);
   };
 
   const hasCallbacks: boolean = "requestVideoFrameCallback" in HTMLVideoElement.prototype;
