@@ -1,6 +1,5 @@
 import { keyOf } from "../actions/commands";
-import { openClip } from "../store/session";
-import { endTour, tourStep } from "../store/tour";
+import { endTour, showHint, tourStep } from "../store/tour";
 import { Icon } from "../ui/icons";
 import { isTouch } from "../ui/touch";
 
@@ -31,9 +30,7 @@ const hints = [
   ],
 ] as const;
 
-/** The current hint, if a clip is open. */
-const currentHint = () =>
-  openClip.value && tourStep.value !== null ? hints[tourStep.value] : undefined;
+const currentHint = () => (tourStep.value === null ? undefined : hints[tourStep.value]);
 
 /** Returns the part of the page that the current hint describes. */
 export const hintTarget = () => currentHint()?.[0];
@@ -45,9 +42,6 @@ export function Tour() {
   if (!hint || step === null) return null;
   const [, text, touchText = text] = hint;
   const isLast = step === hints.length - 1;
-  const goTo = (index: number) => {
-    tourStep.value = index;
-  };
   return (
     <aside class="tour" aria-label="Tour">
       <p aria-live="polite">{isTouch() ? touchText : text}</p>
@@ -57,14 +51,14 @@ export function Tour() {
         </span>
         <span class="spacer" />
         {step > 0 && (
-          <button type="button" class="button flat" onClick={() => goTo(step - 1)}>
+          <button type="button" class="button flat" onClick={() => showHint(step - 1)}>
             Back
           </button>
         )}
         <button
           type="button"
           class="button primary"
-          onClick={() => (isLast ? endTour() : goTo(step + 1))}
+          onClick={() => (isLast ? endTour() : showHint(step + 1))}
         >
           {isLast ? "Done" : "Next"}
         </button>
