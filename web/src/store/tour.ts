@@ -27,6 +27,14 @@ function isDone() {
   }
 }
 
+/** The part of the page that each hint describes. */
+const targets = ["viewer", "timeline", "timeline", "panel", "head"];
+
+/** The part of the page that the shown hint describes. */
+export const hintTarget = computed(() =>
+  tourStep.value === null ? undefined : targets[tourStep.value],
+);
+
 /** Shows a hint of the tour. */
 export function showHint(index: number) {
   batch(() => {
