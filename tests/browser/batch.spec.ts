@@ -52,7 +52,8 @@ test("lists several files in a table and reports invalid ones", async ({ app, pa
   await expect(row(app, "curved-walk.bvh")).toContainText(/245\s*120 Hz\s*2.04 s/);
   await expect(row(app, "ragged-row.bvh")).toContainText("row");
   await expect(row(app, "no-motion.bvh")).toContainText("–");
-  await row(app, "curved-walk.bvh").getByRole("button").click();
+  // All of a row opens its clip.
+  await row(app, "curved-walk.bvh").getByRole("cell").last().click();
   await app.waitForClip("curved-walk.bvh");
   await expect(table(app)).toBeHidden();
   expect((await app.result("Left")).plants + (await app.result("Right")).plants).toBe(5);
@@ -213,7 +214,7 @@ test("scores clips with the labels that were dropped with them", async ({ app, p
   await waitForBatch(app);
   await expect(row(app, "frog-jumps.bvh")).toContainText(/\d\d\.\d %/);
   await expect(row(app, "bowling.bvh")).not.toContainText(/\d\d\.\d %/);
-  await expect(page.getByRole("columnheader", { name: "Score" })).toBeVisible();
+  await expect(page.getByRole("columnheader", { name: "Score" })).toHaveText("Score ± 0.1 s");
 });
 
 test("the row of the open clip follows its edits", async ({ app, page }) => {
@@ -377,6 +378,14 @@ test("equal actions of all clips have the same letter and share a name", async (
       return segments as { action: string; label: string }[];
     });
   };
+  // The Clip tab has the same slides as the table.
+  const slides = row(app, "c.bvh").getByRole("cell", { name: /cm$/ });
+  const [mean = "", worst = ""] = await slides.allInnerTexts();
+  await open("c");
+  await app.tab("Clip");
+  const measured = app.panel.getByRole("table", { name: "Foot skate" }).getByRole("cell");
+  await expect(measured).toHaveText([mean, worst]);
+  await back();
   const [frog = [], skip = [], limp = []] = await saved();
   expect(frog[0]?.action).toBe("A");
   // The actor stands still after frog jumps and before skipping.
@@ -385,6 +394,21 @@ test("equal actions of all clips have the same letter and share a name", async (
   await open("b");
   const shown = skip.map(({ action }) => action);
   await expect.poll(letters).toEqual(shown);
+  // What the letters mean is explained at the list, at the lane, and with the marks of the timeline.
+  await expect(app.panel.getByText("of all clips of the table have the same letter")).toBeVisible();
+  const lane = await app.tracks.boundingBox();
+  if (!lane) throw new Error("The timeline has no canvas.");
+  const readout = app.timeline.locator(".pointed-frame");
+  await expect(async () => {
+    for (let y = lane.height - 30; y > 40 && !/action/.test(await readout.innerText()); y -= 6)
+      await page.mouse.move(lane.x + 0.5 * lane.width, lane.y + y);
+    await expect(readout).toHaveText(/action [A-Z], as in all clips of the table$/, {
+      timeout: 100,
+    });
+  }).toPass();
+  await app.timeline.getByRole("button", { name: "Tracks" }).click();
+  await expect(app.timeline.getByText("Segments of one action have one letter")).toBeVisible();
+  await page.keyboard.press("Escape");
   expect((await app.saveSegments("Segments")).text).toContain(`"action": "${shown[1]}"`);
   await nameOf(1).fill("stand");
   await back();

@@ -148,10 +148,27 @@ test("shares a clip of a batch", async ({ app, page }) => {
   await expect(app.dialog).toBeVisible();
 });
 
-test("shows how many plants of a clip are to be reviewed", async ({ app, page }) => {
+test("marks edited plants and clips, and shows how many plants are to be reviewed", async ({
+  app,
+  page,
+}) => {
   await app.openSample("curved-walk");
-  await app.drop(sample("drunken-stagger"), sample("straight-jog"), sample("bowling"));
+  await page.keyboard.press("e");
+  await page.keyboard.press("w");
+  await app.tab("Labels");
+  const plant = app.panel.getByRole("listitem").filter({ hasText: "edited" });
+  await plant.getByText("edited").scrollIntoViewIfNeeded();
+  await expect(plant.getByText("edited")).toBeInViewport({ ratio: 1 });
+  const clips = ["drunken-stagger", "straight-jog", "bowling", "curved-walk"];
+  await app.drop(...clips.map(sample));
   await expect(page.getByText(/^All processed/)).toBeVisible();
+  await expect(
+    page
+      .getByRole("row", { name: /curved-walk/ })
+      .getByText("edited")
+      .first(),
+  ).toBeVisible();
+  await expect(page.locator(".batch").getByText("edited").locator("visible=true")).toHaveCount(1);
   const cells = page.getByRole("cell", { name: / to review$/ });
   expect(await cells.count()).toBeGreaterThan(0);
   for (const cell of await cells.all()) {

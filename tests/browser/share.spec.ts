@@ -194,6 +194,7 @@ test("a single-file page contains clip, labels, edits and names", async ({
   expect((await shared.app.saveSegments("Table")).text).toBe(segments);
   await expect(shared.app.head).toContainText("Shared clip");
   await expect(shared.app.head).toContainText("Made with Plantigrade");
+  await expect(shared.app.page.getByRole("complementary", { name: "Tour" })).toBeHidden();
   await shared.app.timeline.getByRole("button", { name: "Play" }).click();
   const start = await shared.app.frame();
   await expect.poll(() => shared.app.frame()).toBeGreaterThan(start);

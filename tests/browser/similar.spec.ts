@@ -113,8 +113,19 @@ for (const name of ["desktop", "phone"] as const) {
     await app.openSample("straight-jog");
     await moveEnd(app, -3);
     await expect(offer(app)).toBeVisible();
-    const box = await app.timeline.locator(".similar-offer").boundingBox();
+    const element = app.timeline.locator(".similar-offer");
+    const box = await element.boundingBox();
     expect(box && box.x >= 0 && box.x + box.width <= viewport.width && box.y > 0).toBe(true);
+    // On the next visit, a notice about the stored edits appears, too, until the user works on the labels.
+    await page.reload();
+    await app.waitForClip("straight-jog.bvh");
+    await expect(app.toast).toContainText("Your stored edits");
+    await expect(offer(app)).toBeVisible();
+    for (const other of [element, app.tracks, app.timeline.getByRole("button", { name: "Play" })])
+      expect(await overlap(app.toast, other)).toBe(0);
+    await app.playhead.focus();
+    await page.keyboard.press("e");
+    await expect(app.toast).toBeHidden();
     await app.timeline.getByRole("button", { name: "Apply", exact: true }).click();
     await expect(offer(app)).toBeHidden();
   });
@@ -126,13 +137,30 @@ onPhones(() => {
     await moveEnd(app, -3);
     const lower = app.page.getByRole("button", { name: "Collapse panel" });
     if (await lower.isVisible()) await lower.tap();
+    await editBar(app).getByRole("button", { name: "Last frame later" }).tap();
     await expect(offer(app)).toBeVisible();
+    const message = app.page.locator(".message");
+    await expect(message).toBeVisible();
     const box = app.timeline.locator(".similar-offer");
-    for (const other of [app.tracks, app.timeline.getByRole("button", { name: "Play" })])
+    for (const other of [
+      app.tracks,
+      app.stage,
+      app.timeline.getByRole("button", { name: "Play" }),
+      app.timeline.locator(".position"),
+    ])
       expect(await overlap(box, other)).toBe(0);
     const view = await app.stage.boundingBox();
-    const covered = (await overlap(box, app.stage)) + (await overlap(editBar(app), app.stage));
-    expect(covered).toBeLessThan(((view?.width ?? 0) * (view?.height ?? 0)) / 3);
+    if (!view) throw new Error("There is no view.");
+    // The character is in the middle of the view.
+    const middle = view.x + view.width / 2;
+    const bar = await editBar(app).boundingBox();
+    expect((bar?.x ?? 0) + (bar?.width ?? 0)).toBeLessThan(middle - 10);
+    expect((await message.boundingBox())?.y).toBeGreaterThan(view.y + 0.7 * view.height);
+    const covered =
+      (await overlap(box, app.stage)) +
+      (await overlap(editBar(app), app.stage)) +
+      (await overlap(message, app.stage));
+    expect(covered).toBeLessThan((view.width * view.height) / 3);
     await app.timeline.getByRole("button", { name: "Apply", exact: true }).tap();
     await expect(offer(app)).toBeHidden();
   });

@@ -1,11 +1,12 @@
 /** Tablets: larger than a phone, and used by touch. */
 
 import type { Locator } from "@playwright/test";
-import { expect, test } from "./app";
+import { type App, expect, test } from "./app";
 import { clip, sample } from "./clips";
 import { readLabels } from "./labels";
 import { editBar, overlap, smallTargets, tapPlant } from "./touch-targets";
-import { onTablets } from "./viewports";
+import { encodeVideo } from "./videos";
+import { onTablets, tablets, viewports } from "./viewports";
 
 const tabs = ["Detect", "Evidence", "Segment", "Labels", "Clip"] as const;
 
@@ -61,6 +62,15 @@ onTablets(() => {
     await expectDisjoint(controls);
     const clips = ["bowling", "frog-jumps", "ballet", "skipping", "straight-jog"];
     await app.drop(...clips.map(sample));
+    await expect(page.getByText(/^All processed/)).toBeVisible();
+    // The names stay in sight while the table is scrolled.
+    const name = page.getByRole("button", { name: "frog-jumps.bvh", exact: true });
+    const place = await name.boundingBox();
+    await page.locator(".batch-scroll").evaluate((table) => table.scrollTo(table.scrollWidth, 0));
+    await expect(page.getByRole("columnheader", { name: "Processing" })).toBeInViewport({
+      ratio: 1,
+    });
+    expect(await name.boundingBox()).toEqual(place);
     for (const name of clips)
       await page.getByRole("button", { name: `${name}.bvh side by side` }).tap();
     await page.getByRole("button", { name: "Back to curved-walk.bvh" }).tap();
@@ -71,6 +81,10 @@ onTablets(() => {
     expect((await app.tracks.boundingBox())?.height).toBeLessThanOrEqual(
       (await container.boundingBox())?.height ?? 0,
     );
+    await app.drop(await encodeVideo(page, "walk.webm", 12, 24));
+    const video = page.getByRole("region", { name: "Video" });
+    await expect(video).toBeVisible();
+    await expectDisjoint([...controls.slice(0, 4), video]);
   });
 
   test("the panel cuts no text, and separates its columns and buttons", async ({ app }) => {
@@ -85,6 +99,61 @@ onTablets(() => {
     }
   });
 });
+
+test("the gallery does not cover the feet of the preview", async ({ app, page }) => {
+  await app.openStartPage();
+  const start = page.locator(".start-page");
+  const show = (isShown: boolean) =>
+    start.evaluate(
+      (element, visibility) => {
+        element.style.visibility = visibility;
+      },
+      isShown ? "visible" : "hidden",
+    );
+  for (const viewport of [...Object.values(tablets), viewports["small window"]]) {
+    await page.setViewportSize(viewport);
+    const stage = await app.stage.boundingBox();
+    if (!stage) throw new Error("There is no view.");
+    const boxes = await page
+      .locator(".card")
+      .evaluateAll((cards) =>
+        cards.map((card) => card.getBoundingClientRect().toJSON() as DOMRect),
+      );
+    expect(boxes.length).toBeGreaterThan(10);
+    await show(false);
+    const lit = await colourfulPlaces(app);
+    await show(true);
+    expect(lit.length).toBeGreaterThan(200);
+    const covered = lit
+      .map(([x, y]) => [stage.x + x, stage.y + y] as const)
+      .filter(([x, y]) =>
+        boxes.some(
+          ({ left, right, top, bottom }) => x > left && x < right && y > top && y < bottom,
+        ),
+      );
+    expect(covered).toEqual([]);
+  }
+});
+
+/** Returns the pixels of the view with the colours of lit feet. */
+async function colourfulPlaces(app: App): Promise<[x: number, y: number][]> {
+  const picture = await app.stillPicture();
+  return app.page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const { width, height } = image;
+    const ctx = new OffscreenCanvas(width, height).getContext("2d");
+    ctx?.drawImage(image, 0, 0);
+    const pixels = ctx?.getImageData(0, 0, width, height).data ?? [];
+    const places: [number, number][] = [];
+    for (let i = 0; i < pixels.length; i += 4) {
+      const difference = Math.abs((pixels[i] ?? 0) - (pixels[i + 2] ?? 0));
+      if (difference > 120) places.push([(i / 4) % width, Math.floor(i / 4 / width)]);
+    }
+    return places;
+  }, picture);
+}
 
 /** Returns the texts that are cut or that leave the panel, and neighbours that touch each other. */
 function layoutFaults(panel: Element): string[] {

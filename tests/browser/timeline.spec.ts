@@ -80,9 +80,20 @@ test("steps through plant edges by Shift and arrow keys", async ({ app, page }) 
     await page.keyboard.press("Shift+ArrowRight");
     expect(await app.frame()).toBe(edge);
   }
+  const panel = app.panel.getByRole("button", { pressed: true });
+  await app.tab("Labels");
+  await expect(panel).toHaveCount(0);
+  // A selection moves to the plant of the edge.
+  await page.keyboard.press("e");
   for (const edge of ahead.reverse().slice(1)) {
     await page.keyboard.press("Shift+ArrowLeft");
     expect(await app.frame()).toBe(edge);
+    await expect(panel).toHaveCount(1);
+    const fields = app.panel.getByRole("spinbutton");
+    const values = await fields.evaluateAll((inputs) =>
+      inputs.map((input) => Number((input as HTMLInputElement).value)),
+    );
+    expect(values).toContain(edge);
   }
 });
 

@@ -68,13 +68,20 @@ onPhones((size) => {
     await tapPlant(app);
     const bar = editBar(app);
     await expect(bar).toBeInViewport({ ratio: 1 });
-    for (const other of [
-      app.view.getByRole("group", { name: "Camera" }),
-      app.view.getByRole("button", { name: "Follow" }),
-      app.view.locator(".pill.left"),
-      app.view.locator(".pill.right"),
-    ])
-      expect(await overlap(bar, other)).toBe(0);
+    const expectNoOverlap = async () => {
+      for (const other of [
+        app.view.getByRole("group", { name: "Camera" }),
+        app.view.getByRole("button", { name: "Follow" }),
+        app.view.locator(".pill.left"),
+        app.view.locator(".pill.right"),
+      ])
+        expect(await overlap(bar, other)).toBe(0);
+    };
+    await expectNoOverlap();
+    await bar.getByRole("button", { name: "Last frame later" }).tap();
+    const undo = bar.getByRole("button", { name: "Undo" });
+    await expect(undo).toBeEnabled();
+    const place = await undo.boundingBox();
     for (const button of await bar.getByRole("button").all()) {
       const box = await button.boundingBox();
       if (box) expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
@@ -84,6 +91,9 @@ onPhones((size) => {
     await expect(camera).toBeVisible({ visible: size === "phone" });
     await app.page.keyboard.press("Escape");
     await expect(camera).toBeVisible();
+    await expectNoOverlap();
+    // Undo stays at its place.
+    expect(await undo.boundingBox()).toEqual(place);
   });
 
   test("has touch targets of at least 44 pixels", async ({ app, page }) => {

@@ -1,16 +1,32 @@
 /** The tour for new users. */
 
-import { expect, test } from "./app";
+import { type App, expect, test } from "./app";
 import { atEachSize } from "./viewports";
 
 test.use({ isNew: true });
 
-test("shows five hints once", async ({ app, page }) => {
+const tourOf = (app: App) => app.page.getByRole("complementary", { name: "Tour" });
+
+/** Opens a clip of one's own. */
+async function openFromStartPage(app: App) {
   await app.openStartPage();
-  const tour = page.getByRole("complementary", { name: "Tour" });
-  await expect(tour).toBeHidden();
-  await page.getByRole("button", { name: "Curved walk" }).click();
+  await expect(tourOf(app)).toBeHidden();
+  await app.page.getByRole("button", { name: "Curved walk" }).click();
   await app.waitForClip("curved-walk.bvh");
+}
+
+/** Follows a link, which does not start the tour, and asks for it. */
+async function openLinkWithTour(app: App) {
+  await app.openSample("curved-walk");
+  await expect(tourOf(app)).toBeHidden();
+  await app.head.getByRole("button", { name: "Keyboard shortcuts" }).click();
+  await app.dialog.getByRole("button", { name: "Show the tour" }).click();
+  await expect(tourOf(app)).toContainText("1 of 5");
+}
+
+test("shows five hints once", async ({ app, page }) => {
+  await openFromStartPage(app);
+  const tour = tourOf(app);
   for (let i = 1; i <= 5; i++) {
     await expect(tour).toContainText(`${i} of 5`);
     // The tour does not block the page.
@@ -18,8 +34,7 @@ test("shows five hints once", async ({ app, page }) => {
     await tour.getByRole("button", { name: i < 5 ? "Next" : "Done" }).click();
   }
   await expect(tour).toBeHidden();
-  await page.reload();
-  await app.waitForClip("curved-walk.bvh");
+  await openFromStartPage(app);
   await expect(tour).toBeHidden();
   await page.keyboard.press("?");
   await app.dialog.getByRole("button", { name: "Show the tour" }).click();
@@ -27,8 +42,9 @@ test("shows five hints once", async ({ app, page }) => {
 });
 
 test("Escape ends the tour, then deselects", async ({ app, page }) => {
-  await app.openSample("curved-walk");
-  const tour = page.getByRole("complementary", { name: "Tour" });
+  await openFromStartPage(app);
+  const tour = tourOf(app);
+  await expect(tour).toBeVisible();
   await page.keyboard.press("e");
   await app.tab("Labels");
   const selected = app.panel.getByRole("button", { pressed: true });
@@ -38,17 +54,16 @@ test("Escape ends the tour, then deselects", async ({ app, page }) => {
   await expect(selected).toBeVisible();
   await page.keyboard.press("Escape");
   await expect(selected).toBeHidden();
-  await page.reload();
-  await app.waitForClip("curved-walk.bvh");
+  await openFromStartPage(app);
   await expect(tour).toBeHidden();
 });
 
 test.describe("on a touch screen", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test("explains gestures instead of keys", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    const tour = page.getByRole("complementary", { name: "Tour" });
+  test("explains gestures instead of keys", async ({ app }) => {
+    await openLinkWithTour(app);
+    const tour = tourOf(app);
     const next = tour.getByRole("button", { name: /Next|Done/ });
     for (let i = 1; i <= 5; i++) {
       await expect(tour).toContainText(`${i} of 5`);
@@ -61,18 +76,17 @@ test.describe("on a touch screen", () => {
 });
 
 test("ends the tour at the first hint", async ({ app, page }) => {
-  await app.openSample("bowling");
+  await openFromStartPage(app);
   await page.getByRole("button", { name: "End the tour" }).click();
-  await expect(page.getByRole("complementary", { name: "Tour" })).toBeHidden();
-  await page.reload();
-  await app.waitForClip("bowling.bvh");
-  await expect(page.getByRole("complementary", { name: "Tour" })).toBeHidden();
+  await expect(tourOf(app)).toBeHidden();
+  await openFromStartPage(app);
+  await expect(tourOf(app)).toBeHidden();
 });
 
 atEachSize(() => {
   test("the tour does not cover what it describes", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    const tour = page.getByRole("complementary", { name: "Tour" });
+    await openLinkWithTour(app);
+    const tour = tourOf(app);
     const described = [app.stage, app.tracks, app.tracks, page.locator(".panel-head"), app.head];
     for (const part of described) {
       const [a, b] = [await tour.boundingBox(), await part.boundingBox()];

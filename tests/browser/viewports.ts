@@ -10,7 +10,7 @@ export const viewports = {
   phone: { width: 390, height: 844 },
 } as const;
 
-const tablets = {
+export const tablets = {
   tablet: { width: 820, height: 1180 },
   "landscape tablet": { width: 1180, height: 820 },
 } as const;

@@ -25,6 +25,7 @@ import {
   selectAtPlayhead,
   splitAtPlayhead,
   startAtPlayhead,
+  stepEdge,
   stepUncertain,
   undo,
 } from "./edit";
@@ -44,7 +45,6 @@ import {
   setLoopEdge,
   shuttle,
   stepCut,
-  stepEdge,
   stepFrame,
   togglePlay,
   zoomTimeline,

@@ -11,12 +11,13 @@ import {
   type PartTrack,
   type PlantRef,
   plantRefAt,
+  plantRefsOf,
   removePlant,
   resizePlant,
   splitPlant,
   withoutEditsOf,
 } from "../model/edits";
-import { instantsOf, minPlantConfidence, principalPart } from "../model/plants";
+import { instantsOf, minPlantConfidence, plantEdges, principalPart } from "../model/plants";
 import type { Detection, EditedParts, Part, Side, Track } from "../model/types";
 import { type ClipSession, session } from "../store/clip-session";
 import { reportFailure } from "../store/errors";
@@ -37,7 +38,7 @@ import { capitalize, plural, spokenRange } from "../util/format";
 import { updateScores } from "./compare";
 import { applyCutEdits } from "./cuts";
 import { findSimilar } from "./find-similar";
-import { pause, seek } from "./playback";
+import { pause, seek, stepThrough } from "./playback";
 
 /** Initial duration of an added plant, in seconds. */
 const addedDuration = 0.25;
@@ -213,11 +214,34 @@ export function selectAtPlayhead() {
       side === current?.side && part === current.part && start === current.start,
   );
   const next = candidates[(index + 1) % candidates.length];
-  select(next);
-  announcement.value = next
-    ? `${next.side} ${next.part} selected, ${spokenRange(next)}`
-    : "No foot is planted at the playhead";
+  if (next) selectAndAnnounce(next);
+  else {
+    select(undefined);
+    announcement.value = "No foot is planted at the playhead";
+  }
 }
+
+function selectAndAnnounce(plantRef: PlantRef) {
+  select(plantRef);
+  announcement.value = `${plantRef.side} ${plantRef.part} selected, ${spokenRange(plantRef)}`;
+}
+
+/**
+ * Goes to the next or previous plant edge, or to the end of the clip. A selection moves to the plant of that edge: of
+ * the same part, and of the same foot if both feet have an edge there.
+ */
+export function stepEdge(direction: 1 | -1) {
+  const { side = "left", part = principalPart(detection.value?.parts ?? {}) } =
+    selected.value ?? {};
+  const plantRefs = [side, otherSide[side]]
+    .map((foot) => part && partTrackOf({ side: foot, part }))
+    .flatMap((track) => (track ? plantRefsOf(track) : []));
+  const edge = stepThrough(plantEdges(plantRefs), direction);
+  const reached = plantRefs.find(({ start, end }) => start === edge || end - 1 === edge);
+  if (selected.value && reached) selectAndAnnounce(reached);
+}
+
+const otherSide = { left: "right", right: "left" } as const;
 
 /** Selects the next or previous plant of low confidence that is not edited. */
 export function stepUncertain(direction: 1 | -1) {

@@ -145,7 +145,14 @@ class StoredSession {
       },
     };
     showToast(toast);
-    clipSession.signal.addEventListener("abort", () => dismissToast(toast));
+    // It is out of date once the user works on the labels.
+    const stop = effect(() => {
+      if (clipSession.selected.value || clipSession.undoStack.value.length) dismissToast(toast);
+    });
+    clipSession.signal.addEventListener("abort", () => {
+      stop();
+      dismissToast(toast);
+    });
   }
 
   /** Returns the newest changes that a record and this page have in common. */

@@ -1,13 +1,15 @@
 import { beforeEach, expect, it, vi } from "vitest";
+import { plantEdges } from "../model/plants";
 import { ClipSession, openSession } from "../store/clip-session";
 import { frame, loop, speed, timeView } from "../store/playback";
-import { detection, edges, plants } from "../store/session";
+import { detection, plants, selected } from "../store/session";
 import { announcement } from "../store/view";
 import { createWalkingClip, createWalkingTrack } from "../testing/walking-clip";
 
 vi.mock("../engine", () => import("../testing/fake-engine"));
 
-const { changeSpeed, cycleLoop, seek, seekPlant, stepEdge, stepFrame } = await import("./playback");
+const { changeSpeed, cycleLoop, seek, seekPlant, stepFrame } = await import("./playback");
+const { select, stepEdge } = await import("./edit");
 
 const clip = createWalkingClip("walk.bvh");
 const toe = {
@@ -36,10 +38,44 @@ it("stays inside the clip", () => {
 it("steps to plant edges in both directions", () => {
   stepEdge(1);
   stepEdge(1);
-  const [first, second] = edges.value.filter((edge) => edge > 0);
+  const [first, second] = plantEdges(plants.value).filter((edge) => edge > 0);
   expect(frame.value).toBe(second);
   stepEdge(-1);
   expect(frame.value).toBe(first);
+  expect(selected.value).toBeNull();
+});
+
+it("moves a selection to the plant of the edge that is reached", () => {
+  const part = "toe";
+  const track = (...intervals: number[]) => ({
+    ...toe.left,
+    intervals: Uint32Array.from(intervals),
+  });
+  const found = {
+    ...detection.value,
+    parts: { toe: { left: track(10, 20, 40, 51), right: track(15, 51, 60, 70) } },
+  };
+  detection.value = found as NonNullable<typeof detection.value>;
+  select({ side: "left", part, start: 10, end: 20 });
+  seek(10);
+  const visited = (direction: 1 | -1, count: number) =>
+    Array.from({ length: count }, () => {
+      stepEdge(direction);
+      return [frame.value, selected.value?.side, selected.value?.start];
+    });
+  expect(visited(1, 6)).toEqual([
+    [15, "right", 15],
+    [19, "left", 10],
+    [40, "left", 40],
+    // Both feet have an edge here.
+    [50, "left", 40],
+    [60, "right", 60],
+    [69, "right", 60],
+  ]);
+  expect(visited(-1, 2)).toEqual([
+    [60, "right", 60],
+    [50, "right", 15],
+  ]);
 });
 
 it("scrolls the timeline to the playhead", () => {

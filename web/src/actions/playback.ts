@@ -17,7 +17,7 @@ import {
   speed,
   timeView,
 } from "../store/playback";
-import { clip, cuts, edges, isPreview, namedSegments, plants, selected } from "../store/session";
+import { clip, cuts, isPreview, namedSegments, plants, selected } from "../store/session";
 import { mediaClock } from "../store/video";
 import { announcement } from "../store/view";
 import { spokenRange } from "../util/format";
@@ -122,9 +122,11 @@ export function stepFrame(by: number) {
   jumpTo(frame.value + by);
 }
 
-/** Goes to the next or previous plant edge, or to the end of the clip. */
-export function stepEdge(direction: 1 | -1) {
-  jumpTo(nextEdge(edges.value, frame.value, direction) ?? (direction > 0 ? lastFrame() : 0));
+/** Goes to the next or previous of some frames, or to the end of the clip. Returns that frame, if there is one. */
+export function stepThrough(frames: readonly number[], direction: 1 | -1): number | undefined {
+  const next = nextEdge(frames, frame.value, direction);
+  jumpTo(next ?? (direction > 0 ? lastFrame() : 0));
+  return next;
 }
 
 export function seekPlant(plant: Plant) {
@@ -136,9 +138,7 @@ export function seekPlant(plant: Plant) {
 }
 
 /** Goes to the next or previous cut between segments, or to the end of the clip. */
-export function stepCut(direction: 1 | -1) {
-  jumpTo(nextEdge(cuts.value, frame.value, direction) ?? (direction > 0 ? lastFrame() : 0));
-}
+export const stepCut = (direction: 1 | -1) => stepThrough(cuts.value, direction);
 
 /** Goes to the start of a segment and loops it. */
 export function loopSegment(segment: NamedSegment) {

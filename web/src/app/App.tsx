@@ -9,6 +9,7 @@ import { isHosted } from "../store/embedded";
 import { phase } from "../store/phase";
 import { panelCollapsed, panelWidth } from "../store/preferences";
 import { detection, openClip, selected, selectedCut } from "../store/session";
+import { hintTarget } from "../store/tour";
 import { video } from "../store/video";
 import { announcement, dialog, filesDragged, message, sheetOpen } from "../store/view";
 import { Timeline } from "../timeline/Timeline";
@@ -27,10 +28,10 @@ import { registerServiceWorker } from "./offline";
 import { preloadPanels, SidePanel } from "./SidePanel";
 import { StartPage } from "./StartPage";
 import { Toasts } from "./Toasts";
-import { hintTarget, Tour } from "./Tour";
 
 const EditBar = lazy(() => import("../timeline/EditBar").then((module) => module.EditBar));
 const VideoPane = lazy(() => import("../viewer/VideoPane").then((module) => module.VideoPane));
+const Tour = lazy(() => import("./Tour").then((module) => module.Tour));
 const Batch = lazy(() => import("../batch/Batch").then((module) => module.Batch));
 
 /** Time for which a message is displayed or stays in the live region, in milliseconds. */
@@ -85,7 +86,7 @@ export function App() {
       class="shell"
       data-state={phase.value}
       data-clip={clip ? "open" : "none"}
-      data-hint={hintTarget()}
+      data-hint={hintTarget}
       data-panel={panelCollapsed.value ? "collapsed" : "shown"}
       data-sheet={sheetOpen.value ? "raised" : "lowered"}
       ref={(element) => setSize(element, "--panel-width", width)}
@@ -110,7 +111,7 @@ export function App() {
         {!dialog.value && <Progress />}
       </main>
       {clip && <SidePanel />}
-      <Tour />
+      {hintTarget.value && <Tour />}
       {tableVisible.value && <Batch />}
       <Dialogs />
       <Toasts />

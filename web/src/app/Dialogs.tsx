@@ -2,7 +2,7 @@ import { keyTable } from "../actions/commands";
 import { locationText } from "../model/report";
 import { classicKeys } from "../store/preferences";
 import { clip, notices } from "../store/session";
-import { startTour } from "../store/tour";
+import { showHint } from "../store/tour";
 import { dialog } from "../store/view";
 import { Dialog } from "../ui/Dialog";
 import { lazy } from "../ui/lazy";
@@ -61,7 +61,7 @@ function KeysDialog() {
         class="button"
         onClick={() => {
           dialog.value = null;
-          startTour();
+          showHint(0);
         }}
       >
         Show the tour

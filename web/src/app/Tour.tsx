@@ -1,53 +1,37 @@
 import { keyOf } from "../actions/commands";
-import { openClip } from "../store/session";
-import { endTour, tourStep } from "../store/tour";
+import { endTour, showHint, tourStep } from "../store/tour";
 import { Icon } from "../ui/icons";
 import { isTouch } from "../ui/touch";
 
 /** Hints: the part of the page that is outlined, the text, and the text for touch screens if it differs. */
 const hints = [
   [
-    "viewer",
     "A highlighted foot is planted: it rests on the ground, lower and slower than in the rest of the clip. Every plant leaves a numbered footprint.",
   ],
   [
-    "timeline",
     "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Click a bar to go to it. Tracks explains the marks.",
     "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Tap a bar to go to it, and zoom with two fingers. Tracks explains the marks.",
   ],
   [
-    "timeline",
     "Drag the edge of a bar to correct it, or move the nearest edge by Q and W. A adds a plant, Delete removes one, Ctrl Z undoes. Edits are stored in this browser.",
     "Tap a bar, then drag its ends or use the buttons to correct it. A double tap between two bars adds a plant. Labels has more buttons. Edits are stored in this browser.",
   ],
   [
-    "panel",
     "The defaults need no tuning. A higher sensitivity makes plants longer. Save labels and clips without foot skate from this panel.",
   ],
   [
-    "head",
     "Drop a folder or an archive to process many clips, or a label file to compare it with these labels. Press ? for keyboard shortcuts.",
     "Open several files or an archive to process many clips, or a label file to compare it with these labels.",
   ],
 ] as const;
 
-/** The current hint, if a clip is open. */
-const currentHint = () =>
-  openClip.value && tourStep.value !== null ? hints[tourStep.value] : undefined;
-
-/** Returns the part of the page that the current hint describes. */
-export const hintTarget = () => currentHint()?.[0];
-
 /** A tour of five hints for new users. It does not block the page. */
 export function Tour() {
-  const hint = currentHint();
   const step = tourStep.value;
+  const hint = step === null ? undefined : hints[step];
   if (!hint || step === null) return null;
-  const [, text, touchText = text] = hint;
+  const [text, touchText = text] = hint;
   const isLast = step === hints.length - 1;
-  const goTo = (index: number) => {
-    tourStep.value = index;
-  };
   return (
     <aside class="tour" aria-label="Tour">
       <p aria-live="polite">{isTouch() ? touchText : text}</p>
@@ -57,14 +41,14 @@ export function Tour() {
         </span>
         <span class="spacer" />
         {step > 0 && (
-          <button type="button" class="button flat" onClick={() => goTo(step - 1)}>
+          <button type="button" class="button flat" onClick={() => showHint(step - 1)}>
             Back
           </button>
         )}
         <button
           type="button"
           class="button primary"
-          onClick={() => (isLast ? endTour() : goTo(step + 1))}
+          onClick={() => (isLast ? endTour() : showHint(step + 1))}
         >
           {isLast ? "Done" : "Next"}
         </button>

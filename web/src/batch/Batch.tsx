@@ -145,7 +145,10 @@ function ColumnHeaders() {
                 };
               }}
             >
-              {column.title}
+              <span>
+                {column.title}
+                {column.detail && <small> {column.detail}</small>}
+              </span>
               {key === column.key && <Icon name={direction > 0 ? "collapse" : "expand"} />}
             </button>
           </th>

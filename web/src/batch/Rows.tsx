@@ -22,8 +22,10 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
     <tbody
       ref={(element) => {
         body.current = element;
-        element?.style.setProperty("--height-above", `${from * rowHeight}px`);
-        element?.style.setProperty("--height-below", `${(rows.length - to) * rowHeight}px`);
+        if (!element) return;
+        element.onclick = openClickedRow;
+        element.style.setProperty("--height-above", `${from * rowHeight}px`);
+        element.style.setProperty("--height-below", `${(rows.length - to) * rowHeight}px`);
       }}
     >
       {rows.slice(from, to).map((row, i) => (
@@ -38,6 +40,12 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
       ))}
     </tbody>
   );
+}
+
+/** Presses the name of the row in which a cell was clicked. */
+function openClickedRow({ target }: MouseEvent) {
+  if (!(target instanceof Element) || target.closest("button, input")) return;
+  target.closest("tr")?.querySelector<HTMLElement>(".clip-name")?.click();
 }
 
 function Cells({ row }: { row: BatchRow }) {
@@ -56,6 +64,7 @@ function Cells({ row }: { row: BatchRow }) {
         >
           <FileName name={name?.text(row) ?? ""} />
         </button>
+        {row.summary?.edited && <span class="edited-mark muted">edited</span>}
         {row.summary?.hasUnreadableEdits && <span class="muted"> stored edits cannot be read</span>}
         {row.summary && openClip.value && row !== openBatchRow.value && (
           <SideBySideButton row={row} />

@@ -117,6 +117,10 @@ export function plantRefAt(track: PartTrack, frame: number): PlantRef | undefine
   return index < 0 ? undefined : plantRefOf(track, index);
 }
 
+/** Returns all plants of a track. */
+export const plantRefsOf = ({ side, part, intervals }: PartTrack): PlantRef[] =>
+  Array.from(rangesOf(intervals), (range) => ({ side, part, ...range }));
+
 /** Returns the plant that shares the most frames with a range, if any. */
 export function matchingPlantRef(track: PartTrack, range: FrameRange): PlantRef | undefined {
   let match: PlantRef | undefined;

@@ -1,4 +1,5 @@
 import { firstIndexWhere } from "../util/binary-search";
+import type { FrameRange } from "./edits";
 import { pushRanges } from "./intervals";
 import type { Detection, Labels, Part, Side, Track } from "./types";
 
@@ -125,7 +126,7 @@ export function plantsWithin(
 }
 
 /** Returns the distinct first and last frames of plants, ascending. */
-export function plantEdges(plants: readonly Plant[]): number[] {
+export function plantEdges(plants: readonly FrameRange[]): number[] {
   const edges = new Set<number>();
   for (const { start, end } of plants) {
     edges.add(start);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { filterRows, sortRows, type TableRow, tableCsv } from "./table";
+import { columns, filterRows, sortRows, type TableRow, tableCsv } from "./table";
 
 const summary = (frames: number) => ({
   frames,
@@ -45,4 +45,12 @@ test("exports CSV with quoted fields", () => {
   expect(second).toMatch(/^walk 9\.bvh,,,.*,"no ""feet"""$/);
   expect(third).toMatch(/^"jump, high\.bvh",100,/);
   expect(new Set([header, first].map((line) => line?.split(",").length)).size).toBe(1);
+});
+
+test("a displayed number is rounded once", () => {
+  const skate = { mean: 0.007493, worst: 0.02049 };
+  const row = { number: 1, source: { name: "hop.bvh" }, status: "done" as const };
+  const texts = columns.map(({ text }) => text({ ...row, summary: { ...summary(20), skate } }));
+  expect(texts).toEqual(expect.arrayContaining(["0.7 cm", "2.0 cm"]));
+  expect(tableCsv([{ ...row, summary: { ...summary(20), skate } }])).toContain(",0.0075,0.0205,");
 });

@@ -17,6 +17,8 @@ export interface TableRow {
 export interface Column {
   key: string;
   title: string;
+  /** What the values depend on, displayed below the title. */
+  detail?: string;
   /** Description, shown as a tooltip. */
   description?: string;
   /** Value for sorting and for the CSV file. */
@@ -34,22 +36,22 @@ const percentTenths = (fraction: number) => `${(100 * fraction).toFixed(1)} %`;
 const round = (value: number | undefined, digits = 4) =>
   value === undefined ? undefined : Number(value.toFixed(digits));
 
-/** Creates a column for a number of the summary. */
+/** Creates a column for a number of the summary, which is rounded for the CSV file but not before it is formatted. */
 function summaryColumn(
   key: string,
   title: string,
   select: (summary: ClipSummary) => number | undefined,
   format: (value: number) => string = formatCount,
-  options: Pick<Column, "description" | "minor"> = {},
+  options: Pick<Column, "description" | "detail" | "minor"> = {},
 ): Column {
-  const value = ({ summary }: TableRow) => (summary ? round(select(summary)) : undefined);
   return {
     key,
     title,
-    value,
-    text: (row) => {
-      const number = value(row);
-      return number === undefined ? (row.summary ? "–" : "") : format(number);
+    value: ({ summary }) => summary && round(select(summary)),
+    text: ({ summary }) => {
+      if (!summary) return "";
+      const number = select(summary);
+      return number === undefined ? "–" : format(number);
     },
     ...options,
   };
@@ -91,6 +93,7 @@ export const columns: readonly Column[] = [
     minor: true,
   },
   summaryColumn("agreement_0_1_s", "Score", ({ agreement }) => agreement, percentTenths, {
+    detail: "± 0.1 s",
     description: "Frames that agree with the labels dropped with the clip, within 0.1 s",
     minor: true,
   }),

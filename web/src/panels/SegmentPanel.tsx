@@ -307,6 +307,11 @@ function SegmentList() {
       <ListHead title="Segments" count={namedSegments.value.length}>
         <SaveButtons />
       </ListHead>
+      {openVocabulary.value && (
+        <p class="note">
+          Equal actions of all clips of the table have the same letter, and share a name.
+        </p>
+      )}
       <p class="list-columns segment-columns" aria-hidden="true">
         <span>Start</span>
         <span>Length</span>
@@ -318,11 +323,6 @@ function SegmentList() {
         scrollsAtFirst
         renderRow={(segment) => <Row key={segment.start} segment={segment} rate={rate} />}
       />
-      {openVocabulary.value && (
-        <p class="note">
-          Equal actions of all clips of the table have the same letter, and share a name.
-        </p>
-      )}
       {!referenceSegments.value && (
         <p class="note">
           <OpenOrDrop /> a segment file (JSON or CSV) to compare it with these segments.

@@ -2,7 +2,7 @@
 
 import { computed } from "@preact/signals";
 import { plantEditsOf } from "../model/cut-edits";
-import { plantEdges, plantsOf } from "../model/plants";
+import { plantsOf } from "../model/plants";
 import { actionsOf, cutsOf, nameSegments } from "../model/segments";
 import { openVocabulary } from "./batch";
 import { session, sessionField } from "./clip-session";
@@ -53,9 +53,6 @@ export const score = computed(
 );
 
 export const plants = computed(() => (detection.value ? plantsOf(detection.value) : []));
-
-/** First and last frames of plants, ascending. */
-export const edges = computed(() => plantEdges(plants.value));
 
 /** The segments with the names that the user gave them. */
 export const namedSegments = computed(() =>

@@ -15,5 +15,5 @@ export function showToast(toast: Toast) {
 }
 
 export function dismissToast(toast: Toast) {
-  toasts.value = toasts.value.filter((other) => other !== toast);
+  toasts.value = toasts.peek().filter((other) => other !== toast);
 }

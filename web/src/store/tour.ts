@@ -1,11 +1,23 @@
 /** The tour for new users. */
 
-import { signal } from "@preact/signals";
+import { batch, computed, signal } from "@preact/signals";
+import { openClip, source } from "./session";
 
 const storageKey = "plantigrade:tour";
 
 /** Index of the current hint; null after the tour. */
-export const tourStep = signal(isDone() ? null : 0);
+const step = signal(isDone() ? null : 0);
+
+/** True once the user has asked for the tour. */
+const isRequested = signal(false);
+
+/**
+ * Index of the hint that is shown, if any. The tour does not start by itself with the clip of a link or of a shared
+ * page, which has a view state: who receives it wants to see the clip.
+ */
+export const tourStep = computed(() =>
+  openClip.value && (isRequested.value || !source.value?.view) ? step.value : null,
+);
 
 function isDone() {
   try {
@@ -15,13 +27,24 @@ function isDone() {
   }
 }
 
-/** Starts the tour at the first hint. */
-export function startTour() {
-  tourStep.value = 0;
+/** The part of the page that each hint describes. */
+const targets = ["viewer", "timeline", "timeline", "panel", "head"];
+
+/** The part of the page that the shown hint describes. */
+export const hintTarget = computed(() =>
+  tourStep.value === null ? undefined : targets[tourStep.value],
+);
+
+/** Shows a hint of the tour. */
+export function showHint(index: number) {
+  batch(() => {
+    isRequested.value = true;
+    step.value = index;
+  });
 }
 
 export function endTour() {
-  tourStep.value = null;
+  step.value = null;
   try {
     localStorage.setItem(storageKey, "done");
   } catch {

@@ -1,8 +1,10 @@
 import { useComputed } from "@preact/signals";
 import { plantAt } from "../model/plants";
+import { segmentAt } from "../model/segments";
+import { openVocabulary } from "../store/batch";
 import { pointedFrame } from "../store/evidence";
 import { timeView } from "../store/playback";
-import { clip, dragPreview, plants, selected, selectedEdge } from "../store/session";
+import { clip, dragPreview, namedSegments, plants, selected, selectedEdge } from "../store/session";
 import { hovered } from "../store/view";
 import { formatCount, formatDuration } from "../util/format";
 import { type Curves, isBars, isCurves, type Lane } from "./layout";
@@ -42,8 +44,15 @@ const curveDetails = ({ kind, left, right }: Curves, frame: number) =>
     })
     .join("  ");
 
+/** States that the other clips of the table have the same letters for the same actions. */
+const sharedNote = () => (openVocabulary.value ? ", as in all clips of the table" : "");
+
 function laneDetails(lane: Lane, frame: number): string {
   if (isCurves(lane)) return curveDetails(lane, frame);
+  if (lane.kind === "segments") {
+    const { action } = segmentAt(namedSegments.value, frame) ?? {};
+    return action ? `action ${action}${sharedNote()}` : "";
+  }
   if (!isBars(lane)) return "";
   const { side, track, isPrincipal } = lane;
   const plant = isPrincipal ? plantAt(plants.value, frame, side) : undefined;

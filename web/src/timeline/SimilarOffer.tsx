@@ -6,7 +6,7 @@ import { plural } from "../util/format";
 /** Offers to apply the edits to similar plants, whose changes are drawn on the timeline. */
 export function SimilarOffer() {
   const found = similar.value;
-  const text = found && `Preview: ${plural(found.plants, "similar plant")} would change too`;
+  const text = found && `Preview: ${plural(found.plants, "similar plant")} would change`;
   return (
     <div class="similar-offer" role="status" hidden={!found}>
       {found && (

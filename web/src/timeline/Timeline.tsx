@@ -36,7 +36,6 @@ import { MinimapPlayhead, Playhead } from "./Playhead";
 import { paintTimeline } from "./paint";
 import { Readout } from "./Readout";
 import { SegmentTable } from "./SegmentTable";
-import { SimilarOffer } from "./SimilarOffer";
 import { StorageStatus } from "./StorageStatus";
 import { Transport } from "./Transport";
 import { VideoLane } from "./VideoLane";
@@ -170,7 +169,6 @@ export function Timeline() {
       />
       <StorageStatus />
       <Transport layout={layout} />
-      <SimilarOffer />
       {hasFrames && video.value && <VideoLane layout={layout} width={width} />}
       <div
         class="tracks"

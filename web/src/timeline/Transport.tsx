@@ -16,6 +16,7 @@ import { openClip, plants } from "../store/session";
 import { Icon } from "../ui/icons";
 import { formatClock, formatCount, formatRange } from "../util/format";
 import type { Layout } from "./layout";
+import { SimilarOffer } from "./SimilarOffer";
 import { TracksMenu } from "./TracksMenu";
 
 /** Playback controls, with the time and the frame of the playhead. */
@@ -47,6 +48,7 @@ export function Transport({ layout }: { layout: ReadonlySignal<Layout> }) {
       </div>
       {direction.value < 0 && playing.value && <p class="muted">reverse</p>}
       <span class="spacer" />
+      <SimilarOffer />
       <button
         type="button"
         class="button flat loop"
