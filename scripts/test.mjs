@@ -69,7 +69,7 @@ const phases = [
     ["size", "browser"],
     ["clippy", "doc", "core"],
   ],
-  [["wasm", "package", "python"]],
+  [["wasm", "package"], ["python"]],
 ];
 
 async function clippy() {
@@ -154,6 +154,8 @@ await main(async () => {
   const all = phases.flat(2);
   const unknown = names.find((name) => !all.includes(name));
   if (unknown) throw new Stop(`Unknown check "${unknown}". The checks are ${all.join(", ")}.`);
+  // A run of all checks compiles each crate once; without data for the next time, that takes a sixth less.
+  if (names.length === 0) process.env.CARGO_INCREMENTAL ??= "0";
   await setup();
   const isSelected = (name) => names.length === 0 || names.includes(name);
   if (isSelected("python")) {

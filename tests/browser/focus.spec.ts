@@ -4,54 +4,53 @@ import { expect, test } from "./app";
 import { atEachSize } from "./viewports";
 
 atEachSize(() => {
-  test("keys step frames after a menu was used with the pointer", async ({ app, page }) => {
+  test("keys belong to the timeline after a menu, a number and a press", async ({ app, page }) => {
     await app.openSample("curved-walk");
-    await app.tab("Detect");
-    const method = page.getByRole("combobox", { name: "Method" });
-    await method.click();
-    await page.keyboard.press("ArrowDown");
-    await page.keyboard.press("Enter");
-    const chosen = await method.inputValue();
-    await page.keyboard.press("ArrowRight");
-    await expect.poll(() => app.frame()).toBe(1);
-    await page.keyboard.press(".");
-    await expect.poll(() => app.frame()).toBe(2);
-    await expect(method).toHaveValue(chosen);
-  });
-
-  test("keys step frames after a number was entered", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    await app.tab("Labels");
-    await page.keyboard.press("e");
-    const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
-    await last.fill("50");
-    await page.keyboard.press("Enter");
-    await expect(last).toHaveValue("50");
-    await page.keyboard.press("ArrowRight");
-    await expect.poll(() => app.frame()).toBe(1);
-    await expect(last).toHaveValue("50");
-  });
-
-  test("the timeline and the view take the focus when they are pressed", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    await app.tab("Labels");
-    await page.keyboard.press("e");
-    const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
-    for (const press of [
-      () => app.pressRuler(0.5),
-      async () => {
-        const box = await app.stage.boundingBox();
-        if (box) await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.6 * box.height);
-      },
-    ]) {
-      await last.click();
-      await expect(last).toBeFocused();
-      await press();
-      await expect(last).not.toBeFocused();
-      await page.keyboard.press("Home");
+    await test.step("keys step frames after a menu was used with the pointer", async () => {
+      await app.tab("Detect");
+      const method = page.getByRole("combobox", { name: "Method" });
+      await method.click();
+      await page.keyboard.press("ArrowDown");
+      await page.keyboard.press("Enter");
+      const chosen = await method.inputValue();
       await page.keyboard.press("ArrowRight");
       await expect.poll(() => app.frame()).toBe(1);
-    }
+      await page.keyboard.press(".");
+      await expect.poll(() => app.frame()).toBe(2);
+      await expect(method).toHaveValue(chosen);
+      await page.keyboard.press("Home");
+    });
+    await test.step("keys step frames after a number was entered", async () => {
+      await app.tab("Labels");
+      await page.keyboard.press("e");
+      const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+      await last.fill("50");
+      await page.keyboard.press("Enter");
+      await expect(last).toHaveValue("50");
+      await page.keyboard.press("ArrowRight");
+      await expect.poll(() => app.frame()).toBe(1);
+      await expect(last).toHaveValue("50");
+    });
+    await test.step("the timeline and the view take the focus when they are pressed", async () => {
+      await app.tab("Labels");
+      await page.keyboard.press("e");
+      const last = app.panel.getByRole("spinbutton", { name: "Last frame" });
+      for (const press of [
+        () => app.pressRuler(0.5),
+        async () => {
+          const box = await app.stage.boundingBox();
+          if (box) await page.mouse.click(box.x + 0.8 * box.width, box.y + 0.6 * box.height);
+        },
+      ]) {
+        await last.click();
+        await expect(last).toBeFocused();
+        await press();
+        await expect(last).not.toBeFocused();
+        await page.keyboard.press("Home");
+        await page.keyboard.press("ArrowRight");
+        await expect.poll(() => app.frame()).toBe(1);
+      }
+    });
   });
 
   test("every step of the sensitivity slider changes it", async ({ app, page }) => {

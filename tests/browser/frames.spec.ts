@@ -55,44 +55,43 @@ atEachSize(() => {
     expect(readLabels(await app.save("Labels")).left.contact?.[0]?.end).toBe(plant.end + 1);
   });
 
-  test("the counter ends at the last frame", async ({ app, page }) => {
+  test("the counter, the view and edits have the same frames", async ({ app, page }) => {
     await app.openSample("curved-walk");
-    await expect(page.locator(".frame-count")).toHaveText("frame 0 / 244");
-    await page.keyboard.press("End");
-    await expect(page.locator(".frame-count")).toHaveText("frame 244 / 244");
-  });
-
-  test("joining the halves of a split restores the plant", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    const before = readLabels(await app.save("Labels"));
-    for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("e");
-    await page.keyboard.press("b");
-    await expect
-      .poll(async () => readLabels(await app.save("Labels")).left.contact?.length)
-      .toBe(4);
-    await page.keyboard.press("Home");
-    await page.keyboard.press("e");
-    await page.keyboard.press("m");
-    await expect.poll(async () => readLabels(await app.save("Labels"))).toEqual(before);
-  });
-
-  test("the view lights a foot up to the last frame of its plant", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    const { left } = readLabels(await app.save("Labels"));
-    const [plant] = left.contact ?? [];
-    if (!plant) throw new Error("There is no plant.");
-    await page.keyboard.press("Home");
-    await page.keyboard.press("5");
-    for (let i = 0; i < plant.end - 2; i++) await page.keyboard.press("ArrowRight");
-    expect(await app.frame()).toBe(plant.end - 2);
-    const inside = await leftPixels(app);
-    await page.keyboard.press("ArrowRight");
-    const last = await leftPixels(app);
-    await page.keyboard.press("ArrowRight");
-    const after = await leftPixels(app);
-    // The outline of the footprint remains.
-    expect(last).toBeGreaterThan(0.9 * inside);
-    expect(after).toBeLessThan(0.75 * last);
+    await test.step("the counter ends at the last frame", async () => {
+      await expect(page.locator(".frame-count")).toHaveText("frame 0 / 244");
+      await page.keyboard.press("End");
+      await expect(page.locator(".frame-count")).toHaveText("frame 244 / 244");
+    });
+    await test.step("the view lights a foot up to the last frame of its plant", async () => {
+      const { left } = readLabels(await app.save("Labels"));
+      const [plant] = left.contact ?? [];
+      if (!plant) throw new Error("There is no plant.");
+      await page.keyboard.press("Home");
+      await page.keyboard.press("5");
+      for (let i = 0; i < plant.end - 2; i++) await page.keyboard.press("ArrowRight");
+      expect(await app.frame()).toBe(plant.end - 2);
+      const inside = await leftPixels(app);
+      await page.keyboard.press("ArrowRight");
+      const last = await leftPixels(app);
+      await page.keyboard.press("ArrowRight");
+      const after = await leftPixels(app);
+      // The outline of the footprint remains.
+      expect(last).toBeGreaterThan(0.9 * inside);
+      expect(after).toBeLessThan(0.75 * last);
+    });
+    await test.step("joining the halves of a split restores the plant", async () => {
+      const before = readLabels(await app.save("Labels"));
+      await page.keyboard.press("Home");
+      for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowRight");
+      await page.keyboard.press("e");
+      await page.keyboard.press("b");
+      await expect
+        .poll(async () => readLabels(await app.save("Labels")).left.contact?.length)
+        .toBe(4);
+      await page.keyboard.press("Home");
+      await page.keyboard.press("e");
+      await page.keyboard.press("m");
+      await expect.poll(async () => readLabels(await app.save("Labels"))).toEqual(before);
+    });
   });
 });

@@ -31,26 +31,26 @@ atEachSize(() => {
     await expect(page.getByRole("button", { name: "Open a file" })).toBeVisible();
   });
 
-  test("reports that stored edits were applied", async ({ app, page }) => {
+  test("clears messages, and reports that stored edits were applied", async ({ app, page }) => {
     await app.openSample("curved-walk");
-    await expect(app.head.getByRole("button", { name: "edited" })).toBeHidden();
-    await page.keyboard.press("e");
-    await page.keyboard.press("Delete");
-    await expect(app.head.getByRole("button", { name: "edited" })).toBeVisible();
-    await expect(app.toast).toBeHidden();
-    await page.reload();
-    await app.waitForClip("curved-walk.bvh");
-    await expect(app.toast).toContainText("Your stored edits of this clip were applied.");
-    await app.toast.getByRole("button", { name: "Show" }).click();
-    await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeVisible();
-    await expect(app.toast).toBeHidden();
-  });
-
-  test("clears messages in the live region", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    await page.keyboard.press("e");
-    const status = page.locator("p[role=status]");
-    await expect(status).toContainText("selected");
-    await expect(status).toBeEmpty();
+    await test.step("clears messages in the live region", async () => {
+      await page.keyboard.press("e");
+      const status = page.locator("p[role=status]");
+      await expect(status).toContainText("selected");
+      await expect(status).toBeEmpty();
+    });
+    await test.step("reports that stored edits were applied", async () => {
+      await expect(app.head.getByRole("button", { name: "edited" })).toBeHidden();
+      await page.keyboard.press("e");
+      await page.keyboard.press("Delete");
+      await expect(app.head.getByRole("button", { name: "edited" })).toBeVisible();
+      await expect(app.toast).toBeHidden();
+      await page.reload();
+      await app.waitForClip("curved-walk.bvh");
+      await expect(app.toast).toContainText("Your stored edits of this clip were applied.");
+      await app.toast.getByRole("button", { name: "Show" }).click();
+      await expect(page.getByRole("tabpanel", { name: "Labels" })).toBeVisible();
+      await expect(app.toast).toBeHidden();
+    });
   });
 });

@@ -26,6 +26,14 @@ atEachSize((size) => {
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     );
     expect(overflow).toBe(0);
+    await test.step("shows the playhead in the overview", async () => {
+      const marker = app.timeline.locator(".minimap-playhead");
+      const x = async () => (await marker.boundingBox())?.x ?? 0;
+      const before = await x();
+      const { width = 0 } = (await app.tracks.boundingBox()) ?? {};
+      await page.keyboard.press("End");
+      await expect.poll(x).toBeGreaterThan(before + 0.6 * width);
+    });
   });
 
   test("hides tracks, remembers it, and explains the marks", async ({ app, page }) => {
@@ -53,16 +61,6 @@ atEachSize((size) => {
     ).not.toBeChecked();
   });
 
-  test("shows the playhead in the overview", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    const marker = app.timeline.locator(".minimap-playhead");
-    const x = async () => (await marker.boundingBox())?.x ?? 0;
-    const before = await x();
-    const { width = 0 } = (await app.tracks.boundingBox()) ?? {};
-    await page.keyboard.press("End");
-    await expect.poll(x).toBeGreaterThan(before + 0.6 * width);
-  });
-
   test("the list follows the selection", async ({ app, page }) => {
     await app.openSample("ballet");
     await app.tab("Labels");
@@ -76,14 +74,50 @@ atEachSize((size) => {
     expect(overflow).toBe(0);
   });
 
-  test("every tab begins at its top", async ({ app }) => {
+  test("leaves space for every tab, segments, references and clips side by side", async ({
+    app,
+    page,
+  }) => {
     await app.openSample("limp-to-run");
-    await app.tab("Clip");
-    const scrollTop = () => app.panel.evaluate((panel) => panel.scrollTop);
-    await app.panel.evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
-    expect(await scrollTop()).toBeGreaterThan(0);
-    await app.tab("Labels");
-    expect(await scrollTop()).toBe(0);
+    await test.step("every tab begins at its top", async () => {
+      await app.tab("Clip");
+      const scrollTop = () => app.panel.evaluate((panel) => panel.scrollTop);
+      await app.panel.evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
+      expect(await scrollTop()).toBeGreaterThan(0);
+      await app.tab("Labels");
+      expect(await scrollTop()).toBe(0);
+    });
+    await test.step("shows the segments while their tab is open", async () => {
+      await app.tab("Segment");
+      await expect(app.panel.getByRole("textbox", { name: "Name of segment 1" })).toBeAttached();
+      await app.timeline.getByRole("button", { name: "Tracks" }).click();
+      const notice = app.timeline.getByText(/^There is no space/);
+      expect((await notice.allInnerTexts()).join()).not.toContain("segments");
+      await page.keyboard.press("Escape");
+    });
+    await test.step("shows the segments below reference labels", async () => {
+      await app.drop(clip("samples/limp-to-run.json"));
+      await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
+      await app.tab("Segment");
+      await expect(app.panel.getByRole("textbox", { name: "Name of segment 1" })).toBeAttached();
+      await app.timeline.getByRole("button", { name: /^Tracks/ }).click();
+      const notice = app.timeline.getByText(/^There is no space/);
+      expect((await notice.allInnerTexts()).join()).not.toContain("segments");
+      await page.keyboard.press("Escape");
+    });
+    await test.step("leaves the overview in sight with clips side by side", async () => {
+      await app.drop(sample("bowling"), sample("frog-jumps"));
+      for (const name of ["bowling", "frog-jumps"]) {
+        const button = page.getByRole("button", { name: `${name}.bvh side by side` });
+        await button.focus();
+        await page.keyboard.press("Enter");
+        await expect(button).toHaveAttribute("aria-pressed", "true");
+      }
+      await page.getByRole("button", { name: "Back to limp-to-run.bvh" }).click();
+      await expect(page.getByRole("list", { name: "Comparison clips" })).toBeVisible();
+      const { height = 0 } = (await app.tracks.boundingBox()) ?? {};
+      expect(height).toBeLessThanOrEqual((await container(app).boundingBox())?.height ?? 0);
+    });
   });
 
   test("shows the names of clips in the table, and marks a tab of each clip", async ({
@@ -102,45 +136,6 @@ atEachSize((size) => {
     await page.keyboard.press("n");
     await app.waitForClip("bowling.bvh");
     await expect(page.getByRole("tab", { selected: true })).toHaveCount(1);
-  });
-
-  test("shows the segments while their tab is open", async ({ app }) => {
-    await app.openSample("limp-to-run");
-    await app.tab("Segment");
-    await expect(app.panel.getByRole("textbox", { name: "Name of segment 1" })).toBeAttached();
-    await app.timeline.getByRole("button", { name: "Tracks" }).click();
-    const notice = app.timeline.getByText(/^There is no space/);
-    expect((await notice.allInnerTexts()).join()).not.toContain("segments");
-  });
-
-  test("shows the segments below reference labels", async ({ app }) => {
-    await app.openSample("limp-to-run");
-    await app.drop(clip("samples/limp-to-run.json"));
-    await expect(app.page.getByRole("tab", { name: "Score" })).toBeVisible();
-    await app.tab("Segment");
-    await expect(app.panel.getByRole("textbox", { name: "Name of segment 1" })).toBeAttached();
-    await app.timeline.getByRole("button", { name: /^Tracks/ }).click();
-    const notice = app.timeline.getByText(/^There is no space/);
-    expect((await notice.allInnerTexts()).join()).not.toContain("segments");
-  });
-
-  test("leaves the overview in sight with references and clips side by side", async ({
-    app,
-    page,
-  }) => {
-    await app.openSample("limp-to-run");
-    await app.drop(clip("samples/limp-to-run.json"));
-    await app.drop(sample("bowling"), sample("frog-jumps"));
-    for (const name of ["bowling", "frog-jumps"]) {
-      const button = page.getByRole("button", { name: `${name}.bvh side by side` });
-      await button.focus();
-      await page.keyboard.press("Enter");
-      await expect(button).toHaveAttribute("aria-pressed", "true");
-    }
-    await page.getByRole("button", { name: "Back to limp-to-run.bvh" }).click();
-    await expect(page.getByRole("list", { name: "Comparison clips" })).toBeVisible();
-    const { height = 0 } = (await app.tracks.boundingBox()) ?? {};
-    expect(height).toBeLessThanOrEqual((await container(app).boundingBox())?.height ?? 0);
   });
 
   test("shows the tab of a comparison, also in a hidden panel", async ({ app, page }) => {

@@ -52,9 +52,9 @@ atEachSize((size) => {
     await expect.poll(async () => (await labelsOf(app)).left.contact?.[0]?.end).toBe(plant.end + 2);
   });
 
-  for (const side of ["left", "right"] as const) {
-    test(`adds a plant on the ${side} track by a click and a key`, async ({ app, page }) => {
-      await app.openSample("curved-walk");
+  test("adds a plant on either track by a click and a key", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    for (const side of ["left", "right"] as const) {
       const before = await labelsOf(app);
       const planted = before[side].contact ?? [];
       const gap = planted[0];
@@ -75,57 +75,70 @@ atEachSize((size) => {
       await expect
         .poll(async () => (await labelsOf(app))[side].contact?.length)
         .toBe(planted.length);
-    });
-  }
-
-  test("loops a free range by a drag and by keys", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    const from = await app.ruler(0.4);
-    const to = await app.ruler(0.6);
-    const first = await app.pressRuler(0.4);
-    // The handle of the playhead would be dragged.
-    await page.keyboard.press("Home");
-    await page.keyboard.down("Shift");
-    await page.mouse.move(from.x, from.y);
-    await page.mouse.down();
-    await page.mouse.move(to.x, to.y, { steps: 4 });
-    await page.mouse.up();
-    await page.keyboard.up("Shift");
-    const loop = app.timeline.getByRole("button", { name: /^Loop/ });
-    await expect(loop).toHaveText(new RegExp(`^Loop ${first}–\\d+$`));
-    await page.keyboard.press("Home");
-    await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("Shift+i");
-    await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("Shift+o");
-    await expect(loop).toHaveText("Loop 1–3");
-    await page.keyboard.press("Shift+l");
-    await expect(loop).toHaveText("Loop off");
+    }
   });
 
-  test("reads values under the pointer and of a dragged edge", async ({ app, page }) => {
+  test("steps through low confidence, loops a range, and reads values", async ({ app, page }) => {
     await app.openSample("curved-walk");
-    const readout = app.timeline.locator(".pointed-frame");
-    const [plant] = (await labelsOf(app)).left.contact ?? [];
-    if (!plant) throw new Error("There is no plant.");
-    const inside = await pointOn(app, "left", 20);
-    await page.mouse.move(inside.x, inside.y);
-    await expect(readout).toContainText(/20 0\.167 s plant 1, confidence \d+ %/);
-    if (size === "desktop") {
-      // Smaller timelines have no space for curves.
-      const box = await app.tracks.boundingBox();
-      await page.mouse.move(inside.x, (box?.y ?? 0) + 165);
-      await expect(readout).toContainText(/20 .*L \d+\.\d cm\s+R \d+\.\d cm/);
-    }
-    const edge = await pointOn(app, "left", plant.end - 0.5);
-    const target = await pointOn(app, "left", plant.end + 5.5);
-    await page.mouse.move(edge.x - 1, edge.y);
-    await page.mouse.down();
-    await page.mouse.move(target.x, target.y, { steps: 4 });
-    await expect(readout).toContainText(/last frame, \+\d/);
-    await page.mouse.up();
-    await expect.poll(async () => (await labelsOf(app)).left.contact?.[0]?.end).not.toBe(plant.end);
+    await test.step("steps through the plants of low confidence", async () => {
+      await app.tab("Labels");
+      const uncertain = app.panel.getByRole("button", { name: /review$/ });
+      await expect(uncertain).toHaveCount(2);
+      for (const i of [0, 1, 0]) {
+        await page.keyboard.press("u");
+        await expect(uncertain.nth(i)).toHaveAttribute("aria-pressed", "true");
+      }
+      await page.keyboard.press("Shift+u");
+      await expect(uncertain.nth(1)).toHaveAttribute("aria-pressed", "true");
+    });
+    await test.step("loops a free range by a drag and by keys", async () => {
+      const from = await app.ruler(0.4);
+      const to = await app.ruler(0.6);
+      const first = await app.pressRuler(0.4);
+      // The handle of the playhead would be dragged.
+      await page.keyboard.press("Home");
+      await page.keyboard.down("Shift");
+      await page.mouse.move(from.x, from.y);
+      await page.mouse.down();
+      await page.mouse.move(to.x, to.y, { steps: 4 });
+      await page.mouse.up();
+      await page.keyboard.up("Shift");
+      const loop = app.timeline.getByRole("button", { name: /^Loop/ });
+      await expect(loop).toHaveText(new RegExp(`^Loop ${first}–\\d+$`));
+      await page.keyboard.press("Home");
+      await page.keyboard.press("ArrowRight");
+      await page.keyboard.press("Shift+i");
+      await page.keyboard.press("ArrowRight");
+      await page.keyboard.press("ArrowRight");
+      await page.keyboard.press("Shift+o");
+      await expect(loop).toHaveText("Loop 1–3");
+      await page.keyboard.press("Shift+l");
+      await expect(loop).toHaveText("Loop off");
+    });
+    await test.step("reads values under the pointer and of a dragged edge", async () => {
+      const readout = app.timeline.locator(".pointed-frame");
+      const [plant] = (await labelsOf(app)).left.contact ?? [];
+      if (!plant) throw new Error("There is no plant.");
+      const inside = await pointOn(app, "left", 20);
+      await page.mouse.move(inside.x, inside.y);
+      await expect(readout).toContainText(/20 0\.167 s plant 1, confidence \d+ %/);
+      if (size === "desktop") {
+        // Smaller timelines have no space for curves.
+        const box = await app.tracks.boundingBox();
+        await page.mouse.move(inside.x, (box?.y ?? 0) + 165);
+        await expect(readout).toContainText(/20 .*L \d+\.\d cm\s+R \d+\.\d cm/);
+      }
+      const edge = await pointOn(app, "left", plant.end - 0.5);
+      const target = await pointOn(app, "left", plant.end + 5.5);
+      await page.mouse.move(edge.x - 1, edge.y);
+      await page.mouse.down();
+      await page.mouse.move(target.x, target.y, { steps: 4 });
+      await expect(readout).toContainText(/last frame, \+\d/);
+      await page.mouse.up();
+      await expect
+        .poll(async () => (await labelsOf(app)).left.contact?.[0]?.end)
+        .not.toBe(plant.end);
+    });
   });
 
   test("reports on the page what an edit did, or why it did nothing", async ({ app, page }) => {
@@ -144,52 +157,37 @@ atEachSize((size) => {
     await expect(message).toBeHidden();
   });
 
-  test("all counts of plants agree", async ({ app }) => {
+  test("judges a clip: counts, largest slide, foot skate of one plant", async ({ app, page }) => {
     await app.openSample("limp-to-run");
-    const count = (await app.result("Left")).plants + (await app.result("Right")).plants;
-    expect(count).toBeGreaterThan(30);
-    const table = app.timeline.getByRole("table", { name: `${count} plants` });
-    await expect(table.getByRole("row")).toHaveCount(count + 1);
-    await app.tab("Labels");
-    await expect(app.panel.getByRole("heading", { name: `Plants ${count}` })).toBeVisible();
-    const { left, right } = await labelsOf(app);
-    expect((left.contact?.length ?? 0) + (right.contact?.length ?? 0)).toBe(count);
-  });
-
-  test("steps through the plants of low confidence", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    await app.tab("Labels");
-    const uncertain = app.panel.getByRole("button", { name: /review$/ });
-    await expect(uncertain).toHaveCount(2);
-    for (const i of [0, 1, 0]) {
-      await page.keyboard.press("u");
-      await expect(uncertain.nth(i)).toHaveAttribute("aria-pressed", "true");
-    }
-    await page.keyboard.press("Shift+u");
-    await expect(uncertain.nth(1)).toHaveAttribute("aria-pressed", "true");
-  });
-
-  test("corrects the foot skate of one plant", async ({ app, page }) => {
-    await app.openSample("limp-to-run");
-    await page.keyboard.press("e");
-    await app.tab("Clip");
-    await app.panel.getByRole("button", { name: "Only selected plant" }).click();
-    await expect(app.panel.getByText("Only the selected plant is corrected.")).toBeVisible();
-    await app.panel.getByRole("button", { name: "Discard" }).click();
-    await expect(app.panel.getByRole("button", { name: "Fix foot skate" })).toBeVisible();
-  });
-
-  test("goes to the frame with the largest slide", async ({ app }) => {
-    await app.openSample("limp-to-run");
-    await app.tab("Clip");
-    const slide = app.panel.getByRole("button", { name: /cm$/ });
-    const title = (await slide.getAttribute("title")) ?? "";
-    const frame = Number(title.match(/\d+/)?.[0]);
-    await slide.click();
-    expect(await app.frame()).toBe(frame);
-    const plants = await labelsOf(app);
-    const starts = [...(plants.left.contact ?? []), ...(plants.right.contact ?? [])];
-    expect(starts.some(({ start, end }) => start < frame && frame < end)).toBe(true);
+    await test.step("all counts of plants agree", async () => {
+      const count = (await app.result("Left")).plants + (await app.result("Right")).plants;
+      expect(count).toBeGreaterThan(30);
+      const table = app.timeline.getByRole("table", { name: `${count} plants` });
+      await expect(table.getByRole("row")).toHaveCount(count + 1);
+      await app.tab("Labels");
+      await expect(app.panel.getByRole("heading", { name: `Plants ${count}` })).toBeVisible();
+      const { left, right } = await labelsOf(app);
+      expect((left.contact?.length ?? 0) + (right.contact?.length ?? 0)).toBe(count);
+    });
+    await test.step("goes to the frame with the largest slide", async () => {
+      await app.tab("Clip");
+      const slide = app.panel.getByRole("button", { name: /cm$/ });
+      const title = (await slide.getAttribute("title")) ?? "";
+      const frame = Number(title.match(/\d+/)?.[0]);
+      await slide.click();
+      expect(await app.frame()).toBe(frame);
+      const plants = await labelsOf(app);
+      const starts = [...(plants.left.contact ?? []), ...(plants.right.contact ?? [])];
+      expect(starts.some(({ start, end }) => start < frame && frame < end)).toBe(true);
+    });
+    await test.step("corrects the foot skate of one plant", async () => {
+      await page.keyboard.press("e");
+      await app.tab("Clip");
+      await app.panel.getByRole("button", { name: "Only selected plant" }).click();
+      await expect(app.panel.getByText("Only the selected plant is corrected.")).toBeVisible();
+      await app.panel.getByRole("button", { name: "Discard" }).click();
+      await expect(app.panel.getByRole("button", { name: "Fix foot skate" })).toBeVisible();
+    });
   });
 });
 

@@ -27,16 +27,34 @@ async function zoomAt(app: App, position: number, by: number) {
 }
 
 atEachSize(() => {
-  test("turns the camera by keys 1 to 4 and by buttons", async ({ app, page }) => {
+  test("turns the camera and shows the feet close up, by keys and by buttons", async ({
+    app,
+    page,
+  }) => {
     await app.openSample("curved-walk");
-    for (const [i, name] of ["Perspective", "Front", "Side", "Top"].entries()) {
-      await page.keyboard.press(String(i + 1));
-      const pressed = app.view.getByRole("button", { name, pressed: true });
-      await expect(pressed).toBeVisible();
-    }
-    await app.view.getByRole("button", { name: "Front" }).click();
-    await expect(app.view.getByRole("button", { name: "Front", pressed: true })).toBeVisible();
-    await expect(app.view.getByRole("button", { name: "Top", pressed: false })).toBeVisible();
+    await test.step("turns the camera by keys 1 to 4 and by buttons", async () => {
+      for (const [i, name] of ["Perspective", "Front", "Side", "Top"].entries()) {
+        await page.keyboard.press(String(i + 1));
+        const pressed = app.view.getByRole("button", { name, pressed: true });
+        await expect(pressed).toBeVisible();
+      }
+      await app.view.getByRole("button", { name: "Front" }).click();
+      await expect(app.view.getByRole("button", { name: "Front", pressed: true })).toBeVisible();
+      await expect(app.view.getByRole("button", { name: "Top", pressed: false })).toBeVisible();
+    });
+    await test.step("shows the feet close up by a key and by a button", async () => {
+      for (const show of [
+        () => page.keyboard.press("5"),
+        () => app.view.getByRole("button", { name: "Feet" }).click(),
+      ]) {
+        await page.keyboard.press("f");
+        await show();
+        await app.stillPicture();
+        const { eye, at } = await pose(app);
+        expect(at.y).toBeLessThan(0.3);
+        expect(distance(eye, at)).toBeLessThan(4);
+      }
+    });
   });
 
   test("zooms at the pointer", async ({ app }) => {
@@ -48,20 +66,5 @@ atEachSize(() => {
     await zoomAt(app, 0.7, -400);
     const onRight = await pose(app);
     expect(distance(onLeft.at, onRight.at)).toBeGreaterThan(0.2);
-  });
-
-  test("shows the feet close up by a key and by a button", async ({ app, page }) => {
-    await app.openSample("curved-walk");
-    for (const show of [
-      () => page.keyboard.press("5"),
-      () => app.view.getByRole("button", { name: "Feet" }).click(),
-    ]) {
-      await page.keyboard.press("f");
-      await show();
-      await app.stillPicture();
-      const { eye, at } = await pose(app);
-      expect(at.y).toBeLessThan(0.3);
-      expect(distance(eye, at)).toBeLessThan(4);
-    }
   });
 });
