@@ -22,7 +22,8 @@ export async function browser() {
     const source = "The Debian package server";
     const install = (...names) =>
       run("apt-get", ["install", "-y", "-qq", ...names], { source, quiet: true });
-    await run("apt-get", ["update", "-qq"], { source, quiet: true });
+    const updating = run("apt-get", ["update", "-qq"], { source, quiet: true });
+    await (isMissing ? updating : updating.catch(ignoreStop));
     if (isMissing) await install("chromium", "chromium-driver");
     if (ask("apt-cache", ["show", SHELL])) await install(SHELL).catch(ignoreStop);
   }
