@@ -87,6 +87,29 @@ test("edits plants by keyboard", async ({ app, page }) => {
   expect(spans(await saved(app))).toEqual([first, second, third]);
 });
 
+test("edits given faster than they are applied are done in order", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  const before = spans(await saved(app));
+  const [first, [start = 0, end = 0] = [], third] = before;
+  await toFrame(app, start + 5);
+  const typed = ["e", "i", ...Array<string>(15).fill("ArrowRight"), "b", "Delete"];
+  const press = (keys: string[]) =>
+    page.evaluate((pressed) => {
+      // All in one task: the worker answers none of them before the last one.
+      for (const key of pressed) {
+        document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+      }
+    }, keys);
+  await press(typed);
+  // The longer part of the split plant was deleted, which is the one after the playhead.
+  expect(end - start).toBeGreaterThan(40);
+  await expect
+    .poll(async () => spans(await saved(app)))
+    .toEqual([first, [start + 5, start + 20], third]);
+  for (let i = 0; i < 3; i++) await page.keyboard.press("Control+z");
+  await expect.poll(async () => spans(await saved(app))).toEqual(before);
+});
+
 test("edits plants by buttons and fields", async ({ app, page }) => {
   await app.openSample("curved-walk");
   const before = await saved(app);

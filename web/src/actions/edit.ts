@@ -1,6 +1,6 @@
 /** Editing plants by hand. Each command appends to the list of edits, and can be undone. */
 
-import { batch, computed, type Signal } from "@preact/signals";
+import { batch, computed } from "@preact/signals";
 import { engine } from "../engine";
 import { type AnyEdit, cutEditsOf, plantEditsOf } from "../model/cut-edits";
 import {
@@ -88,6 +88,13 @@ function isEdited({ intervals, edited }: Track, { start }: FrameRange): boolean 
   return false;
 }
 
+/**
+ * Runs an edit of the open clip when the labels contain the edits before it: an edit is computed from the labels,
+ * which the worker updates later. Values that a user sees when giving the command, such as the playhead, must be read
+ * before.
+ */
+export const inOrder = (edit: () => unknown): Promise<void> => session.value.inOrder(edit);
+
 /** Replaces the edits, also those to which undo and redo return. */
 export async function replaceEdits(
   clipSession: ClipSession,
@@ -121,22 +128,25 @@ export function commitEdits(
   return applyEdits(clipSession);
 }
 
-export const undo = () => swap(session.value.undoStack, session.value.redoStack, "Undone");
-export const redo = () => swap(session.value.redoStack, session.value.undoStack, "Redone");
+export const undo = () => swap("undoStack", "redoStack", "Undone");
+export const redo = () => swap("redoStack", "undoStack", "Redone");
 
-type EditStack = Signal<readonly (readonly AnyEdit[])[]>;
+type EditStack = "undoStack" | "redoStack";
 
-function swap(from: EditStack, to: EditStack, message: string) {
-  const clipSession = session.value;
-  const next = from.value.at(-1);
-  if (!next) return;
-  batch(() => {
-    from.value = from.value.slice(0, -1);
-    to.value = [...to.value, clipSession.edits.value];
-    clipSession.edits.value = next;
-    notify(message);
+function swap(from: EditStack, to: EditStack, message: string): Promise<void> {
+  return inOrder(async () => {
+    const clipSession = session.value;
+    const [source, target] = [clipSession[from], clipSession[to]];
+    const next = source.value.at(-1);
+    if (!next) return;
+    batch(() => {
+      source.value = source.value.slice(0, -1);
+      target.value = [...target.value, clipSession.edits.value];
+      clipSession.edits.value = next;
+      notify(message);
+    });
+    await applyEdits(clipSession);
   });
-  void applyEdits(clipSession);
 }
 
 /** Applies the edits to the labels. */
@@ -268,21 +278,23 @@ export function stepUncertain(direction: 1 | -1) {
 }
 
 /** Gives the selected plant another start or end. */
-export function resizeSelected(to: Partial<FrameRange>): Promise<void> | undefined {
+export const resizeSelected = (to: Partial<FrameRange>) => inOrder(() => resize(to));
+
+async function resize(to: Partial<FrameRange>): Promise<void> {
   const current = selection.value;
-  if (!current) return undefined;
+  if (!current) return;
   const { plantRef, track } = current;
   const range = { start: to.start ?? plantRef.start, end: to.end ?? plantRef.end };
-  if (range.start === plantRef.start && range.end === plantRef.end) return undefined;
+  if (range.start === plantRef.start && range.end === plantRef.end) return;
   if (range.start >= range.end) {
     notify("The end must be after the start");
-    return undefined;
+    return;
   }
   const limited = { start: Math.max(range.start, 0), end: Math.min(range.end, track.frames) };
   const next = [...edits.value, ...resizePlant(track, plantRef, limited)];
   const joined = joinedCount(track, plantRef, limited);
   const details = joined ? `, joined with ${plural(joined, "plant")}` : "";
-  return commitEdits(next, capitalize(spokenRange(limited)) + details, limited);
+  await commitEdits(next, capitalize(spokenRange(limited)) + details, limited);
 }
 
 /** Returns the number of other plants that a new range overlaps or touches. */
@@ -303,19 +315,13 @@ export const endAtPlayhead = () => resizeSelected({ end: frame.value + 1 });
  * Moves an edge by a number of frames, and the playhead to it: the selected edge, else the edge of the
  * selected plant that is nearest to the playhead, else the nearest edge of all plants.
  */
-export function nudgeEdge(by: number): Promise<void> {
-  // The labels must contain the previous edit.
-  nudging = nudging.then(() => moveEdge(by));
-  return nudging;
-}
+export const nudgeEdge = (by: number) => inOrder(() => moveEdge(by));
 
 /** Moves one edge of the selected plant by a number of frames, and the playhead to it. */
 export function nudgeSelected(edge: "start" | "end", by: number): Promise<void> {
   selectedEdge.value = edge;
   return nudgeEdge(by);
 }
-
-let nudging = Promise.resolve();
 
 async function moveEdge(by: number): Promise<void> {
   const plantRef = selection.value?.plantRef ?? nearestPlant();
@@ -329,7 +335,7 @@ async function moveEdge(by: number): Promise<void> {
   const to = Math.min(Math.max(plantRef[edge] + by, 0), frames);
   pause();
   seek(edge === "start" ? to : to - 1);
-  await resizeSelected({ [edge]: to });
+  await resize({ [edge]: to });
   selectedEdge.value = edge;
 }
 
@@ -353,16 +359,17 @@ function nearestPlant(): PlantRef | undefined {
 }
 
 /** Splits the selected plant by a gap of one frame at the playhead. */
-export function splitAtPlayhead() {
-  change(
-    ({ plantRef }) => append(splitPlant(plantRef, frame.value)),
+export function splitAtPlayhead(): Promise<void> {
+  const at = frame.value;
+  return change(
+    ({ plantRef }) => append(splitPlant(plantRef, at)),
     "Split; the frame is not planted",
     "Move the playhead into the plant to split it",
   );
 }
 
-export function joinNext() {
-  change(
+export function joinNext(): Promise<void> {
+  return change(
     ({ track, plantRef }) => {
       const joined = joinWithNext(plantEdits.value, track, plantRef);
       return joined && [...joined, ...cutEditsOf(edits.value)];
@@ -372,9 +379,8 @@ export function joinNext() {
   );
 }
 
-export function removeSelected() {
+export const removeSelected = () =>
   change(({ plantRef }) => append(removePlant(plantRef)), "Deleted", "");
-}
 
 /** Returns the edits with others at the end; undefined if there are no others. */
 const append = (added: readonly AnyEdit[]) =>
@@ -384,59 +390,67 @@ function change(
   edit: (selected: { track: PartTrack; plantRef: PlantRef }) => readonly AnyEdit[] | undefined,
   success: string,
   failure: string,
-) {
-  const current = selection.value;
-  const next = current && edit(current);
-  if (next) void commitEdits(next, success);
-  else notify(current ? failure : "Select a plant first");
+): Promise<void> {
+  return inOrder(async () => {
+    const current = selection.value;
+    const next = current && edit(current);
+    if (next) await commitEdits(next, success);
+    else notify(current ? failure : "Select a plant first");
+  });
 }
 
 /** Reverts the selected plant to what was detected. */
-export function revertSelected() {
-  const plantRef = selected.value;
-  if (!plantRef) return;
-  const others = withoutEditsOf(plantEdits.value, plantRef);
-  void commitEdits([...others, ...cutEditsOf(edits.value)], "Plant reverted");
-}
+export const revertSelected = () =>
+  inOrder(async () => {
+    const plantRef = selected.value;
+    if (!plantRef) return;
+    const others = withoutEditsOf(plantEdits.value, plantRef);
+    await commitEdits([...others, ...cutEditsOf(edits.value)], "Plant reverted");
+  });
 
 /** Reverts all labels to what was detected. */
-export function revertAll() {
-  if (plantEdits.value.length) void commitEdits(cutEditsOf(edits.value), "All plants reverted");
-}
+export const revertAll = () =>
+  inOrder(async () => {
+    if (plantEdits.value.length) await commitEdits(cutEditsOf(edits.value), "All plants reverted");
+  });
 
 /** Adds a plant that starts at the playhead. */
-export function addAtPlayhead(side: Side, part: Part) {
-  const track = partTrackOf({ side, part });
-  if (!track) return;
-  const added = addPlant(track, frame.value, addedDuration * (clip.value?.rate ?? 1));
-  const [first] = added;
-  if (!first) {
-    notify(`The ${side} foot is already planted at the playhead`);
-    return;
-  }
-  select({ side, part, start: first.start, end: first.end });
-  void commitEdits(
-    [...edits.value, ...added],
-    `${capitalize(side)} ${part} added, ${spokenRange(first)}`,
-  );
+export function addAtPlayhead(side: Side, part: Part): Promise<void> {
+  const at = frame.value;
+  return inOrder(async () => {
+    const track = partTrackOf({ side, part });
+    if (!track) return;
+    const added = addPlant(track, at, addedDuration * (clip.value?.rate ?? 1));
+    const [first] = added;
+    if (!first) {
+      notify(`The ${side} foot is already planted at the playhead`);
+      return;
+    }
+    select({ side, part, start: first.start, end: first.end });
+    await commitEdits(
+      [...edits.value, ...added],
+      `${capitalize(side)} ${part} added, ${spokenRange(first)}`,
+    );
+  });
 }
 
 /** Adds a plant at the playhead on the track that was used last. */
-export function addToTarget() {
+export async function addToTarget(): Promise<void> {
   const target = targetTrack.value;
-  if (target) addAtPlayhead(target.side, target.part);
+  if (target) await addAtPlayhead(target.side, target.part);
 }
 
 /** Replaces the edits by those that give the labels of the reference. */
-export async function adoptReference(): Promise<void> {
-  const clipSession = session.value;
-  const reference = await clipSession.run("reference edits", () => engine.referenceEdits());
-  if (reference?.length)
-    await commitEdits(
-      [...reference, ...cutEditsOf(clipSession.edits.value)],
-      "Labels replaced by those of the reference",
-    );
-}
+export const adoptReference = () =>
+  inOrder(async () => {
+    const clipSession = session.value;
+    const reference = await clipSession.run("reference edits", () => engine.referenceEdits());
+    if (reference?.length)
+      await commitEdits(
+        [...reference, ...cutEditsOf(clipSession.edits.value)],
+        "Labels replaced by those of the reference",
+      );
+  });
 
 /** Shows the start and end fields of a plant. */
 export function editEdges(plantRef: PlantRef) {

@@ -62,14 +62,14 @@ test("has the edits of the host, and reports changes only", async () => {
   expect(posted.length).toBe(before);
   await commitEdits([edit(0), edit(50)], "");
   expect(lastState()).toEqual({ settings: {}, edits: [edit(0), edit(50)], names: [] });
-  undo();
+  await undo();
   expect(lastState()?.edits).toEqual([edit(0)]);
   setDetectOptions({ method: "paper", r: 0.002 });
   setOverrides({ rate: 60 });
   expect(lastState()?.settings).toEqual({ method: "paper", r: 0.002, rate: 60 });
 });
 
-test("takes the state of the host without reporting it, and can undo it", () => {
+test("takes the state of the host without reporting it, and can undo it", async () => {
   const before = posted.length;
   const settings = { method: "height", height: 0.1, up: "z" } as const;
   send({ type: "plantigrade-state", state: { settings, edits: [edit(20)], names: [] } });
@@ -77,7 +77,7 @@ test("takes the state of the host without reporting it, and can undo it", () => 
   expect(detectOptions.value).toMatchObject({ method: "height", height: 0.1, r: 0.001 });
   expect(session.value.overrides.value).toEqual({ up: "z" });
   expect(posted.length).toBe(before);
-  undo();
+  await undo();
   expect(lastState()?.edits).toEqual([edit(0)]);
 });
 

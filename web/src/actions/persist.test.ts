@@ -36,7 +36,7 @@ test("merges edits that were made before the hash of the file was known", async 
   await restored;
   expect(session.value.edits.value).toEqual([edit(0), edit(50)]);
   expect(stored().edits).toEqual([edit(0), edit(50)]);
-  undo();
+  await undo();
   expect(session.value.edits.value).toEqual([edit(0)]);
   expect(stored().edits).toEqual([edit(0)]);
 });
@@ -54,7 +54,7 @@ test("reports edits of a file that cannot be identified", async () => {
   expect(session.value.persistError.value).toBe("");
   await commitEdits([edit(0)], "");
   expect(session.value.persistError.value).toContain("the file cannot be read");
-  undo();
+  await undo();
   expect(session.value.persistError.value).toBe("");
 });
 
@@ -73,7 +73,7 @@ test("forgets edits that could not be stored once they are undone", async () => 
   vi.stubGlobal("localStorage", { getItem: () => null, setItem });
   await commitEdits([edit(0)], "");
   expect(session.value.persistError.value).toContain("is full");
-  undo();
+  await undo();
   expect(session.value.persistError.value).toBe("");
   vi.unstubAllGlobals();
   openClip();

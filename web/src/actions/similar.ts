@@ -4,19 +4,20 @@ import { session } from "../store/clip-session";
 import { similar } from "../store/session";
 import { notify } from "../store/view";
 import { plural } from "../util/format";
-import { commitEdits } from "./edit";
+import { commitEdits, inOrder } from "./edit";
 
 /** Accepts the changes as one edit. */
-export async function applySimilar(): Promise<void> {
-  const found = similar.value;
-  if (!found) return;
-  const clipSession = session.value;
-  clipSession.similar.value = null;
-  const next = [...clipSession.edits.value, ...found.changes];
-  // Nothing is offered again until the next edit, although accepted changes are examples, too.
-  clipSession.dismissedSimilar.value = next;
-  await commitEdits(next, `Applied to ${plural(found.plants, "similar plant")}`);
-}
+export const applySimilar = () =>
+  inOrder(async () => {
+    const found = similar.value;
+    if (!found) return;
+    const clipSession = session.value;
+    clipSession.similar.value = null;
+    const next = [...clipSession.edits.value, ...found.changes];
+    // Nothing is offered again until the next edit, although accepted changes are examples, too.
+    clipSession.dismissedSimilar.value = next;
+    await commitEdits(next, `Applied to ${plural(found.plants, "similar plant")}`);
+  });
 
 /** Does not offer the changes again until the next edit. */
 export function dismissSimilar() {

@@ -55,20 +55,8 @@ function SelectedPlant() {
         <InstantText name={`${name} off`} instant={instants.off} />
       </p>
       <div class="form-rows plant-edges">
-        <EdgeField
-          name="First"
-          edge="start"
-          value={plantRef.start}
-          toRange={(start) => ({ start })}
-          command="set-start"
-        />
-        <EdgeField
-          name="Last"
-          edge="end"
-          value={plantRef.end - 1}
-          toRange={(last) => ({ end: last + 1 })}
-          command="set-end"
-        />
+        <EdgeField name="First" edge="start" plant={plantRef} command="set-start" />
+        <EdgeField name="Last" edge="end" plant={plantRef} command="set-end" />
       </div>
       <div class="plant-actions">
         {(["split", "join", "delete"] as const).map((id) => (
@@ -101,18 +89,19 @@ function InstantText({ name, instant }: { name: string; instant: Instant | undef
   );
 }
 
-/** The first or the last frame of a plant, both part of it. */
+/** Returns the first or the last frame of a plant, both part of it. */
+const edgeFrame = (plant: FrameRange, edge: "start" | "end") =>
+  edge === "start" ? plant.start : plant.end - 1;
+
 function EdgeField({
   name,
   edge,
-  value,
-  toRange,
+  plant,
   command,
 }: {
   name: string;
   edge: "start" | "end";
-  value: number;
-  toRange: (frame: number) => Partial<FrameRange>;
+  plant: FrameRange;
   command: CommandId;
 }) {
   const id = useId();
@@ -127,13 +116,14 @@ function EdgeField({
           min={0}
           max={(openClip.value?.frames ?? 1) - 1}
           step={1}
-          value={value}
-          onChange={(event) => {
+          value={edgeFrame(plant, edge)}
+          onChange={async (event) => {
             const field = event.currentTarget;
             const frame = field.valueAsNumber;
+            if (Number.isInteger(frame))
+              await resizeSelected(edge === "start" ? { start: frame } : { end: frame + 1 });
             // Invalid input is replaced by the current value.
-            const isValid = Number.isInteger(frame) && resizeSelected(toRange(frame));
-            if (!isValid) field.value = String(value);
+            field.value = String(edgeFrame(selection.value?.plantRef ?? plant, edge));
           }}
         />
       </EdgeStepper>

@@ -153,6 +153,8 @@ export class ClipSession {
 
   private readonly controller = new AbortController();
   private readonly newest = new Map<string, symbol>();
+  /** Settles when the last edit is in the labels. */
+  private lastEdit: Promise<unknown> = Promise.resolve();
 
   constructor(clip: Clip | null, source: Source | null, start: Start = {}) {
     const { isPreview = false, overrides = {}, playhead = 0, loop = "clip" } = start;
@@ -192,6 +194,15 @@ export class ClipSession {
       if (isCurrent()) throw error;
       return undefined;
     }
+  }
+
+  /** Runs edits one after the other, unless another clip is open by then. Rejects if the edit does. */
+  inOrder(edit: () => unknown): Promise<void> {
+    const done = this.lastEdit.then(async () => {
+      if (!this.signal.aborted) await edit();
+    });
+    this.lastEdit = done.catch(() => undefined);
+    return done;
   }
 
   /** Drops the result of the pending call with that name. */

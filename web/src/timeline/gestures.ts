@@ -272,7 +272,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
       if (!moved) click(event);
       return;
     }
-    void Promise.resolve(resizeSelected(preview)).then(() => {
+    void resizeSelected(preview).then(() => {
       dragPreview.value = null;
     });
   };
@@ -317,7 +317,7 @@ export function attachGestures(canvas: HTMLCanvasElement, getLayout: () => Layou
       scrub(point);
       if (track) {
         addTarget.value = track;
-        if (isDoubleClick(event, `${track.side} ${track.part}`)) addToTarget();
+        if (isDoubleClick(event, `${track.side} ${track.part}`)) void addToTarget();
       }
       return;
     }
