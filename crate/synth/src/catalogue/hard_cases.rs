@@ -25,7 +25,8 @@ use crate::plan::{Gait, Landing, LegPoses, Lift, SwingPath};
 ///   and after the jump is planted throughout.
 /// - `z-up-walk`: a walk in a file with the Z axis up.
 /// - `brisk-run-24`: a run at 24 Hz, four frames per contact.
-/// - `treadmill`, `slow-treadmill`: planted feet move backward with the belt, at 1.2 and 0.5 m/s.
+/// - `treadmill`, `slow-treadmill`, `treadmill-run`: planted feet move backward with the belt, at 1.2, 0.5 and
+///   3 m/s.
 /// - `slope-2`, `slope-5`, `slope-12`: walking up a slope of 2°, 5° and 12°.
 /// - `tilt-5`, `tilt-15`, `tilt-25`: walking on level ground that is tilted in the file, as in
 ///   camera coordinates.
@@ -133,12 +134,17 @@ pub fn hard_cases(noise_level: f64) -> Vec<ClipSpec> {
                 actor.travel_straight(&GaitStyle::sprint(actor.scale), seconds + 1.0);
             }),
         ),
+        set(
+            level("treadmill-run", "hana", 600, 60, Motion::from_actions(6.0, treadmill_run)),
+            Environment::Treadmill(RUNNING_BELT),
+        ),
     ]
 }
 
 /// Speeds of the treadmills, in m/s.
 const FAST_BELT: f64 = 1.2;
 const SLOW_BELT: f64 = 0.5;
+const RUNNING_BELT: f64 = 3.0;
 
 /// Straight walking throughout the clip, with a given posture.
 fn walking(pace: f64, posture: Posture) -> Motion {
@@ -171,6 +177,14 @@ fn treadmill_walk(belt: f64) -> Motion {
         actor.wait(0.4);
         actor.travel(&GaitStyle { gait, ..walk }, seconds + 1.5, |_| 0.0);
     })
+}
+
+/// Running at the speed of the fastest belt.
+fn treadmill_run(actor: &mut Actor, seconds: f64) {
+    let jog = GaitStyle::jog(actor.scale, 1.0);
+    let gait = Gait { length: RUNNING_BELT * jog.gait.time, ..jog.gait };
+    actor.wait(0.4);
+    actor.travel(&GaitStyle { gait, ..jog }, seconds + 1.5, |_| 0.0);
 }
 
 fn stand_and_walk(actor: &mut Actor, seconds: f64) {

@@ -6,8 +6,7 @@
 //! planted foot that rolls, or the feet disagree whenever both are slow: then one of them is dragged.
 //!
 //! On a fast belt the planted foot is not the slower one: a foot that reverses is slower for a moment.
-//! But both feet have the constant velocity of the belt for a large part of each stride, which feet in the
-//! air do not. That velocity is subtracted before.
+//! The velocity of a belt is found in another way ([`belt`]) and subtracted before.
 
 use std::ops::Range;
 
@@ -16,6 +15,7 @@ use nalgebra::Vector3;
 use crate::kinematics::Track;
 use crate::numeric::stats;
 use crate::plants::Feet;
+use crate::plants::signal::belt::{self, REST_SPEED, ToeSample};
 
 /// Rate at which the velocity of the ground is sampled, in Hz; stances last several samples.
 const RATE: f64 = 30.0;
@@ -31,9 +31,6 @@ const SWING_SPEED: f64 = 0.8;
 /// Minimum fraction of the window in which a foot is slower than that; otherwise there is flight and
 /// no evidence of the ground.
 const MIN_FRACTION: f64 = 0.6;
-/// Speed of the ground that is as likely as rest, in leg lengths per second. The median speed of
-/// planted feet is 0.04 to 0.2 (generated motion, seed 0).
-const REST_SPEED: f64 = 0.2;
 /// Minimum velocity of the ground in the wider window, as a fraction: feet that beat in the air reverse
 /// within it, ground does not.
 const MIN_DURABILITY: f64 = 0.4;
@@ -42,23 +39,6 @@ const MIN_DURABILITY: f64 = 0.4;
 /// that turns.
 const AGREEMENT: f64 = 0.25;
 const DISAGREEMENT_WEIGHT: f64 = 0.5;
-
-/// Interval at which the velocity of a belt is estimated, and half-width of the window, in seconds: at least
-/// three strides.
-const BELT_INTERVAL: f64 = 1.0;
-const BELT_WINDOW: f64 = 2.0;
-/// Minimum speed of a belt, in leg lengths per second; the median above finds slower ground.
-const MIN_BELT_SPEED: f64 = 0.4;
-/// Maximum change of a constant velocity from one sample to the next, in leg lengths per second: planted
-/// feet change less, feet in swing more, except at their peak speed.
-const MAX_CHANGE: f64 = 0.3;
-/// Maximum difference of a velocity from that of the belt, as a fraction of its speed.
-const MAX_DEVIATION: f64 = 0.25;
-/// Minimum fraction of the time in which each foot has the velocity of the belt: it is about 0.55 in a walk,
-/// and at most 0.23 in a sinusoidal movement, near either of its peak velocities.
-const MIN_BELT_FRACTION: f64 = 0.35;
-/// Maximum mean velocity of the toes, which is that of the body, as a fraction of the speed of the belt.
-const MAX_TRAVEL: f64 = 0.5;
 
 /// Returns the displacement of the ground in each frame of a clip, relative to the start of each
 /// span; `None` if the ground is at rest.
@@ -96,7 +76,7 @@ fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>
         [0, 1].map(|foot| ToeSample { velocity: parts[foot][1], height: height(foot) })
     };
     let toes: Vec<[ToeSample; 2]> = parts.iter().enumerate().map(toe_samples).collect();
-    let belt = belt_velocities(&toes, feet.leg, half(BELT_INTERVAL), half(BELT_WINDOW));
+    let belt = belt::velocities(&toes, feet.leg, step as f64 * feet.frame_time);
     let both: Vec<[Option<Vector3<f64>>; 2]> = parts
         .iter()
         .zip(&belt)
@@ -130,12 +110,7 @@ fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>
 
 /// Returns the values within `half` indices on either side of each index.
 fn windows<T>(values: &[T], half: usize) -> impl Iterator<Item = &[T]> {
-    (0..values.len()).map(move |index| around(values, index, half))
-}
-
-/// Returns the values within `half` indices on either side of an index.
-fn around<T>(values: &[T], index: usize, half: usize) -> &[T] {
-    &values[index.saturating_sub(half)..(index + half + 1).min(values.len())]
+    (0..values.len()).map(move |index| belt::around(values, index, half))
 }
 
 /// Returns the velocities of ankle and toe of a foot at a frame.
@@ -158,70 +133,6 @@ fn planted_velocity(parts: FootVelocities, belt: &Vector3<f64>, swing_speed: f64
     let [ankle, toe] = parts.map(|part| part - belt);
     let slower = if ankle.norm_squared() < toe.norm_squared() { ankle } else { toe };
     (slower.norm() < swing_speed).then_some(slower)
-}
-
-/// Velocity and height of a toe, in file units and seconds.
-#[derive(Clone, Copy)]
-struct ToeSample {
-    velocity: Vector3<f64>,
-    height: f64,
-}
-
-/// Returns the velocity of a belt at each sample, interpolated between estimates; zero where there is none.
-fn belt_velocities(toes: &[[ToeSample; 2]], leg: f64, interval: usize, half: usize) -> Vec<Vector3<f64>> {
-    let interval = interval.max(1);
-    let last = toes.len() - 1;
-    let estimate = |index: usize| belt_velocity(around(toes, (index * interval).min(last), half), leg);
-    let estimates: Vec<Vector3<f64>> =
-        (0..=last.div_ceil(interval)).map(|index| estimate(index).unwrap_or_default()).collect();
-    let at = |sample: usize| {
-        let (index, rest) = (sample / interval, sample % interval);
-        let next = estimates[(index + 1).min(estimates.len() - 1)];
-        estimates[index].lerp(&next, rest as f64 / interval as f64)
-    };
-    (0..toes.len()).map(at).collect()
-}
-
-/// Returns the constant velocity that the toes of both feet have for a large part of a period, if that of a
-/// belt.
-///
-/// The body stays where it is, and toes with the velocity of the belt are lower than others: a toe in
-/// swing may have a constant velocity as well.
-fn belt_velocity(toes: &[[ToeSample; 2]], leg: f64) -> Option<Vector3<f64>> {
-    let mut constant = Vec::new();
-    for pair in toes.windows(2) {
-        for (before, after) in pair[0].iter().zip(&pair[1]) {
-            if (after.velocity - before.velocity).norm() < MAX_CHANGE * leg {
-                constant.push(Some(after.velocity));
-            }
-        }
-    }
-    if constant.is_empty() {
-        return None;
-    }
-    let belt = median(&constant);
-    let speed = belt.norm();
-    // By foot: number of samples with the velocity of the belt.
-    let mut with_belt = [0; 2];
-    // Of the samples with another velocity, and of those with the velocity of the belt: sum of heights.
-    let mut heights = [0.0; 2];
-    let mut travel = Vector3::zeros();
-    for sample in toes {
-        for (toe, with_belt) in sample.iter().zip(&mut with_belt) {
-            let is_with_belt = (toe.velocity - belt).norm() < MAX_DEVIATION * speed;
-            *with_belt += usize::from(is_with_belt);
-            heights[usize::from(is_with_belt)] += toe.height;
-            travel += toe.velocity;
-        }
-    }
-    let samples = (2 * toes.len()) as f64;
-    let samples_with_belt = (with_belt[0] + with_belt[1]) as f64;
-    let fraction = with_belt[0].min(with_belt[1]) as f64 / toes.len() as f64;
-    let is_belt = speed > MIN_BELT_SPEED * leg
-        && fraction > MIN_BELT_FRACTION
-        && travel.norm() / samples < MAX_TRAVEL * speed
-        && heights[1] / samples_with_belt < heights[0] / (samples - samples_with_belt);
-    is_belt.then_some(belt)
 }
 
 /// Returns the median of the known velocities, by coordinate; zero if too few are known.
