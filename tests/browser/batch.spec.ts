@@ -407,7 +407,9 @@ test("equal actions of all clips have the same letter and share a name", async (
     });
   }).toPass();
   await app.timeline.getByRole("button", { name: "Tracks" }).click();
-  await expect(app.timeline.getByText("Segments of one action have one letter")).toBeVisible();
+  await expect(
+    app.timeline.getByText("Segments of the same action have the same letter"),
+  ).toBeVisible();
   await page.keyboard.press("Escape");
   expect((await app.saveSegments("Segments")).text).toContain(`"action": "${shown[1]}"`);
   await nameOf(1).fill("stand");

@@ -30,7 +30,7 @@ const legend = [
   ["edited", "Edited by hand"],
   ["reference", "Reference labels"],
   ["difference", "False negatives and false positives"],
-  ["action", "Segments of one action have one letter, in all clips of a table"],
+  ["action", "Segments of the same action have the same letter, in all clips of the table"],
 ] as const;
 
 /** Chooses the tracks that the timeline shows, and explains its marks. */
