@@ -68,8 +68,10 @@ export function TracksMenu({ layout }: { layout: ReadonlySignal<Layout> }) {
       </fieldset>
       {omitted.length > 0 && (
         <p class="note">
-          There is no space for {joinWords(omitted.map((track) => omittedNames[track]))}. Make the
-          timeline taller, or hide other tracks.
+          There is no space for {joinWords(omitted.map((track) => omittedNames[track]))}. Hide other
+          tracks
+          <span class="if-resizable">, or make the timeline taller</span>
+          <span class="if-raised">, or lower the panel</span>.
         </p>
       )}
       <h2>Legend</h2>
