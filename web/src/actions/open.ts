@@ -187,7 +187,7 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
   }
   reportOpenFailure(name, {
     message: `There is no sample called "${name}".`,
-    hint: "Choose one of the samples on this page.",
+    hint: "Choose one of the samples on the start page.",
   });
   return false;
 }
