@@ -365,8 +365,6 @@ export function splitAtPlayhead(): Promise<void> {
     ({ plantRef }) => append(splitPlant(plantRef, at)),
     "Plant split: this frame is not planted",
     "Move the playhead into the plant to split it",
-    // The first half, which can be joined with the next plant again.
-    ({ start }) => ({ start, end: at }),
   );
 }
 
@@ -392,12 +390,11 @@ function change(
   edit: (selected: { track: PartTrack; plantRef: PlantRef }) => readonly AnyEdit[] | undefined,
   success: string,
   failure: string,
-  selectedAfter?: (plant: PlantRef) => FrameRange,
 ): Promise<void> {
   return inOrder(async () => {
     const current = selection.value;
     const next = current && edit(current);
-    if (next) await commitEdits(next, success, selectedAfter?.(current.plantRef));
+    if (next) await commitEdits(next, success);
     else notify(current ? failure : "Select a plant first");
   });
 }
