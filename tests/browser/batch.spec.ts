@@ -395,7 +395,9 @@ test("equal actions of all clips have the same letter and share a name", async (
   const shown = skip.map(({ action }) => action);
   await expect.poll(letters).toEqual(shown);
   // What the letters mean is explained at the list, at the lane, and with the marks of the timeline.
-  await expect(app.panel.getByText("of all clips of the table have the same letter")).toBeVisible();
+  await expect(
+    app.panel.getByText("The same action has the same letter and name in all clips"),
+  ).toBeVisible();
   const lane = await app.tracks.boundingBox();
   if (!lane) throw new Error("The timeline has no canvas.");
   const readout = app.timeline.locator(".pointed-frame");
@@ -407,7 +409,9 @@ test("equal actions of all clips have the same letter and share a name", async (
     });
   }).toPass();
   await app.timeline.getByRole("button", { name: "Tracks" }).click();
-  await expect(app.timeline.getByText("Segments of one action have one letter")).toBeVisible();
+  await expect(
+    app.timeline.getByText("Segments of the same action have the same letter"),
+  ).toBeVisible();
   await page.keyboard.press("Escape");
   expect((await app.saveSegments("Segments")).text).toContain(`"action": "${shown[1]}"`);
   await nameOf(1).fill("stand");

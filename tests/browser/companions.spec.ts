@@ -52,4 +52,7 @@ test("does not show a clip side by side with itself", async ({ app, page }) => {
   await app.waitForClip("bowling.bvh");
   const shown = page.getByRole("list", { name: "Comparison clips" });
   await expect(shown.getByRole("listitem")).toHaveText(["frog-jumps.bvh"]);
+  // Also if it is opened from elsewhere.
+  await app.openSample("frog-jumps");
+  await expect(shown.getByRole("listitem")).toHaveText(["bowling.bvh"]);
 });

@@ -93,7 +93,7 @@ async function expectLayout(app: App): Promise<string> {
   expectDisjoint(regions);
   const pills = await app.view.locator(".pill").all();
   expectDisjoint(await boxesOf([app.view.getByRole("group", { name: "Camera" }), ...pills]));
-  expectDisjoint(await boxesOf(await app.timeline.locator(".transport > *:visible").all()));
+  expectDisjoint(await boxesOf(await app.timeline.locator(".transport-part > *:visible").all()));
   return JSON.stringify(regions);
 }
 

@@ -6,6 +6,12 @@ import { atEachSize, viewports } from "./viewports";
 
 const container = (app: App) => app.tracks.locator("xpath=..");
 
+/** Returns the horizontal position of the middle of the view, where the character is. */
+async function middleOfView(app: App): Promise<number> {
+  const { x = 0, width = 0 } = (await app.stage.boundingBox()) ?? {};
+  return x + width / 2;
+}
+
 atEachSize((size) => {
   test("shows view, timeline and panel without squeezing any", async ({ app, page }) => {
     await app.openSample("curved-walk");
@@ -26,6 +32,13 @@ atEachSize((size) => {
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     );
     expect(overflow).toBe(0);
+    await test.step("the labels of the feet do not cover the character", async () => {
+      // On a phone, they have a row.
+      if (size === "phone") return;
+      const middle = await middleOfView(app);
+      for (const pill of await app.view.locator(".pill").all())
+        expect((await pill.boundingBox())?.x).toBeGreaterThan(middle + 10);
+    });
     await test.step("shows the playhead in the overview", async () => {
       const marker = app.timeline.locator(".minimap-playhead");
       const x = async () => (await marker.boundingBox())?.x ?? 0;
@@ -72,6 +85,14 @@ atEachSize((size) => {
     // All columns fit.
     const overflow = await selected.evaluate((row) => row.scrollWidth - row.clientWidth);
     expect(overflow).toBe(0);
+    await test.step("what an edit did does not cover the character", async () => {
+      if (size === "phone") return;
+      await page.keyboard.press("w");
+      const message = page.locator(".message");
+      await expect(message).toBeVisible();
+      const { x = 0, width = 0 } = (await message.boundingBox()) ?? {};
+      expect(x + width).toBeLessThan((await middleOfView(app)) - 10);
+    });
   });
 
   test("leaves space for every tab, segments, references and clips side by side", async ({

@@ -1,5 +1,5 @@
 import { type App, expect, test } from "./app";
-import { clip, repeated, sample } from "./clips";
+import { bad, clip, repeated, sample } from "./clips";
 import { readLabels } from "./labels";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -116,6 +116,12 @@ test("leaves the timeline visible while the panel is expanded", async ({ app, pa
   await expect(container).toBeInViewport({ ratio: 1 });
   expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(180);
   await expectNoHorizontalScroll(app);
+  await test.step("says how to show the tracks for which there is no space", async () => {
+    await app.timeline.getByRole("button", { name: /^Tracks/ }).tap();
+    const note = app.timeline.getByText(/^There is no space/);
+    await expect.poll(() => note.innerText()).toMatch(/Hide other tracks, or lower the panel\.$/);
+    await page.keyboard.press("Escape");
+  });
 });
 
 test("has Open in the header, and Fit and the shortcuts at hand", async ({ app, page }) => {
@@ -178,7 +184,13 @@ test("marks edited plants and clips, and shows how many plants are to be reviewe
 
 test("shows clips of a batch side by side", async ({ app, page }) => {
   await app.openSample("curved-walk");
-  await app.drop(sample("drunken-stagger"), sample("straight-jog"));
+  await app.drop(sample("drunken-stagger"), sample("straight-jog"), bad("empty"));
+  await expect(page.getByText(/^All processed, 1 failed/)).toBeVisible();
+  // The button that closes the table is in the first line, at the right edge.
+  const close = await page.getByRole("button", { name: "Back to curved-walk.bvh" }).boundingBox();
+  const filter = await page.getByRole("searchbox", { name: "Filter by name" }).boundingBox();
+  expect((close?.y ?? 0) + (close?.height ?? 0)).toBeLessThanOrEqual(filter?.y ?? 0);
+  expect((close?.x ?? 0) + (close?.width ?? 0)).toBeGreaterThan(370);
   for (const name of ["drunken-stagger.bvh", "straight-jog.bvh"]) {
     const button = page.getByRole("button", { name: `${name} side by side` });
     await expect(button).toBeInViewport({ ratio: 1 });
@@ -331,6 +343,20 @@ test("fits all six tabs", async ({ app, page }) => {
   }
   await expect(page.getByRole("tab")).toHaveCount(6);
   await expectNoHorizontalScroll(app);
+  await test.step("names of fields do not touch the fields", async () => {
+    await app.tab("Clip");
+    const names = app.panel.locator(".form-rows label > span");
+    await expect(names.filter({ hasText: "Metres per unit" })).toBeVisible();
+    const gaps = await names.evaluateAll((elements) =>
+      elements.map((element) => {
+        const text = document.createRange();
+        text.selectNodeContents(element);
+        const field = element.nextElementSibling?.getBoundingClientRect();
+        return (field?.left ?? 0) - text.getBoundingClientRect().right;
+      }),
+    );
+    expect(Math.min(...gaps)).toBeGreaterThanOrEqual(4);
+  });
 });
 
 test("fits the share dialog", async ({ app, page }) => {

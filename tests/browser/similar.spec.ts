@@ -86,9 +86,14 @@ test("leaves similar plants as they are", async ({ app, page }) => {
   await app.timeline.getByRole("button", { name: "Leave similar plants as they are" }).click();
   await expect(offer(app)).toBeHidden();
   expect(await plants(app)).toEqual(edited);
+  // Also on the next visit, once the stored edits are applied.
+  await page.reload();
+  await app.waitForClip("straight-jog.bvh");
+  await expect(app.toast).toContainText("Your stored edits");
+  await expect.poll(() => plants(app)).toEqual(edited);
+  await expect(offer(app)).toBeHidden();
   // The next edit is offered again.
-  await app.playhead.focus();
-  await page.keyboard.press("q");
+  await moveEnd(app, -1);
   await expect(offer(app)).toBeVisible();
 });
 
@@ -106,9 +111,18 @@ test("small edits are not offered for other plants", async ({ app }) => {
   await expect(offer(app)).toBeHidden();
 });
 
-for (const name of ["desktop", "phone"] as const) {
-  const viewport = viewports[name];
-  test(`the offer fits on a ${name}`, async ({ app, page }) => {
+/** The controls of the transport. */
+const controls = (app: App) => [
+  app.timeline.getByRole("button", { name: "Play" }),
+  app.timeline.locator(".position"),
+  app.timeline.locator(".loop"),
+  app.timeline.getByRole("combobox", { name: "Speed" }),
+  app.timeline.getByRole("button", { name: "Tracks" }),
+  app.timeline.getByRole("button", { name: "Fit" }),
+];
+
+for (const [name, viewport] of Object.entries(viewports)) {
+  test(`the offer fits on a page of the size ${name}`, async ({ app, page }) => {
     await page.setViewportSize(viewport);
     await app.openSample("straight-jog");
     await moveEnd(app, -3);
@@ -116,13 +130,19 @@ for (const name of ["desktop", "phone"] as const) {
     const element = app.timeline.locator(".similar-offer");
     const box = await element.boundingBox();
     expect(box && box.x >= 0 && box.x + box.width <= viewport.width && box.y > 0).toBe(true);
+    for (const other of [app.stage, app.tracks, ...controls(app)]) {
+      expect(await overlap(element, other)).toBe(0);
+      await expect(other).toBeInViewport({ ratio: 1 });
+    }
     // On the next visit, a notice about the stored edits appears, too, until the user works on the labels.
     await page.reload();
     await app.waitForClip("straight-jog.bvh");
     await expect(app.toast).toContainText("Your stored edits");
     await expect(offer(app)).toBeVisible();
-    for (const other of [element, app.tracks, app.timeline.getByRole("button", { name: "Play" })])
+    const pills = [app.view.locator(".pill.left"), app.view.locator(".pill.right")];
+    for (const other of [element, app.tracks, ...controls(app), ...pills])
       expect(await overlap(app.toast, other)).toBe(0);
+    await expect(app.toast).toBeInViewport({ ratio: 1 });
     await app.playhead.focus();
     await page.keyboard.press("e");
     await expect(app.toast).toBeHidden();
@@ -142,13 +162,10 @@ onPhones(() => {
     const message = app.page.locator(".message");
     await expect(message).toBeVisible();
     const box = app.timeline.locator(".similar-offer");
-    for (const other of [
-      app.tracks,
-      app.stage,
-      app.timeline.getByRole("button", { name: "Play" }),
-      app.timeline.locator(".position"),
-    ])
+    for (const other of [app.tracks, app.stage, ...controls(app)]) {
       expect(await overlap(box, other)).toBe(0);
+      await expect(other).toBeInViewport({ ratio: 1 });
+    }
     const view = await app.stage.boundingBox();
     if (!view) throw new Error("There is no view.");
     // The character is in the middle of the view.

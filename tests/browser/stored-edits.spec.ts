@@ -144,7 +144,7 @@ test("lets the user choose where both tabs have edited the same plant", async ({
   await setEnd(other, end - 5);
   await setEnd(app, end - 9);
   await expect(app.timeline).toContainText("Edits conflict with those of another tab");
-  await expect(app.panel).toContainText("where they differ, those of this tab count");
+  await expect(app.panel).toContainText("where they differ, those of this tab take precedence");
   expect((await contact(app))[0]).toEqual([start, end - 9]);
   await setIsolated(app, false);
   await app.panel.getByRole("button", { name: "Use those of the other tab" }).click();

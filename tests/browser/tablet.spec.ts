@@ -59,7 +59,22 @@ onTablets(() => {
       app.view.locator(".grid-size"),
       app.view.getByRole("list", { name: "Comparison clips" }),
     ];
+    const others = [
+      app.view.getByRole("group", { name: "Frame", exact: true }),
+      app.page.locator(".message"),
+    ];
+    const expectMiddleFree = async () => {
+      await editBar(app).getByRole("button", { name: "Last frame later" }).tap();
+      await expect(app.page.locator(".message")).toBeVisible();
+      await expectDisjoint([...controls.slice(0, 4), ...others]);
+      // The character is in the middle of the view.
+      const { x = 0, width = 0 } = (await app.stage.boundingBox()) ?? {};
+      const bar = await editBar(app).boundingBox();
+      const isAside = (bar?.x ?? 0) + (bar?.width ?? 0) < x + width / 2 - 10;
+      expect(isAside || (await overlap(editBar(app), app.stage)) === 0).toBe(true);
+    };
     await expectDisjoint(controls);
+    await expectMiddleFree();
     const clips = ["bowling", "frog-jumps", "ballet", "skipping", "straight-jog"];
     await app.drop(...clips.map(sample));
     await expect(page.getByText(/^All processed/)).toBeVisible();
@@ -85,6 +100,7 @@ onTablets(() => {
     const video = page.getByRole("region", { name: "Video" });
     await expect(video).toBeVisible();
     await expectDisjoint([...controls.slice(0, 4), video]);
+    await expectMiddleFree();
   });
 
   test("the panel cuts no text, and separates its columns and buttons", async ({ app }) => {

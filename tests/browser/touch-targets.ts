@@ -7,9 +7,14 @@ import { readLabels } from "./labels";
 /** The buttons for edits above the view. */
 export const editBar = (app: App) => app.page.getByRole("group", { name: "Edit", exact: true });
 
-/** Taps the second plant of the left foot. Returns its frames, the end exclusive. */
+/** Opens a clip and taps the second plant of the left foot. Returns its frames, the end exclusive. */
 export async function tapPlant(app: App) {
   await app.openSample("curved-walk");
+  return tapSecondPlant(app);
+}
+
+/** Taps the second plant of the left foot. Returns its frames, the end exclusive. */
+export async function tapSecondPlant(app: App) {
   const plant = readLabels(await app.save("Labels")).left.contact?.[1];
   if (!plant) throw new Error("There is no second plant.");
   const lower = app.page.getByRole("button", { name: "Collapse panel" });

@@ -3,7 +3,8 @@
 import { expect, test } from "./app";
 import { sample } from "./clips";
 import { readLabels } from "./labels";
-import { editBar, overlap, smallTargets, tapPlant } from "./touch-targets";
+import { editBar, overlap, smallTargets, tapPlant, tapSecondPlant } from "./touch-targets";
+import { encodeVideo } from "./videos";
 import { onPhones } from "./viewports";
 
 onPhones((size) => {
@@ -94,6 +95,54 @@ onPhones((size) => {
     await expectNoOverlap();
     // Undo stays at its place.
     expect(await undo.boundingBox()).toEqual(place);
+  });
+
+  test("the buttons for edits do not cover the character next to a video", async ({ app }) => {
+    await app.openSample("curved-walk");
+    await app.drop(await encodeVideo(app.page, "walk.webm", 24, 24));
+    await expect(app.page.locator(".video-picture canvas")).toBeVisible();
+    await tapSecondPlant(app);
+    const bar = editBar(app);
+    const video = app.page.getByRole("region", { name: "Video" });
+    const view = app.view.locator(".stage");
+    const [box, stage] = [await bar.boundingBox(), await view.boundingBox()];
+    if (!box || !stage) throw new Error("There is no view.");
+    // The character is in the middle of the view.
+    const isAside = box.x + box.width < stage.x + stage.width / 2 - 10;
+    expect(isAside || (await overlap(bar, view)) === 0).toBe(true);
+    const others = [video, app.tracks, app.timeline.getByRole("button", { name: "Play" })];
+    for (const other of others) expect(await overlap(bar, other)).toBe(0);
+    for (const part of [bar, app.tracks, ...others])
+      await expect(part).toBeInViewport({ ratio: 1 });
+    await bar.getByRole("button", { name: "Last frame earlier" }).tap();
+    await expect(bar.getByRole("button", { name: "Undo" })).toBeEnabled();
+    expect(await bar.boundingBox()).toEqual(box);
+  });
+
+  test("steps through the frames without the panel", async ({ app }) => {
+    await app.openSample("curved-walk");
+    const steps = app.view.getByRole("group", { name: "Frame", exact: true });
+    const ahead = steps.getByRole("button", { name: "Next frame" });
+    await ahead.tap();
+    await ahead.tap();
+    await expect.poll(() => app.frame()).toBe(2);
+    await steps.getByRole("button", { name: "Previous frame" }).tap();
+    await expect.poll(() => app.frame()).toBe(1);
+    await tapSecondPlant(app);
+    await expect(steps).toBeInViewport({ ratio: 1 });
+    for (const other of [
+      editBar(app),
+      app.view.getByRole("group", { name: "Camera" }),
+      app.view.getByRole("button", { name: "Follow" }),
+      app.view.locator(".pill.left"),
+      app.view.locator(".pill.right"),
+      app.page.locator(".message"),
+    ])
+      expect(await overlap(steps, other)).toBe(0);
+    await app.tab("Labels");
+    await expect(steps).toBeInViewport({ ratio: 1 });
+    // The raised sheet has the buttons for edits, and leaves no space for others.
+    await expect(editBar(app)).toBeVisible({ visible: size !== "phone" });
   });
 
   test("has touch targets of at least 44 pixels", async ({ app, page }) => {

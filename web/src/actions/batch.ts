@@ -75,7 +75,8 @@ async function nameActions(signal: AbortSignal) {
     const actions = await batchWorkers.run((calls) => calls.commonActions(clips), signal);
     batchRows.value = batchRows.value.map((row, i) => ({ ...row, actions: actions[i] }));
   } catch (error) {
-    if (!signal.aborted) notify(`The actions have no common letters: ${failureOf(error).message}`);
+    if (!signal.aborted)
+      notify(`The actions of the clips could not be matched: ${failureOf(error).message}`);
   }
 }
 

@@ -45,6 +45,12 @@ it("makes tooltips of label and key", () => {
   expect(tooltip("play", "Pause")).toBe("Pause (Space)");
 });
 
+it("names the modifier of the computer", () => {
+  vi.stubGlobal("navigator", { platform: "MacIntel" });
+  expect(tooltip("redo")).toBe("Redo (⌘ Shift Z)");
+  vi.unstubAllGlobals();
+});
+
 it("has the former keys as a choice", () => {
   classicKeys.set(true);
   expect(commandForKey({ key: "l", shiftKey: false }, false)?.id).toBe("loop");

@@ -47,7 +47,7 @@ export function addCutAtPlayhead(): Promise<void> {
   return inOrder(async () => {
     const added = addCut(cuts.value, at, frames());
     if (added.length) await commit(added, `Cut added at frame ${at}`, at);
-    else notify("There is a cut or an end of the clip at the playhead");
+    else notify("No cut was added: the playhead is at a cut or at an end of the clip");
   });
 }
 
@@ -56,7 +56,7 @@ export function removeNearestCut(): Promise<void> {
   const at = frame.value;
   return inOrder(async () => {
     const cut = selectedCut.value ?? nearestCut(cuts.value, at);
-    if (cut === undefined) notify("There is no cut");
+    if (cut === undefined) notify("There is no cut to remove");
     else await commit(removeCut(cut), `Cut at frame ${cut} removed`, null);
   });
 }

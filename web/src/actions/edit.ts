@@ -267,7 +267,7 @@ export function stepUncertain(direction: 1 | -1) {
         uncertain[0])
       : (uncertain.findLast(({ start }) => start < now) ?? uncertain.at(-1));
   if (!part || !next) {
-    notify("No plant has a low confidence");
+    notify("No plant has low confidence");
     return;
   }
   const { side, start, end } = next;
@@ -363,7 +363,7 @@ export function splitAtPlayhead(): Promise<void> {
   const at = frame.value;
   return change(
     ({ plantRef }) => append(splitPlant(plantRef, at)),
-    "Split; the frame is not planted",
+    "Plant split: this frame is not planted",
     "Move the playhead into the plant to split it",
   );
 }
@@ -380,7 +380,7 @@ export function joinNext(): Promise<void> {
 }
 
 export const removeSelected = () =>
-  change(({ plantRef }) => append(removePlant(plantRef)), "Deleted", "");
+  change(({ plantRef }) => append(removePlant(plantRef)), "Plant deleted", "");
 
 /** Returns the edits with others at the end; undefined if there are no others. */
 const append = (added: readonly AnyEdit[]) =>

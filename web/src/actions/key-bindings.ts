@@ -34,8 +34,11 @@ const keyNames: Record<string, string> = {
   "-": "−",
 };
 
-/** Returns the display text of a key: `Ctrl Shift Z`. */
+/** Returns the name of the modifier of commands on this computer. */
+const modName = () => (/Mac|iP/.test(navigator.platform) ? "⌘" : "Ctrl");
+
+/** Returns the display text of a key: `Ctrl Shift Z`, or `⌘ Shift Z` on a Mac. */
 export function keyText({ key, mod, shift }: KeyBinding): string {
   const name = keyNames[key] ?? key.charAt(0).toUpperCase() + key.slice(1);
-  return [mod && "Ctrl", shift && "Shift", name].filter(Boolean).join(" ");
+  return [mod && modName(), shift && "Shift", name].filter(Boolean).join(" ");
 }

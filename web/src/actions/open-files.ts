@@ -27,7 +27,7 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
   const { clips, labels, videos, errors } = collected;
   if (isHosted && clips.length) {
     showToast({
-      text: "The notebook determines the clip. Show another clip in a cell of its own.",
+      text: "This page shows the clip of its cell in the notebook. To show another clip, use another cell.",
     });
     return;
   }

@@ -11,6 +11,7 @@ const { errorReport } = await import("../store/errors");
 const { jobs, opening } = await import("../store/jobs");
 const { phase } = await import("../store/phase");
 const { session } = await import("../store/clip-session");
+const { message, notify } = await import("../store/view");
 const { cancelOpening, openSample, openSource } = await import("./open");
 const { openFiles } = await import("./open-files");
 const { openRow } = await import("./batch");
@@ -30,6 +31,13 @@ describe("opening", () => {
     expect(openClip.value?.name).toBe("walk.bvh");
     expect(plants.value.length).toBeGreaterThan(10);
     expect(timeView.value).toEqual({ start: 0, end: 720 });
+  });
+
+  it("does not show what was done in the clip before", async () => {
+    await openFiles({ files: [file("walk.bvh")] });
+    notify("Plant deleted");
+    await openFiles({ files: [file("second.bvh")] });
+    expect(message.value).toBe("");
   });
 
   it("reports the failure and leaves the clip open", async () => {

@@ -13,7 +13,7 @@ import { errorReport, reportOpenFailure } from "../store/errors";
 import { type Opening, opening, stopClipJobs } from "../store/jobs";
 import { segmentOptions } from "../store/settings";
 import { showToast } from "../store/toasts";
-import { dialog } from "../store/view";
+import { dialog, message } from "../store/view";
 import { runDetection } from "./detect";
 import { fetchBlob } from "./fetch-blob";
 import { addHistoryEntry } from "./history";
@@ -117,6 +117,8 @@ export function showClip(clip: Clip, source: Source, isPreview = false) {
   const loop = session.value.loop.value;
   batch(() => {
     pause();
+    // It is about the clip before.
+    message.value = "";
     forgetTemplateFrame();
     if (view) applyViewState(view);
     openSession(
@@ -185,7 +187,7 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
   }
   reportOpenFailure(name, {
     message: `There is no sample called "${name}".`,
-    hint: "Choose one of the samples on this page.",
+    hint: "Choose one of the samples on the start page.",
   });
   return false;
 }

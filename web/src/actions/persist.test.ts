@@ -8,6 +8,7 @@ vi.mock("../engine", () => import("../testing/fake-engine"));
 
 const { commitEdits, undo } = await import("./edit");
 const { restorePersisted } = await import("./persist");
+const { dismissSimilar } = await import("./similar");
 
 const key = "plantigrade:clip:abc";
 const stored = () => JSON.parse(localStorage.getItem(key) ?? "null");
@@ -45,7 +46,27 @@ test("asks for the hash again if the worker is stopped", async () => {
   vi.spyOn(engine, "hash").mockRejectedValueOnce(new Error("stopped")).mockResolvedValueOnce("abc");
   await restorePersisted();
   await commitEdits([edit(0)], "");
-  expect(stored()).toMatchObject({ version: 4, edits: [edit(0)] });
+  expect(stored()).toMatchObject({ version: 5, edits: [edit(0)] });
+});
+
+test("stores that similar plants are settled, until the next edit", async () => {
+  vi.spyOn(engine, "hash").mockResolvedValue("abc");
+  const isSettled = () =>
+    session.value.similarSettledFor.value === session.value.edits.value &&
+    stored().similarSettled === true;
+  await restorePersisted();
+  await commitEdits([edit(0)], "");
+  expect(stored()).toMatchObject({ similarSettled: false });
+  dismissSimilar();
+  expect(isSettled()).toBe(true);
+  openClip();
+  await restorePersisted();
+  expect(session.value.edits.value).toEqual([edit(0)]);
+  expect(isSettled()).toBe(true);
+  await commitEdits([edit(0), edit(20)], "");
+  expect(isSettled()).toBe(false);
+  await undo();
+  expect(isSettled()).toBe(true);
 });
 
 test("reports edits of a file that cannot be identified", async () => {

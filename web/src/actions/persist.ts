@@ -87,13 +87,22 @@ const changesOf = (clipSession: ClipSession): StoredChanges => ({
   names: clipSession.segmentNames.value,
 });
 
-type Revision = StoredChanges & Pick<StoredClip, "revision" | "ancestors">;
+type Revision = StoredChanges & Pick<StoredClip, "revision" | "ancestors" | "similarSettled">;
+
+/** True if the user has applied the present edits to similar plants, or has declined to. */
+const isSettled = ({ edits, similarSettledFor }: ClipSession) =>
+  similarSettledFor.value === edits.value;
 
 /** Synchronizes the changes of a clip and their record as long as the clip is open. */
 class StoredSession {
   /** The content of the storage when it was last read or written, if it was valid. */
   private lastText: string | null = null;
-  private last: Revision = { ...noChanges, revision: "", ancestors: [] };
+  private last: Revision = {
+    ...noChanges,
+    revision: "",
+    ancestors: [],
+    similarSettled: false,
+  };
   /** Changes by revision, for the revisions that this page has read or written. */
   private readonly known = new Map<string, StoredChanges>();
 
@@ -105,7 +114,7 @@ class StoredSession {
   /** Restores the record, or else the given changes. */
   async start(initial: StoredChanges): Promise<void> {
     const { clipSession, key } = this;
-    this.last = { ...initial, revision: "", ancestors: [] };
+    this.last = { ...this.last, ...initial };
     this.known.set("", initial);
     const { signal } = clipSession;
     const onStorage = (event: StorageEvent) => {
@@ -121,7 +130,8 @@ class StoredSession {
     }
     this.reportRestored(initial);
     const unsaved = readUnsaved(key);
-    if (unsaved.kind === "valid") await this.take(unsaved.record, this.baseOf(unsaved.record));
+    if (unsaved.kind === "valid")
+      await this.takeRecord(unsaved.record, this.baseOf(unsaved.record));
     if (!signal.aborted)
       signal.addEventListener(
         "abort",
@@ -170,6 +180,18 @@ class StoredSession {
     return replaceEdits(clipSession, (edits) => merge(edits).edits);
   }
 
+  /** Merges a record into the session. Whether similar plants are settled applies to exactly its edits. */
+  private takeRecord(record: StoredClip, base: StoredChanges): Promise<void> {
+    const { clipSession } = this;
+    return batch(() => {
+      const taken = this.take(record, base);
+      const { edits, similarSettledFor } = clipSession;
+      if (record.similarSettled && edits.value === record.edits)
+        similarSettledFor.value = edits.value;
+      return taken;
+    });
+  }
+
   /** Reads the content of the storage, which another page may have changed. */
   private async receive(text: string | null, { notify }: { notify: boolean }): Promise<void> {
     const { clipSession } = this;
@@ -190,7 +212,7 @@ class StoredSession {
           : {};
         announcement.value = "Edits of this clip were changed in another tab";
       }
-      return this.take(record, base);
+      return this.takeRecord(record, base);
     });
   }
 
@@ -202,13 +224,16 @@ class StoredSession {
 
   private nextRecord(): StoredClip {
     const { clipSession, last } = this;
-    return nextRecord(last, clipSession.source?.name ?? "", changesOf(clipSession));
+    const similarSettled = isSettled(clipSession);
+    const content = { ...changesOf(clipSession), similarSettled };
+    return nextRecord(last, clipSession.source?.name ?? "", content);
   }
 
   /** Stores the changes of the session if they differ from the record. */
   private save() {
-    const { clipSession, key } = this;
-    if (sameChanges(changesOf(clipSession), this.last)) {
+    const { clipSession, key, last } = this;
+    const isSame = isSettled(clipSession) === last.similarSettled;
+    if (sameChanges(changesOf(clipSession), last) && isSame) {
       dropUnsaved(key);
       clipSession.persistError.value = "";
       return;

@@ -15,14 +15,14 @@ export const applySimilar = () =>
     clipSession.similar.value = null;
     const next = [...clipSession.edits.value, ...found.changes];
     // Nothing is offered again until the next edit, although accepted changes are examples, too.
-    clipSession.dismissedSimilar.value = next;
+    clipSession.similarSettledFor.value = next;
     await commitEdits(next, `Applied to ${plural(found.plants, "similar plant")}`);
   });
 
 /** Does not offer the changes again until the next edit. */
 export function dismissSimilar() {
   const clipSession = session.value;
-  clipSession.dismissedSimilar.value = clipSession.edits.value;
+  clipSession.similarSettledFor.value = clipSession.edits.value;
   clipSession.similar.value = null;
   notify("Similar plants stay as they are");
 }

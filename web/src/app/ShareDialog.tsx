@@ -1,5 +1,6 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { keyText } from "../actions/key-bindings";
 import { currentLink, savePage, savePicture } from "../actions/share";
 import { embedded, isHosted } from "../store/embedded";
 import { playhead } from "../store/playback";
@@ -66,7 +67,7 @@ function ShareLink({ link }: { link: string }) {
       copyLabel.value = "Copied";
     } catch {
       // The page may not write to the clipboard; the link is already selected.
-      copyLabel.value = "Press Ctrl C";
+      copyLabel.value = `Press ${keyText({ key: "c", mod: true })}`;
     }
     announcement.value = copyLabel.value;
   };

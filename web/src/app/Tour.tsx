@@ -9,15 +9,15 @@ const hints = [
     "A highlighted foot is planted: it rests on the ground, lower and slower than in the rest of the clip. Every plant leaves a numbered footprint.",
   ],
   [
-    "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Click a bar to go to it. Tracks explains the marks.",
-    "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Tap a bar to go to it, and zoom with two fingers. Tracks explains the marks.",
+    "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Click a bar to go to it. The Tracks menu explains the marks.",
+    "Each bar is a plant: blue for left, orange for right; below it are heel and toe. Tap a bar to go to it, and zoom with two fingers. The Tracks menu explains the marks.",
   ],
   [
-    "Drag the edge of a bar to correct it, or move the nearest edge by Q and W. A adds a plant, Delete removes one, Ctrl Z undoes. Edits are stored in this browser.",
-    "Tap a bar, then drag its ends or use the buttons to correct it. A double tap between two bars adds a plant. Labels has more buttons. Edits are stored in this browser.",
+    `Drag the edge of a bar to correct it, or move the nearest edge with Q and W. A adds a plant, Delete removes one, ${keyOf("undo")} undoes. Edits are stored in this browser.`,
+    "Tap a bar, then drag its ends or use the buttons to correct it. A double tap between two bars adds a plant. The Labels tab has more buttons. Edits are stored in this browser.",
   ],
   [
-    "The defaults need no tuning. A higher sensitivity makes plants longer. Save labels and clips without foot skate from this panel.",
+    "The defaults need no tuning. A higher sensitivity makes plants longer. In this panel, you can also save the labels and remove foot skate.",
   ],
   [
     "Drop a folder or an archive to process many clips, or a label file to compare it with these labels. Press ? for keyboard shortcuts.",

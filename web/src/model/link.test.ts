@@ -68,12 +68,17 @@ it("accepts https and relative addresses of clips only", () => {
     ["blob:https://example.com/1", /blob:/],
     ["file:///etc/passwd", /file:/],
     ["about:blank", /about:/],
+    ["http://example.org/a.bvh", /starts with “http:”/],
     ["https://", /not valid/],
     ["https:", /not valid/],
     ["http://[", /not valid/],
     ["https://user:secret@example.org/a.bvh", /user name/],
     ["", /no address/],
   ];
+  // The page may be served by a computer in the same network.
+  const local = "http://localhost:8000/app/";
+  expect(downloadUrl("clips/a.bvh", local).href).toBe("http://localhost:8000/app/clips/a.bvh");
+  expect(() => downloadUrl("http://example.org/a.bvh", local)).toThrow();
   for (const [address, message] of rejected) {
     expect(() => downloadUrl(address, page), address).toThrow(
       expect.objectContaining({ message: expect.stringMatching(message) }),

@@ -47,9 +47,11 @@ export function downloadUrl(address: string, page: string): URL {
   const isAbsolute = /^\s*[a-z][a-z0-9+.-]*:/i.test(address);
   const url = parseUrl(address, isAbsolute ? undefined : page);
   if (!url) throw fail(`The address in the link, ${shown}, is not valid.`);
-  if (!/^https?:$/.test(url.protocol))
+  // The content security policy of the page allows http for its own site only.
+  const isOfPage = url.protocol === "http:" && url.origin === new URL(page).origin;
+  if (url.protocol !== "https:" && !isOfPage)
     throw fail(
-      `The address in the link, ${shown}, starts with “${url.protocol}”. Only https and http addresses can be downloaded.`,
+      `The address in the link, ${shown}, starts with “${url.protocol}”. Only https addresses can be downloaded.`,
     );
   if (url.username || url.password)
     throw fail(

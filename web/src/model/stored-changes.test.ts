@@ -79,9 +79,24 @@ test("records of the first version are read and get a revision", () => {
   expect(read).toEqual(parseRecord(text));
   if (read.kind !== "valid") throw new Error("The record is valid.");
   expect(read.record.edits).toEqual([edit(0)]);
-  const next = nextRecord(read.record, "walk.bvh", changes(edit(20)));
+  const next = nextRecord(read.record, "walk.bvh", { ...changes(edit(20)), similarSettled: true });
   expect(next.ancestors).toEqual([read.record.revision]);
   expect(parseRecord(JSON.stringify(next))).toEqual({ kind: "valid", record: next });
+});
+
+test("similar plants are not settled in records of versions that did not state it", () => {
+  const record = { revision: "a", ancestors: [], name: "walk.bvh", edits: [edit(0)], names: [] };
+  const read = (fields: object) => parseRecord(JSON.stringify({ ...record, ...fields }));
+  for (const version of [1, 2, 3, 4])
+    expect(read({ version, similarSettled: true })).toMatchObject({
+      kind: "valid",
+      record: { version: 5, similarSettled: false, edits: [edit(0)] },
+    });
+  expect(read({ version: 5, similarSettled: true })).toMatchObject({
+    record: { similarSettled: true },
+  });
+  expect(read({ version: 5 }).kind).toBe("malformed");
+  expect(read({ version: 5, similarSettled: "yes" }).kind).toBe("malformed");
 });
 
 test("fields that the schema does not have are dropped", () => {

@@ -10,11 +10,11 @@ import type { CutEdit, Edit, Instant } from "./types";
 export const keyOfHash = (hash: string) => `plantigrade:clip:${hash}`;
 
 /** Version of the records that this app writes. */
-const currentVersion = 4;
+const currentVersion = 5;
 
 /**
  * The edits and names of one clip as stored. Version 1 had no revisions, version 2 no edits of cuts, version 3
- * no instants of boundaries.
+ * no instants of boundaries, version 4 did not state whether similar plants are settled.
  */
 export interface StoredClip extends StoredChanges {
   version: typeof currentVersion;
@@ -24,6 +24,8 @@ export interface StoredClip extends StoredChanges {
   ancestors: readonly string[];
   /** Name of the file, for people who inspect the storage. */
   name: string;
+  /** True if the user has applied these edits to similar plants, or has declined to. */
+  similarSettled: boolean;
 }
 
 /** A record that a newer version of the app has written, or that is damaged. */
@@ -31,6 +33,9 @@ export interface UnreadableRecord {
   kind: "newer" | "malformed";
   text: string;
 }
+
+/** The first version that states whether similar plants are settled. */
+const firstWithSimilar = 5;
 
 /** The content of a storage key. */
 export type StoredRecord =
@@ -49,18 +54,20 @@ export function parseRecord(text: string | null): StoredRecord {
   if (Number.isInteger(version) && Number(version) > currentVersion) return { kind: "newer", text };
   const { name, revision, ancestors } =
     version === 1 ? { ...value, ...firstRevision(text) } : value;
+  const { similarSettled } = Number(version) < firstWithSimilar ? { similarSettled: false } : value;
   const changes = parseChanges(value);
   const isValid =
-    [1, 2, 3, currentVersion].includes(version as number) &&
+    [1, 2, 3, 4, currentVersion].includes(version as number) &&
     changes &&
     typeof name === "string" &&
     typeof revision === "string" &&
+    typeof similarSettled === "boolean" &&
     Array.isArray(ancestors) &&
     ancestors.every((ancestor) => typeof ancestor === "string");
   if (!isValid) return { kind: "malformed", text };
   return {
     kind: "valid",
-    record: { version: currentVersion, revision, ancestors, name, ...changes },
+    record: { version: currentVersion, revision, ancestors, name, similarSettled, ...changes },
   };
 }
 
@@ -78,12 +85,13 @@ const maxAncestors = 50;
 export const nextRecord = (
   { revision, ancestors }: Pick<StoredClip, "revision" | "ancestors">,
   name: string,
-  { edits, names }: StoredChanges,
+  { edits, names, similarSettled }: StoredChanges & Pick<StoredClip, "similarSettled">,
 ): StoredClip => ({
   version: currentVersion,
   revision: randomId(),
   ancestors: [revision, ...ancestors].filter(Boolean).slice(0, maxAncestors),
   name,
+  similarSettled,
   edits,
   names,
 });

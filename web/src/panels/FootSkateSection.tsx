@@ -126,7 +126,7 @@ function CleanResult({ cleaned: { plants, notices } }: { cleaned: CleanedClip })
       </fieldset>
       {cleanedView.value === "both" && (
         <p class="note">
-          The original is red. Lines at the feet show the correction, four times enlarged.
+          The original is shown in red. Lines at the feet show the correction, enlarged four times.
         </p>
       )}
       {isLimited && <p class="note">Only the selected plant is corrected.</p>}

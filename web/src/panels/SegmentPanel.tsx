@@ -308,9 +308,7 @@ function SegmentList() {
         <SaveButtons />
       </ListHead>
       {openVocabulary.value && (
-        <p class="note">
-          Equal actions of all clips of the table have the same letter, and share a name.
-        </p>
+        <p class="note">The same action has the same letter and name in all clips of the table.</p>
       )}
       <p class="list-columns segment-columns" aria-hidden="true">
         <span>Start</span>

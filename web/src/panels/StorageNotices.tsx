@@ -23,7 +23,7 @@ function Unreadable() {
     <div class="storage-notice">
       <p>
         {isNewer
-          ? "This browser has edits of this clip from a newer version of the app, which this version cannot read. Reload the page to get the newer version. The edits are preserved, also if you edit the clip here."
+          ? "This browser has edits of this clip from a newer version of the app, which this version cannot read. Reload the page to get the newer version. The edits are preserved, even if you edit the clip here."
           : "This browser has stored edits of this clip that are damaged and cannot be read. They are preserved, but not applied."}
       </p>
       <p class="storage-actions">
@@ -43,7 +43,7 @@ function ChangedElsewhere({ isConflict }: { isConflict: boolean }) {
     <div class="storage-notice">
       <p>
         {isConflict
-          ? "The same plants were edited in another tab. The edits of both tabs are applied; where they differ, those of this tab count."
+          ? "The same plants were edited in another tab. The edits of both tabs are applied; where they differ, those of this tab take precedence."
           : "Edits of this clip were changed in another tab. The changes are shown here."}
       </p>
       <p class="storage-actions">

@@ -98,8 +98,8 @@ export class ClipSession {
   readonly redoStack = signal<readonly (readonly AnyEdit[])[]>([]);
   /** Changes by which the edits apply to similar motion; null if none are offered. */
   readonly similar = signal<Similar | null>(null);
-  /** The edits whose changes of similar motion the user declined. */
-  readonly dismissedSimilar = signal<readonly AnyEdit[] | null>(null);
+  /** The edits whose changes of similar motion the user has applied or declined. */
+  readonly similarSettledFor = signal<readonly AnyEdit[] | null>(null);
   /** The plant that is being edited. */
   readonly selected = signal<PlantRef | null>(null);
   /** The edge of the selected plant that keys move; null for the one nearest to the playhead. */

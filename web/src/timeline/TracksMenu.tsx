@@ -30,7 +30,7 @@ const legend = [
   ["edited", "Edited by hand"],
   ["reference", "Reference labels"],
   ["difference", "False negatives and false positives"],
-  ["action", "Segments of one action have one letter, in all clips of a table"],
+  ["action", "Segments of the same action have the same letter, in all clips of the table"],
 ] as const;
 
 /** Chooses the tracks that the timeline shows, and explains its marks. */
@@ -68,8 +68,10 @@ export function TracksMenu({ layout }: { layout: ReadonlySignal<Layout> }) {
       </fieldset>
       {omitted.length > 0 && (
         <p class="note">
-          There is no space for {joinWords(omitted.map((track) => omittedNames[track]))}. Make the
-          timeline taller, or hide other tracks.
+          There is no space for {joinWords(omitted.map((track) => omittedNames[track]))}. Hide other
+          tracks
+          <span class="if-resizable">, or make the timeline taller</span>
+          <span class="if-raised">, or lower the panel</span>.
         </p>
       )}
       <h2>Legend</h2>

@@ -27,68 +27,71 @@ export function Transport({ layout }: { layout: ReadonlySignal<Layout> }) {
   const isStill = frames < 2;
   return (
     <div class="transport">
-      <button
-        type="button"
-        class="play"
-        disabled={isStill}
-        aria-label={playing.value ? "Pause" : "Play"}
-        title={tooltip("play", playing.value ? "Pause" : "Play")}
-        onClick={commandOf("play").run}
-      >
-        <Icon name={playing.value ? "pause" : "play"} />
-      </button>
-      <div class="position">
-        <p class="clock" title={`Duration ${formatClock(frames / rate)}`}>
-          {timeText}
-        </p>
-        <p class="frame-count" title="The first frame is 0">
-          <span class="muted">frame</span> {frameText}{" "}
-          <span class="muted">/ {formatCount(Math.max(0, frames - 1))}</span>
-        </p>
-      </div>
-      {direction.value < 0 && playing.value && <p class="muted">reverse</p>}
-      <span class="spacer" />
-      <SimilarOffer />
-      <button
-        type="button"
-        class="button flat loop"
-        aria-pressed={loop.value !== "off"}
-        data-is-part={loopedRange.value !== null}
-        title={tooltip("loop")}
-        onClick={commandOf("loop").run}
-        disabled={isStill}
-      >
-        <Icon name="loop" />
-        <LoopLabel />
-      </button>
-      <label>
-        <span class="visually-hidden">Speed</span>
-        <select
-          class="select small"
-          title={`Speed (${keyOf("slower")} and ${keyOf("faster")})`}
-          value={String(speed.value)}
+      <div class="transport-part">
+        <button
+          type="button"
+          class="play"
           disabled={isStill}
-          onChange={(event) => {
-            speed.value = Number(event.currentTarget.value);
-          }}
+          aria-label={playing.value ? "Pause" : "Play"}
+          title={tooltip("play", playing.value ? "Pause" : "Play")}
+          onClick={commandOf("play").run}
         >
-          {speeds.map((factor) => (
-            <option key={factor} value={String(factor)}>
-              {factor}×
-            </option>
-          ))}
-        </select>
-      </label>
-      <TracksMenu layout={layout} />
-      <button
-        type="button"
-        class="button fit"
-        title={tooltip("fit")}
-        onClick={commandOf("fit").run}
-        disabled={isStill}
-      >
-        Fit
-      </button>
+          <Icon name={playing.value ? "pause" : "play"} />
+        </button>
+        <div class="position">
+          <p class="clock" title={`Duration ${formatClock(frames / rate)}`}>
+            {timeText}
+          </p>
+          <p class="frame-count" title="The first frame is 0">
+            <span class="muted">frame</span> {frameText}{" "}
+            <span class="muted">/ {formatCount(Math.max(0, frames - 1))}</span>
+          </p>
+        </div>
+        {direction.value < 0 && playing.value && <p class="muted">reverse</p>}
+      </div>
+      <SimilarOffer />
+      <div class="transport-part">
+        <button
+          type="button"
+          class="button flat loop"
+          aria-pressed={loop.value !== "off"}
+          data-is-part={loopedRange.value !== null}
+          title={tooltip("loop")}
+          onClick={commandOf("loop").run}
+          disabled={isStill}
+        >
+          <Icon name="loop" />
+          <LoopLabel />
+        </button>
+        <label>
+          <span class="visually-hidden">Speed</span>
+          <select
+            class="select small"
+            title={`Speed (${keyOf("slower")} and ${keyOf("faster")})`}
+            value={String(speed.value)}
+            disabled={isStill}
+            onChange={(event) => {
+              speed.value = Number(event.currentTarget.value);
+            }}
+          >
+            {speeds.map((factor) => (
+              <option key={factor} value={String(factor)}>
+                {factor}×
+              </option>
+            ))}
+          </select>
+        </label>
+        <TracksMenu layout={layout} />
+        <button
+          type="button"
+          class="button fit"
+          title={tooltip("fit")}
+          onClick={commandOf("fit").run}
+          disabled={isStill}
+        >
+          Fit
+        </button>
+      </div>
     </div>
   );
 }

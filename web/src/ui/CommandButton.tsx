@@ -1,8 +1,12 @@
 import { commandOf, isEnabled, tooltip } from "../actions/commands";
 import { Icon } from "../ui/icons";
 
-/** A button with the icon of a command for edits. */
-export function CommandButton({ id }: { id: "undo" | "redo" | "delete" }) {
+/** A button with the icon of a command. */
+export function CommandButton({
+  id,
+}: {
+  id: "undo" | "redo" | "delete" | "frame-back" | "frame-ahead";
+}) {
   const command = commandOf(id);
   return (
     <button

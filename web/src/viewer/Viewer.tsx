@@ -31,9 +31,13 @@ import {
   stageHandle,
   trailsVisible,
 } from "../store/view";
+import { lazy } from "../ui/lazy";
+import { isTouch } from "../ui/touch";
 import { Companions } from "./Companions";
 import { Pills } from "./Pills";
 import type { Stage } from "./stage";
+
+const FrameSteps = lazy(() => import("./FrameSteps").then((module) => module.FrameSteps));
 
 /** Reason why nothing is drawn: no WebGL, or a lost graphics context. Empty while drawing works. */
 const problem = signal<"" | "missing" | "lost">("");
@@ -104,6 +108,7 @@ export function Viewer() {
               Video
             </button>
           </div>
+          {isTouch() && openClip.value.frames > 1 && <FrameSteps />}
           <Pills />
           <Companions />
           <p class="grid-size" hidden={problem.value === "missing"}>
