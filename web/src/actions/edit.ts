@@ -277,12 +277,19 @@ export function stepUncertain(direction: 1 | -1) {
   announcement.value = `Plant ${next.number}, ${side} foot, ${spokenRange(next)}, ${Math.floor(100 * next.confidence)} percent`;
 }
 
+/** Says why there is no plant to edit. */
+const reportNoPlant = (message = "Select a plant first") =>
+  notify(detection.value ? message : "There are no labels yet");
+
 /** Gives the selected plant another start or end. */
 export const resizeSelected = (to: Partial<FrameRange>) => inOrder(() => resize(to));
 
 async function resize(to: Partial<FrameRange>): Promise<void> {
   const current = selection.value;
-  if (!current) return;
+  if (!current) {
+    reportNoPlant();
+    return;
+  }
   const { plantRef, track } = current;
   const range = { start: to.start ?? plantRef.start, end: to.end ?? plantRef.end };
   if (range.start === plantRef.start && range.end === plantRef.end) return;
@@ -326,7 +333,7 @@ export function nudgeSelected(edge: "start" | "end", by: number): Promise<void> 
 async function moveEdge(by: number): Promise<void> {
   const plantRef = selection.value?.plantRef ?? nearestPlant();
   if (!plantRef) {
-    notify("There is no plant near the playhead");
+    reportNoPlant("There is no plant near the playhead");
     return;
   }
   const edge = selection.value && selectedEdge.value ? selectedEdge.value : nearestEdge(plantRef);
@@ -395,7 +402,8 @@ function change(
     const current = selection.value;
     const next = current && edit(current);
     if (next) await commitEdits(next, success);
-    else notify(current ? failure : "Select a plant first");
+    else if (current) notify(failure);
+    else reportNoPlant();
   });
 }
 
@@ -438,6 +446,7 @@ export function addAtPlayhead(side: Side, part: Part): Promise<void> {
 export async function addToTarget(): Promise<void> {
   const target = targetTrack.value;
   if (target) await addAtPlayhead(target.side, target.part);
+  else reportNoPlant();
 }
 
 /** Replaces the edits by those that give the labels of the reference. */

@@ -1,4 +1,4 @@
-//! Velocity of the belt of a treadmill.
+//! Velocity of the belt of a treadmill. Cycles of characters that walk or run in place are on such a belt, too.
 //!
 //! The body stays where it is, and a toe that is low moves with the belt: at one velocity, which both feet
 //! have, and which they have more often than they rest. The contacts of a run are short, and toes in swing may
@@ -174,6 +174,15 @@ mod tests {
         {
             let found = belts(&samples(cycle, |phase| gait(phase, stance, belt)));
             assert!(found.iter().all(|found| (found - belt).abs() < 0.02 * belt), "{belt} m/s: {found:?}");
+        }
+    }
+
+    #[test]
+    fn one_cycle_in_place_is_on_a_belt() {
+        let toes = samples(0.7, |phase| gait(phase, 0.35, 3.0));
+        for start in (0..21).step_by(3) {
+            let found = belts(&toes[start..start + 21]);
+            assert!(found.iter().all(|found| (found - 3.0).abs() < 0.06), "from sample {start}: {found:?}");
         }
     }
 
