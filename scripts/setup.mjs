@@ -89,7 +89,7 @@ export async function toolchain() {
  * slower.
  */
 function moduleFlags() {
-  return ["-Cllvm-args=-inline-threshold=40", ...pathFlags()];
+  return ["-Cllvm-args=-inline-threshold=50", ...pathFlags()];
 }
 
 /** Returns compiler flags with which panic messages contain no paths of this machine. */

@@ -62,10 +62,28 @@ impl Belt {
         (toe.velocity - self.velocity).norm() < self.max_deviation
     }
 
+    /// Returns the number of toes that have the velocity of the belt.
+    fn carried(&self, toes: &[ToeSample]) -> usize {
+        toes.iter().filter(|toe| self.carries(toe)).count()
+    }
+
+    /// True if the toes that have the velocity of the belt are lower than the others, on average.
+    fn carries_low_toes(&self, toes: &[ToeSample]) -> bool {
+        // By class: sum of heights, and number of toes.
+        let mut classes = [(0.0, 0.0); 2];
+        for toe in toes {
+            let (height, count) = &mut classes[usize::from(self.carries(toe))];
+            *height += toe.height;
+            *count += 1.0;
+        }
+        let [others, carried] = classes.map(|(height, count)| height / count);
+        carried < others
+    }
+
     /// True if more toes have the velocity of the belt than rest.
-    fn moves<'a>(&self, toes: impl Iterator<Item = &'a ToeSample> + Clone) -> bool {
-        let resting = toes.clone().filter(|toe| toe.velocity.norm() < self.max_deviation).count();
-        toes.filter(|toe| self.carries(toe)).count() > resting
+    fn moves(&self, toes: &[ToeSample]) -> bool {
+        let rest = Belt { velocity: Vector3::zeros(), ..*self };
+        self.carried(toes) > rest.carried(toes)
     }
 }
 
@@ -84,7 +102,7 @@ pub(super) fn velocities(toes: &[[ToeSample; 2]], leg: f64, sample_time: f64) ->
             (Some(belt), Some(next)) => belt.between(next, rest as f64 / interval as f64),
             (belt, next) => belt.or(next)?,
         };
-        let near = around(toes, sample, samples(COUNT_WINDOW)).iter().flatten();
+        let near = around(toes, sample, samples(COUNT_WINDOW)).as_flattened();
         belt.moves(near).then_some(belt.velocity)
     };
     (0..toes.len()).map(|sample| at(sample).unwrap_or_default()).collect()
@@ -94,28 +112,26 @@ pub(super) fn velocities(toes: &[[ToeSample; 2]], leg: f64, sample_time: f64) ->
 fn estimate(toes: &[[ToeSample; 2]], leg: f64) -> Option<Belt> {
     let feet = [0, 1].map(|foot| toes.iter().map(|pair| pair[foot]).collect::<Vec<_>>());
     let low = feet.each_ref().map(|toes| low_toes(toes));
-    let low_velocities = || low.iter().flatten().map(|toe| toe.velocity);
-    let median = |axis: usize| stats::median_high(low_velocities().map(|velocity| velocity[axis]));
-    let velocity = Vector3::new(median(0)?, median(1)?, median(2)?);
+    let all_low = low.concat();
+    let velocity = Vector3::from_fn(|axis, _| {
+        stats::nearest_percentile(all_low.iter().map(|toe| toe.velocity[axis]).collect(), 0.5)
+    });
     let speed = velocity.norm();
-    let spread = stats::median_high(low_velocities().map(|other| (other - velocity).norm()))?;
-    let noisy_deviation = (2.0 * spread).min(MAX_NOISY_DEVIATION * speed);
+    let deviations = all_low.iter().map(|toe| (toe.velocity - velocity).norm()).collect();
+    let noisy_deviation = (2.0 * stats::nearest_percentile(deviations, 0.5)).min(MAX_NOISY_DEVIATION * speed);
     let max_deviation = (MAX_DEVIATION * speed).max(noisy_deviation).max(REST_SPEED * leg);
     let belt = Belt { velocity, max_deviation };
 
-    let has_belt = |toes: &Vec<ToeSample>, low: &Vec<ToeSample>| {
-        let (carried, others): (Vec<ToeSample>, Vec<ToeSample>) =
-            toes.iter().partition(|toe| belt.carries(toe));
-        let low_carried = low.iter().filter(|toe| belt.carries(toe)).count();
-        carried.len() as f64 > MIN_FRACTION * toes.len() as f64
-            && low_carried as f64 > MIN_LOW_FRACTION * low.len() as f64
-            && mean_height(&carried) < mean_height(&others)
-            && belt.moves(toes.iter())
+    let has_belt = |(toes, low): (&Vec<ToeSample>, &Vec<ToeSample>)| {
+        belt.carried(toes) as f64 > MIN_FRACTION * toes.len() as f64
+            && belt.carried(low) as f64 > MIN_LOW_FRACTION * low.len() as f64
+            && belt.moves(toes)
+            && belt.carries_low_toes(toes)
     };
-    let total: Vector3<f64> = toes.iter().flatten().map(|toe| toe.velocity).sum();
+    let travel: Vector3<f64> = toes.as_flattened().iter().map(|toe| toe.velocity).sum();
     let is_belt = speed > MIN_SPEED * leg
-        && total.norm() < MAX_TRAVEL * speed * (2 * toes.len()) as f64
-        && feet.iter().zip(&low).all(|(toes, low)| has_belt(toes, low));
+        && travel.norm() < MAX_TRAVEL * speed * (2 * toes.len()) as f64
+        && feet.iter().zip(&low).all(has_belt);
     is_belt.then_some(belt)
 }
 
@@ -123,11 +139,6 @@ fn estimate(toes: &[[ToeSample; 2]], leg: f64) -> Option<Belt> {
 fn low_toes(toes: &[ToeSample]) -> Vec<ToeSample> {
     let height = stats::nearest_percentile(toes.iter().map(|toe| toe.height).collect(), LOW);
     toes.iter().filter(|toe| toe.height <= height).copied().collect()
-}
-
-/// Returns the mean height of samples; NaN if there are none.
-fn mean_height(toes: &[ToeSample]) -> f64 {
-    toes.iter().map(|toe| toe.height).sum::<f64>() / toes.len() as f64
 }
 
 /// Returns the values within `half` indices on either side of an index.

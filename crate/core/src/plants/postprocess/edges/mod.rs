@@ -47,6 +47,9 @@ const MIN_UNCERTAINTY: f64 = 0.001;
 /// Uncertainty of cues above which the boundary of the clustering remains, in seconds. Up to this one, cues are
 /// more exact than the boundary (generated motion, seeds 0 to 2).
 const MAX_CUE_UNCERTAINTY: f64 = 0.05;
+/// Rounding error of a time in frames. Without it, an off and the next strike at the middle of a swing may have one
+/// frame.
+const ROUNDING: f64 = 1e-9;
 /// Frames nearer to an edge than this number of its standard deviations, or than this time in seconds,
 /// have the confidence that follows from the edge.
 const CONFIDENCE_REACH: f64 = 4.0;
@@ -167,7 +170,7 @@ impl Refiner<'_> {
         let first = bounds.start + frame_time / 2.0;
         let time = time.clamp(first, (bounds.end - frame_time / 2.0).max(first));
         let uncertainty = uncertainty.clamp(MIN_UNCERTAINTY, ESTIMATE_UNCERTAINTY);
-        Edge { frame: (time / frame_time).ceil() as usize, time, uncertainty }
+        Edge { frame: (time / frame_time - ROUNDING).ceil() as usize, time, uncertainty }
     }
 
     fn track_span<'a>(&'a self, track: &'a Track) -> TrackSpan<'a> {
