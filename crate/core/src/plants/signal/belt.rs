@@ -32,7 +32,7 @@ const MIN_LOW_FRACTION: f64 = 0.5;
 /// Fraction of the samples of a foot that count as low.
 const LOW: f64 = 0.2;
 /// Maximum mean velocity of the toes, which is that of the body, as a fraction of the speed of the belt.
-const MAX_TRAVEL: f64 = 0.5;
+const MAX_TRAVEL: f64 = 0.3;
 
 /// Velocity and height of a toe, in file units and seconds.
 #[derive(Clone, Copy)]
