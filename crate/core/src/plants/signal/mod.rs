@@ -1,7 +1,6 @@
 //! Height and speed signals of the feet.
 
 mod belt;
-pub(crate) mod fixed_hips;
 pub(crate) mod ground;
 pub(crate) mod motion_segments;
 pub(crate) mod moving_ground;
