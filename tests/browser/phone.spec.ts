@@ -116,7 +116,7 @@ test("leaves the timeline visible while the panel is expanded", async ({ app, pa
   await expect(container).toBeInViewport({ ratio: 1 });
   expect((await app.stage.boundingBox())?.height).toBeGreaterThanOrEqual(180);
   await expectNoHorizontalScroll(app);
-  await test.step("says how to show the tracks for which there is no space", async () => {
+  await test.step("explains how to show the tracks for which there is no space", async () => {
     await app.timeline.getByRole("button", { name: /^Tracks/ }).tap();
     const note = app.timeline.getByText(/^There is no space/);
     await expect.poll(() => note.innerText()).toMatch(/Hide other tracks, or lower the panel\.$/);

@@ -1,4 +1,5 @@
 import { expect, test, vi } from "vitest";
+import type { EditedParts } from "../model/types";
 import { ClipSession, openSession, session } from "../store/clip-session";
 import { edits } from "../store/session";
 import { message } from "../store/view";
@@ -12,7 +13,7 @@ const { addToTarget, commitEdits, inOrder, nudgeEdge, removeSelected, startAtPla
   await import("./edit");
 const { openFiles } = await import("./open-files");
 
-test("says why there is no plant to edit", async () => {
+test("reports why there is no plant to edit", async () => {
   openSession(new ClipSession(createWalkingClip("walk.bvh"), null));
   for (const command of [startAtPlayhead, removeSelected, addToTarget, () => nudgeEdge(1)]) {
     message.value = "";
@@ -25,6 +26,21 @@ test("says why there is no plant to edit", async () => {
     await command();
     expect(message.value).toBe("Select a plant first");
   }
+});
+
+test("edits wait for those of another page or of a notebook", async () => {
+  await openFiles({ files: [new File(["HIERARCHY"], "walk.bvh")] });
+  let answer: (parts: EditedParts) => void = () => {};
+  const labels = new Promise<EditedParts>((resolve) => {
+    answer = resolve;
+  });
+  vi.spyOn(engine, "edit").mockReturnValueOnce(labels);
+  const steps: string[] = [];
+  const remote = commitEdits([edit(0)], "").then(() => steps.push("remote"));
+  const own = inOrder(() => steps.push("own"));
+  answer({});
+  await Promise.all([remote, own]);
+  expect(steps).toEqual(["remote", "own"]);
 });
 
 test("does edits in order, also after one that failed, but not in the next clip", async () => {

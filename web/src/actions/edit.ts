@@ -149,8 +149,14 @@ function swap(from: EditStack, to: EditStack, message: string): Promise<void> {
   });
 }
 
-/** Applies the edits to the labels. */
-async function applyEdits(clipSession: ClipSession): Promise<void> {
+/** Applies the edits to the labels, from wherever they are; edits that are given later wait for it. */
+function applyEdits(clipSession: ClipSession): Promise<void> {
+  const applied = updateLabels(clipSession);
+  clipSession.delayEdits(applied);
+  return applied;
+}
+
+async function updateLabels(clipSession: ClipSession): Promise<void> {
   try {
     const [parts] = await Promise.all([
       clipSession.run("edit", () => engine.edit(plantEditsOf(clipSession.edits.value))),
@@ -277,7 +283,7 @@ export function stepUncertain(direction: 1 | -1) {
   announcement.value = `Plant ${next.number}, ${side} foot, ${spokenRange(next)}, ${Math.floor(100 * next.confidence)} percent`;
 }
 
-/** Says why there is no plant to edit. */
+/** Reports why there is no plant to edit. */
 const reportNoPlant = (message = "Select a plant first") =>
   notify(detection.value ? message : "There are no labels yet");
 

@@ -153,8 +153,8 @@ export class ClipSession {
 
   private readonly controller = new AbortController();
   private readonly newest = new Map<string, symbol>();
-  /** Settles when the last edit is in the labels. */
-  private lastEdit: Promise<unknown> = Promise.resolve();
+  /** Fulfilled when the edits so far are in the labels. */
+  private edited: Promise<unknown> = Promise.resolve();
 
   constructor(clip: Clip | null, source: Source | null, start: Start = {}) {
     const { isPreview = false, overrides = {}, playhead = 0, loop = "clip" } = start;
@@ -196,13 +196,18 @@ export class ClipSession {
     }
   }
 
-  /** Runs edits one after the other, unless another clip is open by then. Rejects if the edit does. */
+  /** Runs an edit after those before it, unless another clip is open by then. Rejects if the edit does. */
   inOrder(edit: () => unknown): Promise<void> {
-    const done = this.lastEdit.then(async () => {
+    const done = this.edited.then(async () => {
       if (!this.signal.aborted) await edit();
     });
-    this.lastEdit = done.catch(() => undefined);
+    this.delayEdits(done);
     return done;
+  }
+
+  /** Lets later edits wait for a change of the labels. */
+  delayEdits(change: Promise<unknown>) {
+    this.edited = Promise.allSettled([this.edited, change]);
   }
 
   /** Drops the result of the pending call with that name. */

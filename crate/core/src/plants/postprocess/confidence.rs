@@ -1,5 +1,6 @@
 //! Confidence of labels.
 
+use crate::numeric;
 use crate::plants::spectral::threshold::Evidence;
 
 /// Slope and offset of the logistic curve, fitted on generated motion (seeds 0 to 2).
@@ -22,7 +23,7 @@ pub(crate) fn planted_probability(values: &[f32], evidence: &Evidence, half: usi
         .collect();
     (0..margins.len())
         .map(|frame| {
-            let window = &margins[frame.saturating_sub(half)..(frame + half + 1).min(margins.len())];
+            let window = numeric::around(&margins, frame, half);
             let mean = window.iter().sum::<f64>() / window.len() as f64;
             1.0 / (1.0 + (-(SLOPE * mean + OFFSET)).exp())
         })

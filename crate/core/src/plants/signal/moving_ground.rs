@@ -13,7 +13,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use crate::kinematics::Track;
-use crate::numeric::stats;
+use crate::numeric::{self, stats};
 use crate::plants::Feet;
 use crate::plants::signal::belt::{self, REST_SPEED, ToeSample};
 
@@ -110,7 +110,7 @@ fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>
 
 /// Returns the values within `half` indices on either side of each index.
 fn windows<T>(values: &[T], half: usize) -> impl Iterator<Item = &[T]> {
-    (0..values.len()).map(move |index| belt::around(values, index, half))
+    (0..values.len()).map(move |index| numeric::around(values, index, half))
 }
 
 /// Returns the velocities of ankle and toe of a foot at a frame.
