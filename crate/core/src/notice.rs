@@ -88,6 +88,8 @@ pub enum Code {
     CaptureNoise,
     /// Planted feet move at one velocity while the hips stay: a treadmill is assumed.
     Belt,
+    /// The hips never move: the ground is where the lower foot is.
+    FixedHips,
     /// A foot moves along the ground: it is dragged and not planted.
     Dragged,
     /// The skeleton lacks joints that a method measures.

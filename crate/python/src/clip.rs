@@ -235,7 +235,7 @@ impl RawClip {
             let feet = data.feet()?;
             let detection = match still {
                 Some(still) => plants::detect_with_standing(&feet, &still.feet()?, params),
-                None => plants::detect_once(feet, params),
+                None => plants::detect(&feet, params),
             };
             Ok::<_, Failure>(RawDetection::new(data.clone(), detection))
         })?)

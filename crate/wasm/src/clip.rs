@@ -70,14 +70,14 @@ impl WasmClip {
     fn detect_with(
         &mut self,
         repeatedly: impl FnOnce(&mut Detector) -> Detection,
-        once: impl FnOnce(Feet) -> Detection,
+        once: impl FnOnce(&Feet) -> Detection,
     ) -> Result<WasmDetection, Failure> {
         let detection = match &mut self.detector {
             Some(detector) => repeatedly(detector),
             None => {
                 let feet = Feet::new(&self.clip, &self.skeleton)?;
                 if feet.frame_count() > MAX_CACHED_FRAMES {
-                    once(feet)
+                    once(&feet)
                 } else {
                     repeatedly(self.detector.insert(Detector::new(feet)))
                 }
@@ -192,7 +192,7 @@ impl WasmClip {
         if params.method() == Method::default() {
             self.detect_with(
                 |detector| detector.detect_by_default(params),
-                |feet| plants::detect_once_by_default(feet, params),
+                |feet| plants::detect_by_default(feet, params),
             )
         } else {
             detect_by_any(self, params)
@@ -245,7 +245,7 @@ second_module! {
     }
 
     "00" fn detect_by_any(clip: &mut WasmClip, params: ValidParams) -> Result<WasmDetection, Failure> {
-        clip.detect_with(|detector| detector.detect(params), |feet| plants::detect_once(feet, params))
+        clip.detect_with(|detector| detector.detect(params), |feet| plants::detect(feet, params))
     }
 
     "01" fn similar(

@@ -1,6 +1,5 @@
 //! Detection in a clip.
 
-use crate::kinematics::Track;
 use crate::notice::{Code, Notice};
 use crate::plants::methods::{DEFAULT_FUNCTION, DetectionCache, Input, Method, Output};
 use crate::plants::postprocess::capture_noise::CaptureNoise;
@@ -16,18 +15,13 @@ pub fn detect(feet: &Feet, params: ValidParams) -> Detection {
     run(params.method().function(), feet, None, params, None)
 }
 
-/// Detects like [`detect`] and consumes the feet, which needs less memory for long clips.
-pub fn detect_once(feet: Feet, params: ValidParams) -> Detection {
-    run_once(params.method().function(), feet, params)
-}
-
-/// Detects like [`detect_once`] with the default method. A program that calls no other function that detects
-/// does not contain the other methods.
+/// Detects like [`detect`] with the default method. A program that calls no other function that detects does not
+/// contain the other methods.
 ///
 /// # Panics
 /// If the parameters name another method.
-pub fn detect_once_by_default(feet: Feet, params: ValidParams) -> Detection {
-    run_once(default_function(params), feet, params)
+pub fn detect_by_default(feet: &Feet, params: ValidParams) -> Detection {
+    run(default_function(params), feet, None, params, None)
 }
 
 /// Returns the function of the default method, which the parameters must name.
@@ -55,39 +49,10 @@ pub(crate) fn run(
     params: ValidParams,
     cache: Option<&mut DetectionCache>,
 ) -> Detection {
-    run_with_summary(FeetSummary::new(feet), function, feet, standing, params, cache)
-}
-
-fn run_once(function: Function, mut feet: Feet, params: ValidParams) -> Detection {
-    let summary = FeetSummary::new(&feet);
-    feet.hips = Track::new();
-    run_with_summary(summary, function, &feet, None, params, None)
-}
-
-/// Results that need all tracks of the feet; the methods need ankles and toes only.
-struct FeetSummary {
-    rate_notice: Option<Notice>,
-    lowest: [Vec<f64>; 2],
-}
-
-impl FeetSummary {
-    fn new(feet: &Feet) -> FeetSummary {
-        FeetSummary { rate_notice: plausibility::rate(feet), lowest: ground_height::lowest(feet) }
-    }
-}
-
-fn run_with_summary(
-    summary: FeetSummary,
-    function: Function,
-    feet: &Feet,
-    standing: Option<&Feet>,
-    params: ValidParams,
-    cache: Option<&mut DetectionCache>,
-) -> Detection {
     let mut input = Input { feet, standing, settings: params.settings(), cache };
     let Output { parts, mut notices } = function(&mut input);
-    notices.extend(summary.rate_notice.into_iter().chain(plausibility::airborne(&parts)));
-    let ground_height = ground_height::height(&summary.lowest, &parts[0]);
+    notices.extend(plausibility::rate(feet).into_iter().chain(plausibility::airborne(&parts)));
+    let ground_height = ground_height::height(feet, &parts[0]);
     let noise = CaptureNoise::new(feet, &parts[0]);
     let ground = Ground::new(feet, parts[0].feet.each_ref().map(|foot| foot.planted.as_slice()));
     notices.extend(ground.belt.map(|belt| {

@@ -30,7 +30,7 @@ mod spectral;
 pub use annotation::Annotation;
 pub use apply_edits::apply_edits;
 pub use corrections::{Corrected, Corrections};
-pub use detect::{detect, detect_once, detect_once_by_default, detect_with_standing};
+pub use detect::{detect, detect_by_default, detect_with_standing};
 pub use detection::Detection;
 pub use detector::Detector;
 pub use edit::Edit;

@@ -37,6 +37,7 @@ fn main() {
         points::points_of_clips_have_the_labels_of_the_clips,
         force_plates::robust_contact_agrees_with_force_plates,
         force_plates::robust_contact_agrees_with_force_plates_on_a_belt,
+        force_plates::robust_contact_agrees_with_force_plates_without_root_motion,
         force_plates::paper_method_has_its_reported_accuracy,
         force_plates::robust_toe_plants_agree_with_contact,
         segments::cuts_agree_with_annotated_cuts,

@@ -1,6 +1,7 @@
 //! Height and speed signals of the feet.
 
 mod belt;
+pub(crate) mod fixed_hips;
 pub(crate) mod ground;
 pub(crate) mod motion_segments;
 pub(crate) mod moving_ground;

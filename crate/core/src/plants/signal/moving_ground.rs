@@ -6,7 +6,8 @@
 //! planted foot that rolls, or the feet disagree whenever both are slow: then one of them is dragged.
 //!
 //! On a fast belt the planted foot is not the slower one: a foot that reverses is slower for a moment.
-//! The velocity of a belt is found in another way ([`belt`]) and subtracted before.
+//! The velocity of a belt is found in another way ([`belt`]) and subtracted before. If the hips never move, the
+//! ground that is not a belt moves with them ([`fixed_hips`]).
 
 use std::ops::Range;
 
@@ -16,6 +17,7 @@ use crate::kinematics::Track;
 use crate::numeric::{self, stats};
 use crate::plants::Feet;
 use crate::plants::signal::belt::{self, REST_SPEED, ToeSample};
+use crate::plants::signal::fixed_hips::{self, FootVelocities};
 
 /// Rate at which the velocity of the ground is sampled, in Hz; stances last several samples.
 const RATE: f64 = 30.0;
@@ -60,9 +62,6 @@ pub(crate) fn displacement(feet: &Feet, spans: &[Range<usize>]) -> Option<Track>
     Some(displacement)
 }
 
-/// Velocities of ankle and toe of one foot, in file units per second.
-type FootVelocities = [Vector3<f64>; 2];
-
 /// Returns the velocity of the ground at every `step`-th frame of a span.
 fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>> {
     let half = |seconds: f64| (seconds / (step as f64 * feet.frame_time)).round() as usize;
@@ -77,6 +76,11 @@ fn velocities(feet: &Feet, span: &Range<usize>, step: usize) -> Vec<Vector3<f64>
     };
     let toes: Vec<[ToeSample; 2]> = parts.iter().enumerate().map(toe_samples).collect();
     let belt = belt::velocities(&toes, feet.leg, step as f64 * feet.frame_time);
+    if fixed_hips::are_fixed(feet, span) {
+        let lowest = fixed_hips::velocities(feet, span, step, &parts);
+        let ground = belt.into_iter().zip(lowest);
+        return ground.map(|(belt, lowest)| if belt == Vector3::zeros() { lowest } else { belt }).collect();
+    }
     let both: Vec<[Option<Vector3<f64>>; 2]> = parts
         .iter()
         .zip(&belt)
@@ -237,5 +241,23 @@ mod tests {
         let [low, high] = [f64::min, f64::max].map(|of| ground.iter().map(|ground| ground.y).fold(0.0, of));
         // Near the reversals the ground is so slow that it counts as resting.
         assert!((0.7..1.05).contains(&(high - low)), "{low} {high}");
+    }
+
+    /// Vertical motion relative to hips that sink by 0.5 leg lengths every 2 s.
+    fn squat(time: f64) -> Vector3<f64> {
+        Vector3::y() * (0.25 - 0.25 * (std::f64::consts::PI * time).cos())
+    }
+
+    #[test]
+    fn ground_moves_with_hips_that_never_move() {
+        let kick = |time: f64| squat(time) + Vector3::y() * 0.4 * (5.0 * time).sin().max(0.0);
+        for right in [&squat as &dyn Fn(f64) -> Vector3<f64>, &kick] {
+            let mut feet = feet(10.0, [&squat, right]);
+            feet.hips = vec![Vector3::y(); feet.frame_count()];
+            let ground = displacement(&feet, &[0..600]).expect("ground that moves");
+            for (ground, toe) in ground.iter().zip(&feet.tracks[0].toe) {
+                assert!((ground - toe).norm() < 0.05, "{ground} {toe}");
+            }
+        }
     }
 }

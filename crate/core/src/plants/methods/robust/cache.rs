@@ -12,7 +12,7 @@ use crate::notice::{Code, Notice};
 use crate::numeric::stats;
 use crate::plants::signal::resampling::Resampler;
 use crate::plants::signal::samples::Ranges;
-use crate::plants::signal::{Signals, ground, motion_segments, moving_ground, tilt};
+use crate::plants::signal::{Signals, fixed_hips, ground, motion_segments, moving_ground, tilt};
 use crate::plants::spectral::bandwidth;
 use crate::plants::spectral::cells::PartitionedSamples;
 use crate::plants::{Feet, FootTracks, signal};
@@ -53,6 +53,8 @@ impl Motion {
     pub fn new(feet: &Feet) -> Motion {
         let spans = motion_segments::motion_spans(feet);
         let on_ground = moving_ground::displacement(feet, &spans).map(|ground| relative_to(feet, &ground));
+        let has_fixed_hips =
+            on_ground.is_some() && spans.iter().any(|span| fixed_hips::are_fixed(feet, span));
         let feet = on_ground.as_ref().unwrap_or(feet);
         let levelled = tilt::levelled(feet, &spans);
         let feet = levelled.as_ref().unwrap_or(feet);
@@ -62,7 +64,12 @@ impl Motion {
         let heel_rise = ground::subtract(feet, &resampler, &mut ankle, &mut toe);
         let is_toe_bearing = signal::weight_bearing(&ankle, &toe, STILL_SPEED * feet.leg);
         let Resampler { fine_spans, factor, .. } = resampler;
-        let notices = span_notices(feet, &spans);
+        let mut notices = span_notices(feet, &spans);
+        if has_fixed_hips {
+            let text = "The hips never move: the motion of the root is missing, or positions are relative to the \
+                        hips. The ground is where the lower foot is; in jumps it is unknown.";
+            notices.push(Notice::new(Code::FixedHips, text));
+        }
         let mut motion = Motion {
             spans,
             fine_spans,
