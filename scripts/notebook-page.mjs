@@ -11,7 +11,7 @@ import { root, step } from "./run.mjs";
 import { targetFolder } from "./setup.mjs";
 import { writeSiteNotices } from "./third-party.mjs";
 
-/** Contents of the blocks of the page; see `web/src/model/player-html.ts` and `web/src/store/embedded.ts`. */
+/** Contents of the blocks of the page; see `web/src/model/sources/player-html.ts` and `web/src/store/embedded.ts`. */
 function blocks() {
   const module = (name) =>
     gzipSync(readFileSync(join(root, "web/src/wasm", name)), { level: 9 }).toString("base64");

@@ -8,7 +8,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { build, type Plugin } from "vite";
 import { reportStyleSource } from "./report-style.ts";
-import { blockIds, noticesId } from "./src/model/player-html.ts";
+import { blockIds, noticesId } from "./src/model/sources/player-html.ts";
 import { checkNotices, noticesText } from "./third-party.ts";
 
 const moduleId = "virtual:player";

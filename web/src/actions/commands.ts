@@ -3,15 +3,16 @@
  * list, so that a key or a label is written once.
  */
 
-import type { NamedSegment } from "../model/segments";
+import type { NamedSegment } from "../model/segments/segments";
 import { batchRows, openBatchRow } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected, selectedCut, similar } from "../store/session";
 import { endTour, tourStep } from "../store/tour";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
-import { reviewNext, toggleChecked } from "./batch";
-import { stepDisagreement } from "./compare";
+import { reviewNext, toggleChecked } from "./analyse/batch";
+import { stepDisagreement } from "./analyse/compare";
+import { editSegmentName } from "./analyse/segment";
 import {
   addToTarget,
   canRedo,
@@ -28,11 +29,12 @@ import {
   stepEdge,
   stepUncertain,
   undo,
-} from "./edit";
-import { addCutAtPlayhead, nudgeCut, removeNearestCut } from "./edit-cuts";
-import { exportLabels } from "./export";
+} from "./edit/edit";
+import { addCutAtPlayhead, nudgeCut, removeNearestCut } from "./edit/edit-cuts";
+import { applySimilar, dismissSimilar } from "./edit/similar";
 import { bindingIndex, type KeyBinding, keyText } from "./key-bindings";
-import { pickFiles, pickVideo } from "./pick-files";
+import { pickFiles, pickVideo } from "./open/pick-files";
+import { exportLabels } from "./save/export";
 import {
   changeSpeed,
   cycleLoop,
@@ -48,9 +50,7 @@ import {
   stepFrame,
   togglePlay,
   zoomTimeline,
-} from "./playback";
-import { editSegmentName } from "./segment";
-import { applySimilar, dismissSimilar } from "./similar";
+} from "./view/playback";
 
 export const groups = ["Play", "Segments", "Edit", "View", "File"] as const;
 

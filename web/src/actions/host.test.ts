@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import type { HostMessage, PageMessage } from "../model/host";
-import type { Source } from "../model/source";
+import type { HostMessage, PageMessage } from "../model/sources/host";
+import type { Source } from "../model/sources/source";
 import { ClipSession, openSession, session } from "../store/clip-session";
 import { detectOptions } from "../store/settings";
 import { theme } from "../store/theme";
@@ -9,9 +9,9 @@ import { createWalkingClip } from "../testing/walking-clip";
 
 vi.mock("../engine", () => import("../testing/fake-engine"));
 
-const { commitEdits, undo } = await import("./edit");
+const { commitEdits, undo } = await import("./edit/edit");
 const { followHost, shareWithHost } = await import("./host");
-const { setDetectOptions, setOverrides } = await import("./detect");
+const { setDetectOptions, setOverrides } = await import("./analyse/detect");
 
 const shared = { id: "", edits: [edit(0)], names: [] };
 

@@ -1,15 +1,15 @@
 /** The page in a frame: its clip, edits and settings are those of the host. */
 
 import { batch, effect } from "@preact/signals";
-import type { HostedState, HostMessage, PageMessage } from "../model/host";
-import type { Source } from "../model/source";
-import { noChanges } from "../model/stored-changes";
+import type { HostedState, HostMessage, PageMessage } from "../model/sources/host";
+import type { Source } from "../model/sources/source";
+import { noChanges } from "../model/stored/stored-changes";
 import { type ClipSession, session } from "../store/clip-session";
 import { detectOptions } from "../store/settings";
 import { themeChoice } from "../store/theme";
-import { setOverrides } from "./detect";
-import { commitEdits, replaceEdits } from "./edit";
-import { currentDetectSettings, detectOptionsOf, overridesOf } from "./view-state";
+import { setOverrides } from "./analyse/detect";
+import { commitEdits, replaceEdits } from "./edit/edit";
+import { currentDetectSettings, detectOptionsOf, overridesOf } from "./view/view-state";
 
 /** The state that the host knows, as text. */
 let known = "";

@@ -1,9 +1,9 @@
 import { type Signal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { canRedo, canUndo } from "../actions/edit";
-import { followHistory } from "../actions/navigation";
-import { openFromAddress } from "../actions/open-address";
-import { openPickedFiles, setFileInput } from "../actions/pick-files";
+import { canRedo, canUndo } from "../actions/edit/edit";
+import { followHistory } from "../actions/open/navigation";
+import { openFromAddress } from "../actions/open/open-address";
+import { openPickedFiles, setFileInput } from "../actions/open/pick-files";
 import { tableVisible } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { phase } from "../store/phase";

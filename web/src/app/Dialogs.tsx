@@ -1,5 +1,5 @@
 import { keyTable } from "../actions/commands";
-import { locationText } from "../model/report";
+import { locationText } from "../model/batch/report";
 import { classicKeys } from "../store/preferences";
 import { clip, notices } from "../store/session";
 import { showHint } from "../store/tour";

@@ -1,12 +1,12 @@
 import { useSignal } from "@preact/signals";
-import { openSource } from "../actions/open";
+import { openSource } from "../actions/open/open";
 import {
   canReadLeniently,
   excerptWithCaret,
   failureReport,
   locationText,
   toSentence,
-} from "../model/report";
+} from "../model/batch/report";
 import { type ErrorReport, errorReport } from "../store/errors";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";

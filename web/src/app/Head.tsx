@@ -1,8 +1,8 @@
-import { hideTable, showTable, uncheckedCount } from "../actions/batch";
+import { hideTable, showTable, uncheckedCount } from "../actions/analyse/batch";
 import { commandOf, tooltip } from "../actions/commands";
-import { goHome } from "../actions/navigation";
-import { pickFiles } from "../actions/pick-files";
-import { openShareDialog } from "../actions/share";
+import { goHome } from "../actions/open/navigation";
+import { pickFiles } from "../actions/open/pick-files";
+import { openShareDialog } from "../actions/save/share";
 import { batchRows, openBatchRow, tableVisible } from "../store/batch";
 import { embedded, isHosted } from "../store/embedded";
 import { panelCollapsed } from "../store/preferences";

@@ -1,7 +1,7 @@
 import { useComputed, useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { keyText } from "../actions/key-bindings";
-import { currentLink, savePage, savePicture } from "../actions/share";
+import { currentLink, savePage, savePicture } from "../actions/save/share";
 import { embedded, isHosted } from "../store/embedded";
 import { playhead } from "../store/playback";
 import { clip, edits, segmentNames } from "../store/session";

@@ -1,6 +1,6 @@
-import { openSample } from "../actions/open";
-import { pickFiles } from "../actions/pick-files";
-import { type Sample, samples } from "../actions/samples";
+import { openSample } from "../actions/open/open";
+import { pickFiles } from "../actions/open/pick-files";
+import { type Sample, samples } from "../actions/open/samples";
 import { maxFileBytes } from "../model/limits";
 import { ThirdPartyLink } from "./ThirdParty";
 

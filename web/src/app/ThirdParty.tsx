@@ -1,4 +1,4 @@
-import { blockText, noticesId } from "../model/player-html";
+import { blockText, noticesId } from "../model/sources/player-html";
 import { embedded } from "../store/embedded";
 import { dialog } from "../store/view";
 import { Dialog } from "../ui/Dialog";

@@ -1,6 +1,6 @@
-import { startMeasuring } from "../actions/measure";
-import { warnBeforeLoss } from "../actions/persist";
-import { rememberVideos } from "../actions/video";
+import { startMeasuring } from "../actions/analyse/measure";
+import { warnBeforeLoss } from "../actions/stored/persist";
+import { rememberVideos } from "../actions/view/video";
 import { engine } from "../engine";
 import { isFramed } from "../store/embedded";
 import { listenForFirstInteraction } from "../store/first-interaction";

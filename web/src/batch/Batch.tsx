@@ -8,9 +8,9 @@ import {
   retryFailed,
   stopBatch,
   uncheckedCount,
-} from "../actions/batch";
+} from "../actions/analyse/batch";
 import { commandOf, tooltip } from "../actions/commands";
-import { columns, filterRows, sortRows } from "../model/table";
+import { columns, filterRows, sortRows } from "../model/batch/table";
 import { batchRequest, batchRows, finishedCount } from "../store/batch";
 import { openClip } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";

@@ -1,8 +1,8 @@
 import { useRef } from "preact/hooks";
-import { openRow, toggleChecked } from "../actions/batch";
-import { addCompanion, removeCompanion } from "../actions/companions";
-import { toSentence } from "../model/report";
-import { columns } from "../model/table";
+import { openRow, toggleChecked } from "../actions/analyse/batch";
+import { addCompanion, removeCompanion } from "../actions/open/companions";
+import { toSentence } from "../model/batch/report";
+import { columns } from "../model/batch/table";
 import { type BatchRow, openBatchRow } from "../store/batch";
 import { companions, maxCompanions } from "../store/companions";
 import { openClip } from "../store/session";

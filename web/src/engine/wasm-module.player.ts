@@ -1,6 +1,6 @@
 /** The wasm modules that a single-file page contains, each compiled once for all workers. */
 
-import { type BlockId, decodeBlock } from "../model/player-html";
+import { type BlockId, decodeBlock } from "../model/sources/player-html";
 
 export async function wasmBytes(): Promise<{ first: Blob; second: Blob }> {
   return { first: await decodeBlock("core"), second: await decodeBlock("second") };

@@ -1,10 +1,10 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { setDetectOptions } from "../actions/detect";
-import { chooseEvidencePart, trackEvidence } from "../actions/evidence";
-import { type ExplanationInput, explain } from "../model/explanation";
-import { toSentence } from "../model/report";
-import { sensitivity } from "../model/sensitivity";
+import { setDetectOptions } from "../actions/analyse/detect";
+import { chooseEvidencePart, trackEvidence } from "../actions/analyse/evidence";
+import { toSentence } from "../model/batch/report";
+import { type ExplanationInput, explain } from "../model/plants/explanation";
+import { sensitivity } from "../model/plants/sensitivity";
 import type { Clustering, Part, Side } from "../model/types";
 import { evidence, evidencePart, pointedFrame } from "../store/evidence";
 import { frame } from "../store/playback";

@@ -1,5 +1,5 @@
 import type uPlot from "uplot";
-import { sides } from "../model/evidence";
+import { sides } from "../model/plants/evidence";
 import type { Side } from "../model/types";
 import type { PointedFrame } from "../store/evidence";
 import type { CanvasTheme } from "../ui/canvas-theme";

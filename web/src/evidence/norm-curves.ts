@@ -5,8 +5,8 @@ import {
   nextSample,
   rankOfNorm,
   valueAtRank,
-} from "../model/evidence";
-import { formatR, sensitivity } from "../model/sensitivity";
+} from "../model/plants/evidence";
+import { formatR, sensitivity } from "../model/plants/sensitivity";
 import type { Clustering } from "../model/types";
 import { niceCeiling } from "../util/axis-steps";
 import { type PlotData, type PlotSpec, paintLine, paintText } from "./plot-data";

@@ -1,5 +1,5 @@
 import type uPlot from "uplot";
-import type { FootFrame } from "../model/evidence";
+import type { FootFrame } from "../model/plants/evidence";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import { drawPath } from "../util/draw-path";
 

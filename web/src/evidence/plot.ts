@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal } from "@preact/signals";
 import uPlot from "uplot";
-import { pause, seek } from "../actions/playback";
-import type { FootFrame } from "../model/evidence";
+import { pause, seek } from "../actions/view/playback";
+import type { FootFrame } from "../model/plants/evidence";
 import { pointAt, pointedFrame } from "../store/evidence";
 import { frame as playheadFrame } from "../store/playback";
 import { theme } from "../store/theme";

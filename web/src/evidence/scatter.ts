@@ -1,6 +1,6 @@
 import type uPlot from "uplot";
-import { type FootFrame, heightSpeedRange, sides } from "../model/evidence";
-import { formatValue } from "../model/explanation";
+import { type FootFrame, heightSpeedRange, sides } from "../model/plants/evidence";
+import { formatValue } from "../model/plants/explanation";
 import type { Evidence, Tracks } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import { drawPath } from "../util/draw-path";

@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
-import { setOverrides } from "../actions/detect";
-import { groundText } from "../model/ground";
+import { setOverrides } from "../actions/analyse/detect";
+import { groundText } from "../model/motion/ground";
 import type { Clip, Overrides, Up } from "../model/types";
 import { detection, openClip, overrides, source } from "../store/session";
 import { markedJoint } from "../store/view";

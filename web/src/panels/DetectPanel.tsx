@@ -1,6 +1,6 @@
-import { detecting, setDetectOptions } from "../actions/detect";
-import { plantedFraction, principalTracks } from "../model/plants";
-import { toSentence } from "../model/report";
+import { detecting, setDetectOptions } from "../actions/analyse/detect";
+import { toSentence } from "../model/batch/report";
+import { plantedFraction, principalTracks } from "../model/plants/plants";
 import type { Side } from "../model/types";
 import { detectFailure, detection, plants } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";

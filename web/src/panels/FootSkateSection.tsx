@@ -1,7 +1,12 @@
-import { selection } from "../actions/edit";
-import { cleanClip, discardCleaned, saveCleaned, setCleanedView } from "../actions/footskate";
-import { jumpTo } from "../actions/playback";
-import { formatCentimetres, summarizeSlides } from "../model/slides";
+import {
+  cleanClip,
+  discardCleaned,
+  saveCleaned,
+  setCleanedView,
+} from "../actions/analyse/footskate";
+import { selection } from "../actions/edit/edit";
+import { jumpTo } from "../actions/view/playback";
+import { formatCentimetres, summarizeSlides } from "../model/plants/slides";
 import type { CleanedClip } from "../model/types";
 import type { CleanedView } from "../store/clip-session";
 import {

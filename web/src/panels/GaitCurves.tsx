@@ -1,6 +1,6 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { percentOfCycle, valueAtPercent } from "../model/gait-cycle";
+import { percentOfCycle, valueAtPercent } from "../model/motion/gait-cycle";
 import type { AngleCurve, Gait, Side } from "../model/types";
 import { playhead } from "../store/playback";
 import { openClip } from "../store/session";

@@ -1,6 +1,6 @@
 import { useComputed } from "@preact/signals";
-import { exportGait, printGaitReport } from "../actions/export";
-import { jumpTo } from "../actions/playback";
+import { exportGait, printGaitReport } from "../actions/save/export";
+import { jumpTo } from "../actions/view/playback";
 import type { Gait, GaitAction, Step } from "../model/types";
 import { frame } from "../store/playback";
 import { gait, gaitAction, gaitActions, measuredAction } from "../store/session";

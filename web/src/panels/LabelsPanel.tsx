@@ -1,9 +1,9 @@
 import { useComputed } from "@preact/signals";
-import { compareWithTruth } from "../actions/compare";
-import { select, selection } from "../actions/edit";
-import { exportLabels } from "../actions/export";
-import { seekPlant } from "../actions/playback";
-import { minPlantConfidence, type Plant, principalPart } from "../model/plants";
+import { compareWithTruth } from "../actions/analyse/compare";
+import { select, selection } from "../actions/edit/edit";
+import { exportLabels } from "../actions/save/export";
+import { seekPlant } from "../actions/view/playback";
+import { minPlantConfidence, type Plant, principalPart } from "../model/plants/plants";
 import { frame } from "../store/playback";
 import { detection, openClip, plants, reference, source } from "../store/session";
 import { plantFormats } from "../store/settings";

@@ -7,9 +7,9 @@ import {
   revertSelected,
   selection,
   targetTrack,
-} from "../actions/edit";
-import type { FrameRange } from "../model/edits";
-import type { Instant } from "../model/plants";
+} from "../actions/edit/edit";
+import type { FrameRange } from "../model/plants/edits";
+import type { Instant } from "../model/plants/plants";
 import type { Part, Side } from "../model/types";
 import { addTarget, detection, openClip, plantEdits } from "../store/session";
 import { CommandButton } from "../ui/CommandButton";

@@ -1,8 +1,8 @@
 import { useComputed } from "@preact/signals";
+import { removeReference } from "../actions/analyse/compare";
 import { commandOf, tooltip } from "../actions/commands";
-import { removeReference } from "../actions/compare";
-import { adoptReference } from "../actions/edit";
-import { jumpTo } from "../actions/playback";
+import { adoptReference } from "../actions/edit/edit";
+import { jumpTo } from "../actions/view/playback";
 import type { Disagreement, Score } from "../model/types";
 import { frame, playing } from "../store/playback";
 import { openClip, reference, score, scorePart, scores } from "../store/session";

@@ -3,7 +3,7 @@ import {
   dismissChangesElsewhere,
   saveUnreadable,
   useChangesElsewhere,
-} from "../actions/persist";
+} from "../actions/stored/persist";
 import { changedElsewhere, persistError, unreadable } from "../store/session";
 
 /** What is wrong with the storage of edits, or new in it, and what can be done. */

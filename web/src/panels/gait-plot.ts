@@ -1,6 +1,6 @@
 import { effect, type ReadonlySignal } from "@preact/signals";
 import uPlot from "uplot";
-import { valueAtPercent } from "../model/gait-cycle";
+import { valueAtPercent } from "../model/motion/gait-cycle";
 import type { AngleCurve, Side } from "../model/types";
 import { theme } from "../store/theme";
 import { type CanvasTheme, readCanvasTheme } from "../ui/canvas-theme";

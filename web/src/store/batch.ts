@@ -1,10 +1,10 @@
 /** The table of many clips. */
 
 import { computed, signal } from "@preact/signals";
-import type { BatchRequest, ClipSummary } from "../model/batch";
-import { namesOfActions, type Vocabulary } from "../model/segments";
-import type { Source } from "../model/source";
-import { keyOfHash } from "../model/stored-changes";
+import type { BatchRequest, ClipSummary } from "../model/batch/batch";
+import { namesOfActions, type Vocabulary } from "../model/segments/segments";
+import type { Source } from "../model/sources/source";
+import { keyOfHash } from "../model/stored/stored-changes";
 import type { Failure } from "../model/types";
 import { session } from "./clip-session";
 

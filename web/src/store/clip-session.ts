@@ -1,13 +1,14 @@
 /** The open clip and all state that belongs to it. */
 
 import { batch, type Signal, signal } from "@preact/signals";
-import type { StoredChanges } from "../model/batch";
-import type { AnyEdit } from "../model/cut-edits";
-import type { FrameRange, PlantRef } from "../model/edits";
-import type { NamedSegment, SegmentName } from "../model/segments";
-import type { Source } from "../model/source";
-import type { UnreadableRecord } from "../model/stored-changes";
-import { clampView, type TimeView } from "../model/time-view";
+import type { StoredChanges } from "../model/batch/batch";
+import { clampView, type TimeView } from "../model/motion/time-view";
+import type { Video } from "../model/motion/video";
+import type { FrameRange, PlantRef } from "../model/plants/edits";
+import type { AnyEdit } from "../model/segments/cut-edits";
+import type { NamedSegment, SegmentName } from "../model/segments/segments";
+import type { Source } from "../model/sources/source";
+import type { UnreadableRecord } from "../model/stored/stored-changes";
 import type {
   Annotation,
   CleanedClip,
@@ -27,7 +28,6 @@ import type {
   Similar,
   Slide,
 } from "../model/types";
-import type { Video } from "../model/video";
 
 /** What playback repeats; a range is chosen by the user. */
 export type Loop = "off" | "clip" | "plant" | "segment" | "range";

@@ -1,5 +1,5 @@
 import { computed, signal } from "@preact/signals";
-import type { Companion } from "../model/source";
+import type { Companion } from "../model/sources/source";
 import { openBatchRow } from "./batch";
 import { openClip, source } from "./session";
 

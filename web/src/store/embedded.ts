@@ -1,10 +1,10 @@
 /** The clip that a single-file page contains, or gets from its host. */
 
-import type { AnyEdit } from "../model/cut-edits";
-import { blockText, decodeBlock } from "../model/player-html";
-import type { SegmentName } from "../model/segments";
-import type { Source } from "../model/source";
-import { parseChanges } from "../model/stored-changes";
+import type { AnyEdit } from "../model/segments/cut-edits";
+import type { SegmentName } from "../model/segments/segments";
+import { blockText, decodeBlock } from "../model/sources/player-html";
+import type { Source } from "../model/sources/source";
+import { parseChanges } from "../model/stored/stored-changes";
 
 export interface EmbeddedClip {
   version: 1;

@@ -2,7 +2,7 @@
 
 import { batch, signal } from "@preact/signals";
 import { failureOf } from "../model/failure";
-import type { Source } from "../model/source";
+import type { Source } from "../model/sources/source";
 import type { Failure } from "../model/types";
 import { opening } from "./jobs";
 

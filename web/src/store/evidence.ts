@@ -1,7 +1,7 @@
 /** The evidence tab: the explained part, and the frame that the pointer is on. */
 
 import { computed, signal } from "@preact/signals";
-import { principalPart } from "../model/plants";
+import { principalPart } from "../model/plants/plants";
 import type { Part } from "../model/types";
 import { type PointedFrame, sessionField } from "./clip-session";
 import { playhead, playing } from "./playback";

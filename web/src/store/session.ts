@@ -1,9 +1,9 @@
 /** Views of the open session for components: fields that follow it, and values derived from it. */
 
 import { computed } from "@preact/signals";
-import { plantEditsOf } from "../model/cut-edits";
-import { plantsOf } from "../model/plants";
-import { actionsOf, cutsOf, nameSegments } from "../model/segments";
+import { plantsOf } from "../model/plants/plants";
+import { plantEditsOf } from "../model/segments/cut-edits";
+import { actionsOf, cutsOf, nameSegments } from "../model/segments/segments";
 import { openVocabulary } from "./batch";
 import { session, sessionField } from "./clip-session";
 

@@ -1,7 +1,7 @@
 /** Settings of detection and segmentation; they do not change when another clip is opened. */
 
 import { signal } from "@preact/signals";
-import { sensitivity } from "../model/sensitivity";
+import { sensitivity } from "../model/plants/sensitivity";
 import type {
   DetectionMethod,
   DetectOptions,

@@ -1,7 +1,7 @@
 /** View state of the page: camera, tabs, dialogs and announcements. */
 
 import { batch, signal } from "@preact/signals";
-import type { CameraPose, CameraView } from "../model/view-state";
+import type { CameraPose, CameraView } from "../model/stored/view-state";
 import { panelCollapsed } from "./preferences";
 
 export type Tab = "detect" | "evidence" | "segment" | "labels" | "score" | "clip";

@@ -1,4 +1,4 @@
-import { uncertainRanges } from "../model/plants";
+import { uncertainRanges } from "../model/plants/plants";
 import type { Clip, Joint, Track } from "../model/types";
 import { summarizeCurve } from "../util/min-max-pyramid";
 

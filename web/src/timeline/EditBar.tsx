@@ -1,4 +1,4 @@
-import { selection } from "../actions/edit";
+import { selection } from "../actions/edit/edit";
 import { selectedCut } from "../store/session";
 import { CommandButton } from "../ui/CommandButton";
 import { CutStepper, EdgeStepper } from "../ui/Stepper";

@@ -1,4 +1,4 @@
-import { toSentence } from "../model/report";
+import { toSentence } from "../model/batch/report";
 import { showTab } from "../store/view";
 
 interface Props {

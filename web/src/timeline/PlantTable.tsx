@@ -1,4 +1,4 @@
-import { seekPlant } from "../actions/playback";
+import { seekPlant } from "../actions/view/playback";
 import { openClip, plants } from "../store/session";
 import { AccessibleTable } from "./AccessibleTable";
 

@@ -1,8 +1,8 @@
 import { useComputed } from "@preact/signals";
-import { pause, seek, segmentAtPlayhead } from "../actions/playback";
-import { plantAt } from "../model/plants";
-import { segmentTitle } from "../model/segments";
-import { toFrame } from "../model/time-view";
+import { pause, seek, segmentAtPlayhead } from "../actions/view/playback";
+import { toFrame } from "../model/motion/time-view";
+import { plantAt } from "../model/plants/plants";
+import { segmentTitle } from "../model/segments/segments";
 import { frame, playhead, timeView } from "../store/playback";
 import { clip, detection, plants } from "../store/session";
 import { margin } from "./scene";

@@ -1,6 +1,6 @@
 import { useComputed } from "@preact/signals";
-import { plantAt } from "../model/plants";
-import { segmentAt } from "../model/segments";
+import { plantAt } from "../model/plants/plants";
+import { segmentAt } from "../model/segments/segments";
 import { openVocabulary } from "../store/batch";
 import { pointedFrame } from "../store/evidence";
 import { timeView } from "../store/playback";

@@ -1,5 +1,5 @@
-import { loopSegment } from "../actions/playback";
-import { segmentKind, segmentTitle } from "../model/segments";
+import { loopSegment } from "../actions/view/playback";
+import { segmentKind, segmentTitle } from "../model/segments/segments";
 import { namedSegments, openClip } from "../store/session";
 import { AccessibleTable } from "./AccessibleTable";
 

@@ -1,7 +1,7 @@
 import { effect, useComputed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { runDetection } from "../actions/detect";
-import { principalTracks } from "../model/plants";
+import { runDetection } from "../actions/analyse/detect";
+import { principalTracks } from "../model/plants/plants";
 import { shownCompanions } from "../store/companions";
 import { opening } from "../store/jobs";
 import { loopedRange, loopedSegment, timeView } from "../store/playback";

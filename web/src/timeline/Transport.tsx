@@ -1,7 +1,7 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { commandOf, keyOf, tooltip } from "../actions/commands";
-import { speeds } from "../actions/playback";
-import { matchingRange } from "../model/segments";
+import { speeds } from "../actions/view/playback";
+import { matchingRange } from "../model/segments/segments";
 import {
   direction,
   frame,

@@ -1,7 +1,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { moveVideo, setVideoOffset } from "../actions/video";
-import { toX } from "../model/time-view";
+import { moveVideo, setVideoOffset } from "../actions/view/video";
+import { toX } from "../model/motion/time-view";
 import { timeView } from "../store/playback";
 import { openClip } from "../store/session";
 import { video, videoDuration } from "../store/video";

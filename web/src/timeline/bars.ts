@@ -1,5 +1,5 @@
-import { plantsWithin } from "../model/plants";
-import { toX } from "../model/time-view";
+import { toX } from "../model/motion/time-view";
+import { plantsWithin } from "../model/plants/plants";
 import type { Track } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import { drawPath } from "../util/draw-path";

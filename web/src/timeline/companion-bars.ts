@@ -1,6 +1,6 @@
-import { principalTracks } from "../model/plants";
-import { retimeFrames } from "../model/retime";
-import type { Companion } from "../model/source";
+import { retimeFrames } from "../model/motion/retime";
+import { principalTracks } from "../model/plants/plants";
+import type { Companion } from "../model/sources/source";
 import type { Side } from "../model/types";
 import { paintMerged } from "./bars";
 import type { CompanionBars } from "./layout";

@@ -1,4 +1,4 @@
-import { toX } from "../model/time-view";
+import { toX } from "../model/motion/time-view";
 import { niceCeiling } from "../util/axis-steps";
 import { drawPath } from "../util/draw-path";
 import { capitalize } from "../util/format";

@@ -1,6 +1,7 @@
 import { batch } from "@preact/signals";
-import { addToTarget, editEdges, resizeSelected, select, selection } from "../actions/edit";
-import { moveCutTo, selectCut } from "../actions/edit-cuts";
+import { editSegmentName } from "../actions/analyse/segment";
+import { addToTarget, editEdges, resizeSelected, select, selection } from "../actions/edit/edit";
+import { moveCutTo, selectCut } from "../actions/edit/edit-cuts";
 import {
   type LoopState,
   loopRange,
@@ -9,11 +10,10 @@ import {
   restoreLoop,
   seek,
   seekPlant,
-} from "../actions/playback";
-import { editSegmentName } from "../actions/segment";
-import { moveCut } from "../model/cut-edits";
-import { segmentTitle } from "../model/segments";
-import { moveEdge, pan, toFrame, zoomAt } from "../model/time-view";
+} from "../actions/view/playback";
+import { moveEdge, pan, toFrame, zoomAt } from "../model/motion/time-view";
+import { moveCut } from "../model/segments/cut-edits";
+import { segmentTitle } from "../model/segments/segments";
 import { evidenceOpen, pointAt } from "../store/evidence";
 import { loop, loopRegion, timeView } from "../store/playback";
 import {

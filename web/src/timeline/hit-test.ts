@@ -1,8 +1,8 @@
-import { nearestCut } from "../model/cut-edits";
-import type { PlantRef } from "../model/edits";
-import { firstIntervalAfter, intervalAt } from "../model/intervals";
-import { segmentAt } from "../model/segments";
-import { toFrame, toX } from "../model/time-view";
+import { toFrame, toX } from "../model/motion/time-view";
+import type { PlantRef } from "../model/plants/edits";
+import { firstIntervalAfter, intervalAt } from "../model/plants/intervals";
+import { nearestCut } from "../model/segments/cut-edits";
+import { segmentAt } from "../model/segments/segments";
 import { timeView } from "../store/playback";
 import { clip, cuts, namedSegments, selected, selectedCut } from "../store/session";
 import { isBars, type Layout } from "./layout";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Companion } from "../model/source";
+import type { Companion } from "../model/sources/source";
 import type { Annotation, Detection, Segmentation } from "../model/types";
 import { createWalkingClip, createWalkingTrack } from "../testing/walking-clip";
 import { isCurves, type LayoutInput, layoutTimeline } from "./layout";

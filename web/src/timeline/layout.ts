@@ -1,5 +1,5 @@
-import { principalPart } from "../model/plants";
-import type { Companion } from "../model/source";
+import { principalPart } from "../model/plants/plants";
+import type { Companion } from "../model/sources/source";
 import type {
   Annotation,
   Detection,

@@ -1,4 +1,4 @@
-import { toX } from "../model/time-view";
+import { toX } from "../model/motion/time-view";
 import { drawPath } from "../util/draw-path";
 import { paintBar, paintBars, paintMerged } from "./bars";
 import { paintCompanion } from "./companion-bars";

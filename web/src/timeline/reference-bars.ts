@@ -1,4 +1,4 @@
-import { rangesWhere } from "../model/intervals";
+import { rangesWhere } from "../model/plants/intervals";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import { drawPath } from "../util/draw-path";
 import type { ReferenceBars } from "./layout";

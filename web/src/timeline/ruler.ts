@@ -1,4 +1,4 @@
-import { toX } from "../model/time-view";
+import { toX } from "../model/motion/time-view";
 import { rulerLabel, timeSteps } from "../util/axis-steps";
 import { formatCount } from "../util/format";
 import { font, margin, type Scene } from "./scene";

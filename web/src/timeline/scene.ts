@@ -1,7 +1,7 @@
-import type { PlantRef } from "../model/edits";
-import type { Plant } from "../model/plants";
-import type { NamedSegment } from "../model/segments";
-import type { TimeView } from "../model/time-view";
+import type { TimeView } from "../model/motion/time-view";
+import type { PlantRef } from "../model/plants/edits";
+import type { Plant } from "../model/plants/plants";
+import type { NamedSegment } from "../model/segments/segments";
 import type { Edit, SegmentAnnotation, Segmentation, Tracks } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import type { Layout } from "./layout";

@@ -1,6 +1,6 @@
-import { firstIntervalAfter } from "../model/intervals";
-import { type NamedSegment, segmentIndexAt } from "../model/segments";
-import { toX } from "../model/time-view";
+import { toX } from "../model/motion/time-view";
+import { firstIntervalAfter } from "../model/plants/intervals";
+import { type NamedSegment, segmentIndexAt } from "../model/segments/segments";
 import type { Segment } from "../model/types";
 import type { CanvasTheme } from "../ui/canvas-theme";
 import { drawPath } from "../util/draw-path";

@@ -1,4 +1,4 @@
-import { toX } from "../model/time-view";
+import { toX } from "../model/motion/time-view";
 import type { Curve } from "../model/types";
 import { firstIndexWhere } from "../util/binary-search";
 import { drawPath } from "../util/draw-path";

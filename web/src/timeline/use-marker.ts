@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal } from "@preact/signals";
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { toX } from "../model/time-view";
+import { toX } from "../model/motion/time-view";
 import { timeView } from "../store/playback";
 import { clip } from "../store/session";
 import type { Layout } from "./layout";

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { firstIntervalAfter } from "../model/intervals";
+import { firstIntervalAfter } from "../model/plants/intervals";
 import { forEachVisible } from "./visible-intervals";
 
 const visible = (intervals: number[], view: { start: number; end: number }, width: number) => {

@@ -1,5 +1,5 @@
-import { firstIntervalAfter } from "../model/intervals";
-import { type TimeView, toX } from "../model/time-view";
+import { type TimeView, toX } from "../model/motion/time-view";
+import { firstIntervalAfter } from "../model/plants/intervals";
 
 /** Consecutive intervals narrower than `minWidth` with gaps below `minGap` pixels are merged. */
 const minWidth = 2;

@@ -1,5 +1,11 @@
-import { setDetectOptions } from "../actions/detect";
-import { formatR, positionStep, positionToR, rToPosition, sensitivity } from "../model/sensitivity";
+import { setDetectOptions } from "../actions/analyse/detect";
+import {
+  formatR,
+  positionStep,
+  positionToR,
+  rToPosition,
+  sensitivity,
+} from "../model/plants/sensitivity";
 import { detectOptions } from "../store/settings";
 import { Slider } from "./Slider";
 

@@ -1,4 +1,4 @@
-import { cancelOpening } from "../actions/open";
+import { cancelOpening } from "../actions/open/open";
 import { jobs, opening } from "../store/jobs";
 import { openClip } from "../store/session";
 

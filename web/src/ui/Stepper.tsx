@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import { nudgeSelected } from "../actions/edit";
-import { nudgeCut } from "../actions/edit-cuts";
+import { nudgeSelected } from "../actions/edit/edit";
+import { nudgeCut } from "../actions/edit/edit-cuts";
 
 /** Buttons that move an edge of the selected plant by one frame. */
 export function EdgeStepper({

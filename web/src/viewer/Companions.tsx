@@ -1,4 +1,4 @@
-import { removeCompanion } from "../actions/companions";
+import { removeCompanion } from "../actions/open/companions";
 import { shownCompanions } from "../store/companions";
 import { Icon } from "../ui/icons";
 

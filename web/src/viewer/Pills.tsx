@@ -1,5 +1,5 @@
 import { useComputed } from "@preact/signals";
-import { type Plant, plantAt } from "../model/plants";
+import { type Plant, plantAt } from "../model/plants/plants";
 import type { Side } from "../model/types";
 import { isFramePreviewed, shownFrame } from "../store/evidence";
 import { detection, openClip, plants } from "../store/session";

@@ -1,8 +1,8 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { pickVideo } from "../actions/pick-files";
-import { removeVideo, setVideoOffset, setVideoRate } from "../actions/video";
-import { type Video, videoRates } from "../model/video";
+import { pickVideo } from "../actions/open/pick-files";
+import { removeVideo, setVideoOffset, setVideoRate } from "../actions/view/video";
+import { type Video, videoRates } from "../model/motion/video";
 import { videoWidth } from "../store/preferences";
 import { openClip } from "../store/session";
 import { video, videoMuted } from "../store/video";

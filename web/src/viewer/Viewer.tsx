@@ -1,10 +1,10 @@
 import { effect, signal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { commandOf, tooltip } from "../actions/commands";
-import { prefersReducedMotion } from "../actions/playback";
-import { characterSize, gridStep } from "../model/trajectory";
+import { prefersReducedMotion } from "../actions/view/playback";
+import { characterSize, gridStep } from "../model/motion/trajectory";
+import type { CameraView } from "../model/stored/view-state";
 import type { Clip } from "../model/types";
-import type { CameraView } from "../model/view-state";
 import { shownCompanions } from "../store/companions";
 import { shownMoment } from "../store/evidence";
 import { firstInteraction } from "../store/first-interaction";

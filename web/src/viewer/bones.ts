@@ -12,7 +12,7 @@ import {
   SphereGeometry,
   Vector3,
 } from "three";
-import { footLightOfJoints } from "../model/feet";
+import { footLightOfJoints } from "../model/motion/feet";
 import type { Clip } from "../model/types";
 import type { Palette } from "./palette";
 

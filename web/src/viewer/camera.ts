@@ -11,7 +11,7 @@ import {
   Vector3,
   Vector4,
 } from "three";
-import type { CameraPose, CameraView } from "../model/view-state";
+import type { CameraPose, CameraView } from "../model/stored/view-state";
 import { ViewCamera } from "./view-camera";
 
 CameraControls.install({

@@ -1,11 +1,11 @@
 import type { Scene } from "three";
-import type { Companion } from "../model/source";
 import {
   characterSize,
   facingDirection,
   smoothedPosition,
   verticalExtent,
-} from "../model/trajectory";
+} from "../model/motion/trajectory";
+import type { Companion } from "../model/sources/source";
 import { Figure } from "./figure";
 import type { MainCharacter } from "./main-character";
 import type { Palette } from "./palette";

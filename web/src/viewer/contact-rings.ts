@@ -1,5 +1,5 @@
 import { DynamicDrawUsage, type InstancedBufferAttribute, Mesh, ShaderMaterial } from "three";
-import type { FootWithSole } from "../model/footprints";
+import type { FootWithSole } from "../model/motion/footprints";
 import type { Bones } from "./bones";
 import type { Palette } from "./palette";
 import { createQuads, floorMaterialOptions, groundHeight, groundUniform } from "./quads";

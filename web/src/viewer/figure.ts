@@ -1,7 +1,7 @@
 import type { Scene } from "three";
-import { footWithSole } from "../model/footprints";
-import { levelAt } from "../model/ground";
-import type { GroundPoint } from "../model/trajectory";
+import { footWithSole } from "../model/motion/footprints";
+import { levelAt } from "../model/motion/ground";
+import type { GroundPoint } from "../model/motion/trajectory";
 import type { Clip, Detection } from "../model/types";
 import { Bones } from "./bones";
 import { ContactRings } from "./contact-rings";

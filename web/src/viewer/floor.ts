@@ -9,7 +9,7 @@ import {
   Vector2,
   Vector3,
 } from "three";
-import { gridStep } from "../model/trajectory";
+import { gridStep } from "../model/motion/trajectory";
 import type { Palette } from "./palette";
 import { groundHeight, groundUniform } from "./quads";
 

@@ -5,7 +5,7 @@ import {
   LineBasicMaterial,
   LineSegments,
 } from "three";
-import { footOf } from "../model/feet";
+import { footOf } from "../model/motion/feet";
 import type { Clip } from "../model/types";
 import type { Palette } from "./palette";
 

@@ -4,9 +4,9 @@ import {
   footprintOf,
   footWithSole,
   visibilityIntervals,
-} from "../model/footprints";
-import { levelAt } from "../model/ground";
-import type { Plant } from "../model/plants";
+} from "../model/motion/footprints";
+import { levelAt } from "../model/motion/ground";
+import type { Plant } from "../model/plants/plants";
 import type { Clip, Detection } from "../model/types";
 import { type FloorNumber, FloorNumbers } from "./floor-numbers";
 import type { Palette } from "./palette";

@@ -7,7 +7,7 @@ import {
   maxHeight,
   smoothedPosition,
   verticalExtent,
-} from "../model/trajectory";
+} from "../model/motion/trajectory";
 import type { Clip, Detection } from "../model/types";
 import { Figure } from "./figure";
 import { Floor } from "./floor";

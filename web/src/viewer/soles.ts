@@ -1,6 +1,6 @@
 import { Mesh, ShaderMaterial } from "three";
-import type { Footprint } from "../model/footprints";
-import type { Plant } from "../model/plants";
+import type { Footprint } from "../model/motion/footprints";
+import type { Plant } from "../model/plants/plants";
 import type { Palette } from "./palette";
 import { createQuads, floorMaterialOptions, groundHeight, groundUniform } from "./quads";
 

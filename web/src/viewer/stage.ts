@@ -1,10 +1,10 @@
 import { DirectionalLight, HemisphereLight, Scene, Vector2, WebGLRenderer } from "three";
-import { type PlantWindow, plantWindowAt } from "../model/footprints";
-import { groundPlane } from "../model/ground";
-import type { Plant } from "../model/plants";
-import type { Companion } from "../model/source";
+import { type PlantWindow, plantWindowAt } from "../model/motion/footprints";
+import { groundPlane } from "../model/motion/ground";
+import type { Plant } from "../model/plants/plants";
+import type { Companion } from "../model/sources/source";
+import type { CameraPose, CameraView, ViewState } from "../model/stored/view-state";
 import type { Clip, Detection } from "../model/types";
-import type { CameraPose, CameraView, ViewState } from "../model/view-state";
 import { Bones } from "./bones";
 import { Camera } from "./camera";
 import { CompanionFigure, companionDistance } from "./companion";

@@ -7,7 +7,7 @@ import {
   Line,
   LineBasicMaterial,
 } from "three";
-import { footOf } from "../model/feet";
+import { footOf } from "../model/motion/feet";
 import type { Clip } from "../model/types";
 import type { Palette } from "./palette";
 

@@ -11,9 +11,9 @@
  */
 
 import { effect } from "@preact/signals";
-import { pause } from "../actions/playback";
-import { rejectVideo } from "../actions/video";
-import { toMoment, toVideoTime } from "../model/video";
+import { pause } from "../actions/view/playback";
+import { rejectVideo } from "../actions/view/video";
+import { toMoment, toVideoTime } from "../model/motion/video";
 import { direction, playhead, playing, speed } from "../store/playback";
 import { openClip } from "../store/session";
 import { mediaClock, video, videoDuration, videoMuted } from "../store/video";

@@ -7,11 +7,11 @@ import type {
   ClipSummary,
   SavedFile,
   StoredChanges,
-} from "../model/batch";
-import { cutEditsOf, plantEditsOf } from "../model/cut-edits";
-import { minPlantConfidence } from "../model/plants";
-import { nameSegments, namesOfActions, segmentTitle } from "../model/segments";
-import { summarizeSlides } from "../model/slides";
+} from "../model/batch/batch";
+import { minPlantConfidence } from "../model/plants/plants";
+import { summarizeSlides } from "../model/plants/slides";
+import { cutEditsOf, plantEditsOf } from "../model/segments/cut-edits";
+import { nameSegments, namesOfActions, segmentTitle } from "../model/segments/segments";
 import type { Clip, Detection, DetectOptions, OnProgress, Result } from "../model/types";
 import {
   commonActions,

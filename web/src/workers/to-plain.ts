@@ -1,6 +1,6 @@
 /** Copies objects of the wasm module to plain objects that can be sent to the page. */
 
-import { uncertainRanges } from "../model/plants";
+import { uncertainRanges } from "../model/plants/plants";
 import type {
   Annotation,
   Clip,

@@ -1,0 +1,274 @@
+/** Processing many clips: detection and segmentation in parallel, shown in one table. */
+
+import { batch, computed } from "@preact/signals";
+import * as Comlink from "comlink";
+import { batchWorkers, type CallOptions, zipWorkers } from "../../engine";
+import type { BatchRequest, ClipSummary } from "../../model/batch/batch";
+import { tableCsv } from "../../model/batch/table";
+import { failureOf } from "../../model/failure";
+import { fileTooLarge, maxFileBytes } from "../../model/limits";
+import type { Source } from "../../model/sources/source";
+import {
+  type BatchRow,
+  batchRequest,
+  batchRows,
+  openBatchRow,
+  tableVisible,
+  vocabularyOf,
+} from "../../store/batch";
+import { type ErrorReport, errorReport } from "../../store/errors";
+import { runJob } from "../../store/jobs";
+import { edits, plants, segmentNames } from "../../store/session";
+import { detectOptions, segmentOptions } from "../../store/settings";
+import { announcement, notify } from "../../store/view";
+import { safeFileName, stemOf, uniqueNames } from "../../util/file-names";
+import { addHistoryEntry, addTableEntry, leaveTableEntry } from "../open/history";
+import { openSource } from "../open/open";
+import { download } from "../save/download";
+import { readChecked, writeChecked } from "../stored/clip-storage";
+import { storedChangesOf } from "../stored/persist";
+import { pause, seekPlant } from "../view/playback";
+import { compareQuietly } from "./compare";
+
+let controller = new AbortController();
+
+/** Processes clips; files that could not be unpacked appear in the table as failed. */
+export async function runBatch(clips: readonly Source[], errors: readonly ErrorReport[]) {
+  stopBatch();
+  const failed = errors.map(({ name, failure }) => ({
+    source: { name, data: new Blob() },
+    status: "failed" as const,
+    failure,
+  }));
+  const waiting = clips.map((source) => ({ source, status: "waiting" as const }));
+  batch(() => {
+    pause();
+    errorReport.value = null;
+    batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
+    tableVisible.value = true;
+  });
+  addTableEntry();
+  await resumeBatch();
+}
+
+/** Processes the waiting clips. */
+export async function resumeBatch() {
+  controller = new AbortController();
+  const { signal } = controller;
+  const options = { detect: detectOptions.value, segment: segmentOptions.value };
+  batchRequest.value = options;
+  const request = { ...options, save: false };
+  const waiting = batchRows.value.filter(({ status }) => status === "waiting");
+  await Promise.all(waiting.map((row) => summarizeRow(row, request, signal)));
+  if (signal.aborted) return;
+  flushUpdates();
+  await nameActions(signal);
+  if (signal.aborted) return;
+  const failed = batchRows.value.filter(({ status }) => status === "failed").length;
+  announcement.value = `${batchRows.value.length} files processed${failed ? `, ${failed} could not be read` : ""}`;
+}
+
+/** Gives equal actions of all clips equal letters. */
+async function nameActions(signal: AbortSignal) {
+  const clips = batchRows.value.map(({ summary }) => summary?.actions);
+  try {
+    const actions = await batchWorkers.run((calls) => calls.commonActions(clips), signal);
+    batchRows.value = batchRows.value.map((row, i) => ({ ...row, actions: actions[i] }));
+  } catch (error) {
+    if (!signal.aborted)
+      notify(`The actions of the clips could not be matched: ${failureOf(error).message}`);
+  }
+}
+
+/** Processes all clips again, with the current options. */
+export async function rerunBatch() {
+  stopBatch();
+  batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
+    row.status === "done" ? { number, source, status: "waiting" } : { number, source, ...row },
+  );
+  await resumeBatch();
+}
+
+/** Processes the clips again on which the program failed. */
+export async function retryFailed() {
+  batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
+    row.failure?.canRetry ? { number, source, status: "waiting" } : { number, source, ...row },
+  );
+  await resumeBatch();
+}
+
+async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortSignal) {
+  const { name, data, labels = [] } = row.source;
+  const references = labels.map((label) => label.data);
+  if (data.size > maxFileBytes) {
+    updateRow(row, { status: "failed", failure: fileTooLarge(data.size) });
+    return;
+  }
+  try {
+    let hash = "";
+    const changesOf = (hashOfFile: string) => {
+      hash = hashOfFile;
+      return storedChangesOf(hash);
+    };
+    const result = await batchWorkers.run((calls) => {
+      // A processed clip retains its results until there are new ones.
+      if (row.status !== "done") updateRow(row, { status: "running" });
+      return calls.summarize(data, name, request, references, Comlink.proxy(changesOf));
+    }, signal);
+    if (signal.aborted) return;
+    updateRow(
+      row,
+      result.ok
+        ? {
+            status: "done",
+            summary: withNotices(result.summary, row.source),
+            ...(hash && { hash }),
+            ...(hash && readChecked(hash) === checkedText(request) && { isChecked: true }),
+          }
+        : { status: "failed", failure: result.failure },
+    );
+  } catch (error) {
+    if (signal.aborted) return;
+    updateRow(row, { status: "failed", failure: failureOf(error) });
+  }
+}
+
+/** Adds the notices of the source, which the worker does not know. */
+const withNotices = (summary: ClipSummary, { notices = [] }: Source): ClipSummary => ({
+  ...summary,
+  notices: summary.notices + notices.length,
+});
+
+/** Pending updates; they are collected so that a table of a thousand rows is rendered once for all. */
+const updates = new Map<number, Partial<BatchRow>>();
+
+const updateInterval = 50;
+
+function updateRow({ number }: BatchRow, update: Partial<BatchRow>) {
+  if (!updates.size) setTimeout(flushUpdates, updateInterval);
+  updates.set(number, { ...updates.get(number), ...update });
+}
+
+function flushUpdates() {
+  if (!updates.size) return;
+  batchRows.value = batchRows.value.map((row) => ({ ...row, ...updates.get(row.number) }));
+  updates.clear();
+}
+
+/** Stops running rows; they wait until the batch is resumed. */
+export function stopBatch() {
+  controller.abort(new Error("stopped"));
+  flushUpdates();
+  batchRows.value = batchRows.value.map((row) =>
+    row.status === "running" ? { ...row, status: "waiting" } : row,
+  );
+}
+
+/** Processes the open clip again if it has edits, which may be newer than its row. */
+export async function refreshOpenRow(): Promise<void> {
+  const row = openBatchRow.value;
+  const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
+  const { edited = false, actions } = row?.summary ?? {};
+  if (row?.status !== "done" || !(edited || actions?.names.size || hasChanges)) return;
+  const options = batchRequest.peek() ?? {
+    detect: detectOptions.value,
+    segment: segmentOptions.value,
+  };
+  await summarizeRow(row, { ...options, save: false }, controller.signal);
+}
+
+/** Shows the table. */
+export function showTable() {
+  tableVisible.value = true;
+  addTableEntry();
+  void refreshOpenRow();
+}
+
+/** Hides the table. */
+export function hideTable() {
+  tableVisible.value = false;
+  leaveTableEntry();
+}
+
+/** Opens a clip of the table. */
+export async function openRow({ source }: BatchRow): Promise<void> {
+  void refreshOpenRow();
+  if (!(await openSource(source))) return;
+  tableVisible.value = false;
+  addHistoryEntry("");
+  await compareQuietly(source);
+}
+
+/** Returns the clips that wait for a review, the least certain first. */
+const reviewQueue = () =>
+  batchRows.value
+    .filter(({ status, isChecked }) => status === "done" && !isChecked)
+    .toSorted((a, b) => (a.summary?.confidence ?? 0) - (b.summary?.confidence ?? 0));
+
+/** Number of clips that are not marked as checked. */
+export const uncheckedCount = computed(() => reviewQueue().length);
+
+/** Opens the clip that needs a review most, other than the open one. */
+export async function reviewNext(): Promise<void> {
+  const next = reviewQueue().find((row) => row !== openBatchRow.value);
+  if (next) {
+    await openRow(next);
+    goToLeastCertain();
+  } else notify("All other clips are checked");
+}
+
+/** Goes to the plant of the lowest confidence. */
+function goToLeastCertain() {
+  const [first, ...others] = plants.value.filter(({ edited }) => !edited);
+  if (!first) return;
+  pause();
+  seekPlant(others.reduce((a, b) => (b.confidence < a.confidence ? b : a), first));
+}
+
+/** Returns the stored mark of a checked clip: it holds only for labels of the same options. */
+const checkedText = ({ detect }: Pick<BatchRequest, "detect">) => JSON.stringify(detect);
+
+/** Marks a clip as checked, or removes the mark. */
+export function toggleChecked(row: BatchRow | undefined = openBatchRow.value) {
+  const request = batchRequest.peek();
+  if (!row || !request) return;
+  if (row.hash) writeChecked(row.hash, row.isChecked ? null : checkedText(request));
+  batchRows.value = batchRows.value.map((other) =>
+    other.number === row.number ? { ...other, isChecked: !other.isChecked } : other,
+  );
+}
+
+/** Downloads labels and segments of all clips, and the table, in one archive. */
+export async function exportAll(): Promise<void> {
+  await refreshOpenRow();
+  flushUpdates();
+  const done = batchRows.value.filter(({ status }) => status === "done");
+  const request: BatchRequest = {
+    save: true,
+    ...(batchRequest.peek() ?? { detect: detectOptions.value, segment: segmentOptions.value }),
+  };
+  const names = uniqueNames(done.map(({ source }) => safeFileName(stemOf(source.name))));
+  const writeArchive = ({ signal, onProgress }: CallOptions) =>
+    zipWorkers.run(async (zip) => {
+      let count = 0;
+      const addFiles = async (row: BatchRow, i: number) => {
+        const { name, data } = row.source;
+        const vocabulary = vocabularyOf(row);
+        const rowRequest = vocabulary ? { ...request, vocabulary } : request;
+        const result = await batchWorkers.run(
+          (calls) => calls.summarize(data, name, rowRequest, [], Comlink.proxy(storedChangesOf)),
+          signal,
+        );
+        if (!result.ok) throw new Error(`${name}: ${result.failure.message}`);
+        for (const { extension, data } of result.files)
+          await zip.add(`${names[i]}.${extension}`, data);
+        onProgress?.(++count / done.length);
+      };
+      await Promise.all(done.map(addFiles));
+      await zip.add("table.csv", tableCsv(batchRows.value));
+      return zip.finish();
+    }, signal);
+  await download("labels.zip", () =>
+    runJob({ title: "Saving", name: "labels.zip" }, new AbortController(), writeArchive),
+  );
+}

@@ -1,0 +1,179 @@
+/** Collects the files of a drop: reads folders, unpacks archives, and separates clips from labels. */
+
+import { zipWorkers } from "../../engine";
+import { failureOf } from "../../model/failure";
+import { maxFileBytes } from "../../model/limits";
+import { detectFileKind } from "../../model/sources/file-kind";
+import type { Source } from "../../model/sources/source";
+import type { Failure, Notice } from "../../model/types";
+import type { ErrorReport } from "../../store/errors";
+import { runJob } from "../../store/jobs";
+import { baseNameOf, isMacCompanion, stemOf } from "../../util/file-names";
+import { mapConcurrent } from "../../util/map-concurrent";
+import type { UnpackedFiles } from "../../workers/zip.worker";
+
+export interface CollectedFiles {
+  clips: Source[];
+  /** Reference labels and segments. */
+  labels: Source[];
+  videos: File[];
+  errors: ErrorReport[];
+}
+
+/** Extensions of the files that are used from folders and archives; others are ignored. */
+const extensions = [".bvh", ".json", ".csv", ".npz"];
+
+/** Maximum number of files of one drop. */
+const maxFiles = 5000;
+
+/** Limits on what an archive unpacks to. Motion compresses less than a hundredfold. */
+const limitsOf = (archive: File) => ({
+  file: maxFileBytes,
+  total: Math.min(2 * maxFileBytes, Math.max(2 ** 28, 100 * archive.size)),
+  files: maxFiles,
+});
+
+export interface DroppedFiles {
+  files: File[];
+  /** True if there were more files than `maxFiles`. */
+  isTruncated?: boolean;
+}
+
+/** Returns the files of a drop. Must be called synchronously in the event handler. */
+export function filesOfTransfer(transfer: DataTransfer): Promise<DroppedFiles> {
+  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
+  if (!entries.some((entry) => entry?.isDirectory)) {
+    return Promise.resolve({ files: [...transfer.files] });
+  }
+  return walk(entries.filter((entry) => entry !== null));
+}
+
+async function walk(entries: readonly FileSystemEntry[]): Promise<DroppedFiles> {
+  const files: FileSystemFileEntry[] = [];
+  const queue = [...entries].map((entry) => ({ entry, isDropped: true }));
+  while (queue.length && files.length < maxFiles) {
+    const next = queue.shift();
+    if (!next) break;
+    const { entry, isDropped } = next;
+    if (!isDropped && isMacCompanion(entry.name)) continue;
+    if (entry.isDirectory) {
+      const children = await listFolder(entry as FileSystemDirectoryEntry);
+      children.sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));
+      queue.unshift(...children.map((entry) => ({ entry, isDropped: false })));
+    } else if (isDropped || hasKnownExtension(entry.name)) {
+      files.push(entry as FileSystemFileEntry);
+    }
+  }
+  return { files: await mapConcurrent(files, fileOf), isTruncated: queue.length > 0 };
+}
+
+const hasKnownExtension = (name: string) =>
+  [...extensions, ".zip"].some((extension) => name.toLowerCase().endsWith(extension));
+
+function fileOf(entry: FileSystemFileEntry): Promise<File> {
+  return new Promise((resolve, reject) => entry.file(resolve, reject));
+}
+
+async function listFolder(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const entries: FileSystemEntry[] = [];
+  for (;;) {
+    // Returns at most a hundred entries at a time.
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) =>
+      reader.readEntries(resolve, reject),
+    );
+    if (!batch.length) return entries;
+    entries.push(...batch);
+  }
+}
+
+/** Sorts files by kind and unpacks archives. Returns undefined if the user stopped that. */
+export async function collectFiles({
+  files,
+  isTruncated,
+}: DroppedFiles): Promise<CollectedFiles | undefined> {
+  const collected: CollectedFiles = { clips: [], labels: [], videos: [], errors: [] };
+  if (isTruncated) collected.errors.push(truncatedError);
+  // Concurrently, because each file would otherwise wait for the page to render.
+  const kinds = await mapConcurrent(files, detectFileKind);
+  for (const [i, file] of files.entries()) {
+    const kind = kinds[i] ?? "clip";
+    if (kind !== "archive") addFile(collected, kind, file);
+    else {
+      const unpacked = await unpack(file);
+      if (!unpacked) return undefined;
+      collected.errors.push(...unpacked.errors);
+      const innerKinds = await mapConcurrent(unpacked.files, ({ file }) => innerFileKind(file));
+      for (const [i, { file, notice }] of unpacked.files.entries()) {
+        addFile(collected, innerKinds[i] ?? "clip", file, notice && [notice]);
+      }
+    }
+  }
+  return collected;
+}
+
+/** Represents the ignored files in the table. */
+const truncatedError: ErrorReport = {
+  name: "More files",
+  failure: {
+    message: `the folder has more than ${maxFiles} files: the others were ignored`,
+    hint: "Drop its subfolders one at a time.",
+  },
+};
+
+/** Attaches labels to the clips whose names they start with; labels of other clips are errors. */
+export function attachLabels(
+  clips: readonly Source[],
+  labels: readonly Source[],
+): Pick<CollectedFiles, "clips" | "errors"> {
+  const belongsTo = (clip: Source) => (label: Source) =>
+    label.name.toLowerCase().startsWith(`${stemOf(clip.name).toLowerCase()}.`);
+  const unmatched = labels.filter((label) => !clips.some((clip) => belongsTo(clip)(label)));
+  return {
+    clips: clips.map((clip) => ({ ...clip, labels: labels.filter(belongsTo(clip)) })),
+    errors: unmatched.map(({ name }) => ({
+      name,
+      failure: {
+        message: "no clip of this drop has a matching file name",
+        hint: "Open the clip, then drop this file.",
+      },
+    })),
+  };
+}
+
+/** Like `detectFileKind`, but archives in archives are not opened. */
+async function innerFileKind(file: File) {
+  const kind = await detectFileKind(file);
+  return kind === "archive" ? "clip" : kind;
+}
+
+function addFile(
+  { clips, labels, videos }: CollectedFiles,
+  kind: "clip" | "labels" | "video",
+  file: File,
+  notices: readonly Notice[] = [],
+) {
+  if (kind === "video") {
+    videos.push(file);
+    return;
+  }
+  const list = kind === "clip" ? clips : labels;
+  list.push({ name: baseNameOf(file.name), data: file, notices });
+}
+
+async function unpack(archive: File): Promise<UnpackedFiles | undefined> {
+  const { name } = archive;
+  const controller = new AbortController();
+  const failed = (failure: Failure) => ({ files: [], errors: [{ name, failure }] });
+  try {
+    const unpacked = await runJob({ title: "Unpacking", name }, controller, ({ signal }) =>
+      zipWorkers.run((calls) => calls.unpack(archive, extensions, limitsOf(archive)), signal),
+    );
+    if (!unpacked.ok) return failed(unpacked.failure);
+    if (unpacked.files.length || unpacked.errors.length) return unpacked;
+    return failed({ message: "the archive contains no BVH file" });
+  } catch (error) {
+    if (controller.signal.aborted) return undefined;
+    return failed(failureOf(error));
+  }
+}

@@ -1,0 +1,61 @@
+/** Moving between the start page and the clips that were open, by the logo, Back and Forward. */
+
+import { batch } from "@preact/signals";
+import type { Source } from "../../model/sources/source";
+import { batchRows, tableVisible } from "../../store/batch";
+import { ClipSession, openSession } from "../../store/clip-session";
+import { errorReport } from "../../store/errors";
+import { source } from "../../store/session";
+import { dialog } from "../../store/view";
+import { showTable } from "../analyse/batch";
+import { compareQuietly } from "../analyse/compare";
+import { pause } from "../view/playback";
+import { clipOfEntry, isTableEntry } from "./history";
+import { cancelOpening, openSource } from "./open";
+import { openFromAddress, startPreview } from "./open-address";
+
+/** Shows the start page. */
+export function goHome() {
+  showStartPage();
+  history.pushState(null, "", location.pathname + location.search);
+}
+
+function showStartPage() {
+  batch(() => {
+    pause();
+    cancelOpening();
+    errorReport.value = null;
+    dialog.value = null;
+    tableVisible.value = false;
+    openSession(new ClipSession(null, null, { isPreview: true }));
+  });
+  void startPreview();
+}
+
+/** Opens a clip again, with the labels that were dropped with it. */
+async function reopen(clip: Source): Promise<void> {
+  if (await openSource(clip)) await compareQuietly(clip);
+}
+
+/** Follows Back, Forward and changes of the address. */
+export function followHistory(signal: AbortSignal) {
+  addEventListener(
+    "popstate",
+    ({ state }) => {
+      const clip = clipOfEntry(state);
+      if (clip) {
+        tableVisible.value = false;
+        if (clip !== source.peek()) void reopen(clip);
+      } else if (isTableEntry(state) && batchRows.peek().length) showTable();
+      else if (!location.hash) showStartPage();
+    },
+    { signal },
+  );
+  addEventListener(
+    "hashchange",
+    () => {
+      if (!clipOfEntry(history.state)) void openFromAddress();
+    },
+    { signal },
+  );
+}

@@ -1,0 +1,49 @@
+/** Opening dropped, picked or pasted files. */
+
+import { tableVisible } from "../../store/batch";
+import { isHosted } from "../../store/embedded";
+import { reportOpenFailure } from "../../store/errors";
+import { showToast } from "../../store/toasts";
+import { runBatch } from "../analyse/batch";
+import { compareWithAll } from "../analyse/compare";
+import { openVideo } from "../view/video";
+import { attachLabels, collectFiles, type DroppedFiles } from "./collect-files";
+import { addHistoryEntry } from "./history";
+import { openSource } from "./open";
+
+/** Aborted when other files are dropped while these are collected. */
+let controller = new AbortController();
+
+/**
+ * Opens one clip with the labels and the video that were dropped with it, or several clips in a table, which
+ * have no videos.
+ */
+export async function openFiles(dropped: DroppedFiles): Promise<void> {
+  controller.abort();
+  controller = new AbortController();
+  const { signal } = controller;
+  const collected = await collectFiles(dropped);
+  if (signal.aborted || !collected) return;
+  const { clips, labels, videos, errors } = collected;
+  if (isHosted && clips.length) {
+    showToast({
+      text: "This page shows the clip of its cell in the notebook. To show another clip, use another cell.",
+    });
+    return;
+  }
+  const [clip, ...others] = clips;
+  if (others.length || (errors.length && clip) || errors.length > 1) {
+    const matched = attachLabels(clips, labels);
+    await runBatch(matched.clips, [...errors, ...matched.errors]);
+    return;
+  }
+  const [error] = errors;
+  if (error) reportOpenFailure(error.name, error.failure, { retry: () => void openFiles(dropped) });
+  if (clip) {
+    if (!(await openSource(clip))) return;
+    tableVisible.value = false;
+    addHistoryEntry("");
+  }
+  if (videos[0]) openVideo(videos[0]);
+  await compareWithAll(labels);
+}

@@ -1,0 +1,199 @@
+/** Opening one clip: a file, a sample or a download. */
+
+import { batch } from "@preact/signals";
+import { engine } from "../../engine";
+import { failureOf } from "../../model/failure";
+import { fileTooLarge, maxFileBytes } from "../../model/limits";
+import { fileNameOfUrl, formatHash } from "../../model/sources/link";
+import type { Source } from "../../model/sources/source";
+import type { Clip } from "../../model/types";
+import { ClipSession, openSession, session } from "../../store/clip-session";
+import { isFramed } from "../../store/embedded";
+import { errorReport, reportOpenFailure } from "../../store/errors";
+import { type Opening, opening, stopClipJobs } from "../../store/jobs";
+import { segmentOptions } from "../../store/settings";
+import { showToast } from "../../store/toasts";
+import { dialog, message } from "../../store/view";
+import { runDetection } from "../analyse/detect";
+import { runSegmentation } from "../analyse/segment";
+import { restorePersisted } from "../stored/persist";
+import { pause, play, prefersReducedMotion } from "../view/playback";
+import { applyViewState, overridesOf } from "../view/view-state";
+import { fetchBlob } from "./fetch-blob";
+import { addHistoryEntry } from "./history";
+import { samples } from "./samples";
+
+/** Aborted when another clip is opened or the opening is cancelled. */
+let controller = new AbortController();
+
+/** Returns a signal that aborts when a clip is opened from now on. */
+export const openingSignal = () => controller.signal;
+
+function beginOpening(name: string, stage: Opening["stage"]): AbortSignal {
+  controller.abort();
+  controller = new AbortController();
+  batch(() => {
+    errorReport.value = null;
+    dialog.value = null;
+    opening.value = { name, stage };
+  });
+  return controller.signal;
+}
+
+/** Cancels the opening; the previous clip remains open. */
+export function cancelOpening() {
+  controller.abort();
+  controller = new AbortController();
+  stopClipJobs();
+  engine.cancel();
+  opening.value = null;
+}
+
+interface ReadOptions {
+  lenient?: boolean;
+}
+
+/** Opens a clip and labels it. Returns false if that failed or was cancelled. */
+export async function openSource(
+  source: Source,
+  { lenient = source.view?.lenient === "yes" }: ReadOptions = {},
+): Promise<boolean> {
+  const { name, data } = source;
+  if (data.size > maxFileBytes) {
+    reportOpenFailure(name, fileTooLarge(data.size), { source });
+    return false;
+  }
+  const retry = () => void openSource(source, { lenient });
+  const signal = beginOpening(name, "read");
+  // The worker would otherwise finish the pending calls first.
+  stopClipJobs();
+  try {
+    const onProgress = (fraction: number) => {
+      if (!signal.aborted) opening.value = { name, stage: "read", fraction };
+    };
+    const opened = await Promise.race([
+      engine.open(data, name, { lenient, onProgress }),
+      rejectOnAbort(signal),
+    ]);
+    if (signal.aborted) return false;
+    if (!opened.ok) {
+      reportOpenFailure(name, opened.failure, { source, retry });
+      return false;
+    }
+    source.lenient = lenient;
+    const clip = await applyOverrides(opened.clip, source);
+    if (signal.aborted) return false;
+    showClip(clip, source);
+    opening.value = { name, stage: "detect" };
+    await Promise.race([runDetection(), rejectOnAbort(signal)]);
+    if (signal.aborted) return true;
+    // Requested before the segmentation, so that edits are shown first.
+    const restored = restorePersisted();
+    const segmented = runSegmentation();
+    opening.value = null;
+    await Promise.all([restored, segmented]);
+    return true;
+  } catch (error) {
+    if (!signal.aborted) reportOpenFailure(name, failureOf(error), { source, retry });
+    return false;
+  }
+}
+
+/** Applies the overrides of a link or a shared page. */
+async function applyOverrides(clip: Clip, source: Source): Promise<Clip> {
+  const overrides = overridesOf(source.view ?? {});
+  if (!Object.keys(overrides).length) return clip;
+  const opened = await engine.override(overrides);
+  if (opened.ok) return opened.clip;
+  showToast({ text: `The link changes how the file is read, but ${opened.failure.message}.` });
+  const { rate: _1, up: _2, unit: _3, joints: _4, ...others } = source.view ?? {};
+  source.view = others;
+  return clip;
+}
+
+/** Makes a clip the open one, at its first frame or at the moment of its view state. */
+export function showClip(clip: Clip, source: Source, isPreview = false) {
+  const { view } = source;
+  const loop = session.value.loop.value;
+  batch(() => {
+    pause();
+    // It is about the clip before.
+    message.value = "";
+    forgetTemplateFrame();
+    if (view) applyViewState(view);
+    openSession(
+      new ClipSession(clip, source, {
+        isPreview,
+        overrides: view ? overridesOf(view) : {},
+        playhead: Math.round((view?.t ?? 0) * clip.rate),
+        loop: loop === "off" ? "off" : "clip",
+      }),
+    );
+  });
+  // A shared moment is shown as it is. A document may have many frames with clips.
+  if (!prefersReducedMotion() && !view?.t && !isFramed) play();
+}
+
+/** Resets a segmentation template that is a frame of the previous clip. */
+function forgetTemplateFrame() {
+  if (!Number.isInteger(Number(segmentOptions.value.template))) return;
+  const { template: _, ...rest } = segmentOptions.value;
+  segmentOptions.value = rest;
+}
+
+async function openRemote(
+  url: string,
+  name: string,
+  stage: Opening["stage"],
+  more: Partial<Source> = {},
+): Promise<boolean> {
+  const signal = beginOpening(name, stage);
+  try {
+    const data = await fetchBlob(url, signal, maxFileBytes, (fraction) => {
+      if (signal.aborted) return;
+      opening.value = fraction === undefined ? { name, stage } : { name, stage, fraction };
+    });
+    if (signal.aborted) return false;
+    return await openSource({ ...more, name, data });
+  } catch (error) {
+    if (!signal.aborted) {
+      const failure = {
+        hint: "Download the file and drop it here instead.",
+        canRetry: error instanceof Error,
+        ...failureOf(error),
+      };
+      reportOpenFailure(name, failure, { retry: () => void openRemote(url, name, stage, more) });
+    }
+    return false;
+  }
+}
+
+export const openUrl = (url: string, more: Partial<Source> = {}) =>
+  openRemote(url, fileNameOfUrl(url), "fetch", { ...more, origin: { kind: "url", url } });
+
+export async function openSample(name: string, more: Partial<Source> = {}): Promise<boolean> {
+  const sample = samples.find((other) => other.name === name);
+  if (sample) {
+    const { truthUrl } = sample;
+    const origin = { kind: "sample", name } as const;
+    const opened = await openRemote(sample.url, `${sample.name}.bvh`, "read", {
+      ...more,
+      ...(truthUrl ? { truthUrl } : {}),
+      origin,
+    });
+    // The address of a followed link does not change.
+    if (opened && !more.view) addHistoryEntry(formatHash({ origin, view: "" }));
+    return opened;
+  }
+  reportOpenFailure(name, {
+    message: `There is no sample called "${name}".`,
+    hint: "Choose one of the samples on the start page.",
+  });
+  return false;
+}
+
+function rejectOnAbort(signal: AbortSignal): Promise<never> {
+  return new Promise((_, reject) => {
+    signal.addEventListener("abort", () => reject(new Error("cancelled")), { once: true });
+  });
+}

@@ -1,0 +1,22 @@
+import { Cancelled } from "../../engine";
+import { reportFailure } from "../../store/errors";
+import { announcement } from "../../store/view";
+import { safeFileName } from "../../util/file-names";
+
+/** Downloads a file to the user's computer, under a name that every system allows. */
+export async function download(name: string, make: () => Promise<Blob>): Promise<void> {
+  const fileName = safeFileName(name);
+  try {
+    const url = URL.createObjectURL(await make());
+    const link = document.createElement("a");
+    link.href = url;
+    link.download = fileName;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    announcement.value = `Saved ${fileName}`;
+  } catch (error) {
+    const isAborted = error instanceof Error && error.name === "AbortError";
+    if (error instanceof Cancelled || isAborted) return;
+    reportFailure("saved", fileName, error, () => void download(fileName, make));
+  }
+}
