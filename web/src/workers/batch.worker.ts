@@ -22,6 +22,7 @@ import {
   type WasmDetection,
 } from "../wasm/plantigrade";
 import { holdLock } from "./hold-lock";
+import { loadSmall } from "./read-blob";
 import { clipToPlain, detectionToPlain, transferables } from "./to-plain";
 import {
   methodReady,
@@ -57,9 +58,10 @@ const api = {
   ): Promise<BatchResult> {
     await secondReady();
     const started = performance.now();
-    const opened = await toResult(() => readClip(file, false, throttle(onProgress)));
+    const data = await loadSmall(file);
+    const opened = await toResult(() => readClip(data, false, throttle(onProgress)));
     if (!opened.ok) return opened;
-    const hash = await sha256(file);
+    const hash = await sha256(data);
     const changes = hash ? await changesOf(hash) : { edits: [], names: [] };
     const owned: { free(): void }[] = [opened.value];
     try {
@@ -99,10 +101,11 @@ const api = {
     changesOf: ChangesOf,
   ): Promise<CompanionResult> {
     await wasmReady;
-    const opened = await toResult(() => readClip(file, false, () => {}));
+    const data = await loadSmall(file);
+    const opened = await toResult(() => readClip(data, false, () => {}));
     if (!opened.ok) return opened;
     const wasmClip = opened.value;
-    const hash = await sha256(file);
+    const hash = await sha256(data);
     const changes = hash ? await changesOf(hash) : { edits: [] };
     await methodReady(options);
     const detected = await toResult(() => wasmClip.detect(options));

@@ -1,9 +1,9 @@
 import { expect, it } from "vitest";
-import { readChunks } from "./read-blob";
+import { type FileData, loadSmall, readChunks, sizeOf } from "./read-blob";
 
 const bytes = new Uint8Array(3_000_000).map((_, i) => (i * 7) % 251);
 
-async function read(file: Blob): Promise<Buffer> {
+async function read(file: FileData): Promise<Buffer> {
   const chunks = [];
   for await (const chunk of readChunks(file)) chunks.push(Buffer.from(chunk));
   return Buffer.concat(chunks);
@@ -24,4 +24,13 @@ it("works without support for byte streams", async () => {
       },
     });
   expect((await read(Object.assign(new Blob([bytes]), { stream }))).equals(bytes)).toBe(true);
+});
+
+it("yields the bytes of a file that is loaded, however often it is read", async () => {
+  const loaded = await loadSmall(new Blob([bytes]));
+  expect(loaded).toBeInstanceOf(Uint8Array);
+  expect(sizeOf(loaded)).toBe(bytes.length);
+  for (let time = 0; time < 2; time++) expect((await read(loaded)).equals(bytes)).toBe(true);
+  const large = Object.defineProperty(new Blob([bytes]), "size", { value: 1 << 26 });
+  expect(await loadSmall(large)).toBe(large);
 });

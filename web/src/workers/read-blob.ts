@@ -22,8 +22,26 @@ export async function* readStream(
   }
 }
 
+/** Maximum size of files that are loaded into memory so that they are read once, in bytes. */
+const MAX_LOADED_BYTES = 1 << 25;
+
+/** A file, or its bytes. */
+export type FileData = Blob | Uint8Array<ArrayBuffer>;
+
+/** Returns the bytes of a small file, which can then be read several times; a large file is returned itself. */
+export async function loadSmall(file: Blob): Promise<FileData> {
+  return file.size > MAX_LOADED_BYTES ? file : new Uint8Array(await file.arrayBuffer());
+}
+
+/** Returns the size of a file in bytes. */
+export const sizeOf = (file: FileData) => (file instanceof Blob ? file.size : file.length);
+
 /** Yields the bytes of a file in order; each chunk may overwrite the previous one. */
-export async function* readChunks(file: Blob): AsyncGenerator<Uint8Array> {
+export async function* readChunks(file: FileData): AsyncGenerator<Uint8Array> {
+  if (!(file instanceof Blob)) {
+    yield file;
+    return;
+  }
   const stream = file.stream();
   let reader: ReadableStreamBYOBReader;
   try {

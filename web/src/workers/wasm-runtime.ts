@@ -3,7 +3,7 @@
 import { failureOf, WorkerError } from "../model/failure";
 import type { DetectOptions, Failure, OnProgress } from "../model/types";
 import init, { methods, type WasmClip, WasmReader } from "../wasm/plantigrade";
-import { readChunks } from "./read-blob";
+import { type FileData, readChunks, sizeOf } from "./read-blob";
 
 const PROGRESS_INTERVAL_MS = 50;
 
@@ -114,17 +114,18 @@ export function throttle(onProgress?: OnProgress): OnProgress {
 }
 
 export async function readClip(
-  file: Blob,
+  file: FileData,
   lenient: boolean,
   onProgress: OnProgress,
 ): Promise<WasmClip> {
-  const reader = new WasmReader(lenient, file.size);
+  const size = sizeOf(file);
+  const reader = new WasmReader(lenient, size);
   let done = 0;
   try {
     for await (const chunk of readChunks(file)) {
       reader.push(chunk);
       done += chunk.length;
-      onProgress(done / file.size);
+      onProgress(done / size);
     }
   } catch (error) {
     reader.free();
@@ -134,8 +135,9 @@ export async function readClip(
 }
 
 /** Returns the SHA-256 of a file in hexadecimal; undefined if the browser does not offer it. */
-export async function sha256(file: Blob): Promise<string | undefined> {
+export async function sha256(file: FileData): Promise<string | undefined> {
   if (!globalThis.crypto?.subtle) return undefined;
-  const digest = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
+  const bytes = file instanceof Blob ? await file.arrayBuffer() : file;
+  const digest = await crypto.subtle.digest("SHA-256", bytes);
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }

@@ -139,10 +139,11 @@ const withNotices = (summary: ClipSummary, { notices = [] }: Source): ClipSummar
   notices: summary.notices + notices.length,
 });
 
-/** Pending updates; they are collected so that a table of a thousand rows is rendered once for all. */
+/** Pending updates; they are collected because rendering the table takes processor time from the workers. */
 const updates = new Map<number, Partial<BatchRow>>();
 
-const updateInterval = 50;
+/** Time between two updates of the table, in milliseconds. */
+const updateInterval = 200;
 
 function updateRow({ number }: BatchRow, update: Partial<BatchRow>) {
   if (!updates.size) setTimeout(flushUpdates, updateInterval);
@@ -151,7 +152,10 @@ function updateRow({ number }: BatchRow, update: Partial<BatchRow>) {
 
 function flushUpdates() {
   if (!updates.size) return;
-  batchRows.value = batchRows.value.map((row) => ({ ...row, ...updates.get(row.number) }));
+  batchRows.value = batchRows.value.map((row) => {
+    const update = updates.get(row.number);
+    return update ? { ...row, ...update } : row;
+  });
   updates.clear();
 }
 
