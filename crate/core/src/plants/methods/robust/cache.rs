@@ -67,7 +67,8 @@ impl Motion {
         let mut notices = span_notices(feet, &spans);
         if has_fixed_hips {
             let text = "The hips never move: the motion of the root is missing, or positions are relative to the \
-                        hips. The ground is where the lower foot is; in jumps it is unknown.";
+                        hips. Unless the feet move as on a treadmill, labels assume that the ground is where the lower \
+                        foot is, which is unknown in jumps, and slides are not relative to it.";
             notices.push(Notice::new(Code::FixedHips, text));
         }
         let mut motion = Motion {
