@@ -7,25 +7,28 @@ import { ask, root, run, Stop, step } from "./run.mjs";
 
 const BROWSERS = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 const SHELL = "chromium-headless-shell";
+const FIREFOX = ["firefox", "firefox-esr"];
 const MAC_CHROME = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
 
 /**
  * Returns the paths of Chromium, of ChromeDriver, and of the headless shell of Chromium; installs them if possible.
  * The shell has no user interface and therefore opens a page with 40 % less processor time; if it is missing,
- * its path is that of Chromium.
+ * its path is that of Chromium. Firefox is installed likewise; its tests are skipped if that is not possible.
  */
 export async function browser() {
   const isMissing = !chromium() || !driver();
   const hasApt = ask("apt-get", ["--version"]) !== undefined && process.getuid?.() === 0;
-  if (hasApt && (isMissing || !headlessShell())) {
-    step("Installing Chromium for the tests");
+  if (hasApt && (isMissing || !headlessShell() || !firefox())) {
+    step("Installing Chromium and Firefox for the tests");
     const source = "The Debian package server";
     const install = (...names) =>
       run("apt-get", ["install", "-y", "-qq", ...names], { source, quiet: true });
     const updating = run("apt-get", ["update", "-qq"], { source, quiet: true });
     await (isMissing ? updating : updating.catch(ignoreStop));
     if (isMissing) await install("chromium", "chromium-driver");
-    if (ask("apt-cache", ["show", SHELL])) await install(SHELL).catch(ignoreStop);
+    for (const name of [SHELL, "firefox-esr"]) {
+      if (ask("apt-cache", ["show", name])) await install(name).catch(ignoreStop);
+    }
   }
   if (!chromium()) {
     step("Installing Chromium for the tests");
@@ -46,7 +49,7 @@ export async function browser() {
   return { chromium: chromium(), headlessShell: headlessShell() ?? chromium(), driver: driver() };
 }
 
-/** The shell only makes the tests faster. */
+/** The shell only makes the tests faster, and the tests in Firefox are skipped without it. */
 function ignoreStop(error) {
   if (!(error instanceof Stop)) throw error;
 }
@@ -59,6 +62,10 @@ function chromium() {
     onPath(BROWSERS) ||
     [MAC_CHROME, playwrightChromium()].find((candidate) => candidate && existsSync(candidate))
   );
+}
+
+function firefox() {
+  return process.env.FIREFOX_PATH ?? onPath(FIREFOX);
 }
 
 function headlessShell() {

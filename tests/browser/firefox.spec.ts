@@ -140,7 +140,7 @@ test("opens, labels, plays, edits and saves a clip", async ({ app }) => {
     await toFirstEdge(page);
     const edge = await playhead(page);
     expect(edge.frame).toBeGreaterThan(0);
-    expect(edge.text).toMatch(/planted/);
+    expect(edge.text).toMatch(/in contact/);
     await page.keyboard.press("Home");
     await page.keyboard.press(" ");
     await page.waitForFunction(
