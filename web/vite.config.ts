@@ -32,11 +32,35 @@ const contentSecurityPolicy: Plugin = {
   ],
 };
 
+/** Loads the first module at the same time as the scripts that request it. */
+const preloadModule: Plugin = {
+  name: "preload-module",
+  apply: "build",
+  transformIndexHtml: {
+    order: "post",
+    handler: (_, { bundle = {} }) =>
+      Object.keys(bundle)
+        .filter((file) => /plantigrade_bg.*\.wasm$/.test(file))
+        .map((file) => ({
+          tag: "link",
+          attrs: { rel: "preload", as: "fetch", crossorigin: "", href: `./${file}` },
+          injectTo: "head",
+        })),
+  },
+};
+
 export default defineConfig({
   root: import.meta.dirname,
   base: "./",
   cacheDir: "../node_modules/.vite",
-  plugins: [contentSecurityPolicy, player(), noticesPage(), checkNotices(), offline()],
+  plugins: [
+    contentSecurityPolicy,
+    preloadModule,
+    player(),
+    noticesPage(),
+    checkNotices(),
+    offline(),
+  ],
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   worker: { format: "es", plugins: () => [checkNotices()] },
   build: {

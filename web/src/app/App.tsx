@@ -1,5 +1,5 @@
 import { type Signal, useSignalEffect } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useLayoutEffect } from "preact/hooks";
 import { canRedo, canUndo } from "../actions/edit/edit";
 import { followHistory } from "../actions/open/navigation";
 import { openFromAddress } from "../actions/open/open-address";
@@ -56,7 +56,8 @@ function TouchEdits() {
 
 /** The page. */
 export function App() {
-  useEffect(() => {
+  // Before the first frame, which would otherwise show the start page to those who follow a link.
+  useLayoutEffect(() => {
     const controller = new AbortController();
     const { signal } = controller;
     addEventListener("keydown", onKey, { signal });

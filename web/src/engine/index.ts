@@ -4,6 +4,7 @@ import { createEngine } from "./clip-engine";
 
 export { type CallOptions, Cancelled, type ClipEngine, type OpenOptions } from "./clip-engine";
 export { batchWorkers, zipWorkers } from "./pools";
+export { wasmModule } from "./wasm-module";
 
 /** The worker that holds the open clip. */
 export const engine = createEngine();

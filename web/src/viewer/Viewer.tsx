@@ -2,6 +2,7 @@ import { effect, signal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { commandOf, tooltip } from "../actions/commands";
 import { prefersReducedMotion } from "../actions/view/playback";
+import { wasmModule } from "../engine";
 import { characterSize, gridStep } from "../model/motion/trajectory";
 import type { CameraView } from "../model/stored/view-state";
 import type { Clip } from "../model/types";
@@ -137,31 +138,32 @@ function mountStage(host: HTMLElement): () => void {
     firstInteraction,
     untilTruthy(() => opening.value || clip.value),
   ]);
-  void Promise.all([stageNeeded.then(() => import("./stage")), untilTruthy(() => clip.value)]).then(
-    ([{ Stage }]) => {
-      if (unmounted) return;
-      let stage: Stage;
-      try {
-        stage = new Stage(host, prefersReducedMotion());
-      } catch {
-        problem.value = "missing";
-        return;
-      }
-      stage.canvas.addEventListener("webglcontextlost", (event) => {
-        event.preventDefault();
-        problem.value = "lost";
-      });
-      stage.canvas.addEventListener("webglcontextrestored", () => {
-        problem.value = "";
-        stage.invalidate();
-      });
-      const disposers = bindStage(stage);
-      dispose = () => {
-        for (const stop of disposers) stop();
-        stage.dispose();
-      };
-    },
-  );
+  // The labels need the module but not the view: over a slow network, three.js must not delay them.
+  const moduleLoaded = wasmModule().catch(() => {});
+  const stageLoaded = Promise.all([stageNeeded, moduleLoaded]).then(() => import("./stage"));
+  void Promise.all([stageLoaded, untilTruthy(() => clip.value)]).then(([{ Stage }]) => {
+    if (unmounted) return;
+    let stage: Stage;
+    try {
+      stage = new Stage(host, prefersReducedMotion());
+    } catch {
+      problem.value = "missing";
+      return;
+    }
+    stage.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      problem.value = "lost";
+    });
+    stage.canvas.addEventListener("webglcontextrestored", () => {
+      problem.value = "";
+      stage.invalidate();
+    });
+    const disposers = bindStage(stage);
+    dispose = () => {
+      for (const stop of disposers) stop();
+      stage.dispose();
+    };
+  });
   return () => {
     unmounted = true;
     dispose();

@@ -2,7 +2,7 @@
 
 import { engine } from "../../engine";
 import { messageOf } from "../../model/failure";
-import { type Link, parseHash } from "../../model/sources/link";
+import { fileNameOfUrl, type Link, parseHash } from "../../model/sources/link";
 import { tableVisible } from "../../store/batch";
 import { type EmbeddedClip, embedded, embeddedSource } from "../../store/embedded";
 import { reportOpenFailure } from "../../store/errors";
@@ -11,7 +11,7 @@ import { clip } from "../../store/session";
 import { runDetection } from "../analyse/detect";
 import { followHost } from "../host";
 import { parseLinkView } from "../view/view-state";
-import { openingSignal, openSample, openSource, openUrl, showClip } from "./open";
+import { beginOpening, openingSignal, openSample, openSource, openUrl, showClip } from "./open";
 import { previewSample } from "./samples";
 
 /** Opens the embedded clip or that of the host, follows `#url=` or `#sample=`, or starts the preview. */
@@ -39,7 +39,8 @@ async function openEmbedded(page: EmbeddedClip): Promise<void> {
 }
 
 async function followLink({ origin, view: text }: Link): Promise<boolean> {
-  const signal = openingSignal();
+  const name = origin.kind === "url" ? fileNameOfUrl(origin.url) : `${origin.name}.bvh`;
+  const signal = beginOpening(name, "fetch");
   const view = await parseLinkView(text);
   if (signal.aborted) return true;
   tableVisible.value = false;

@@ -29,7 +29,8 @@ let controller = new AbortController();
 /** Returns a signal that aborts when a clip is opened from now on. */
 export const openingSignal = () => controller.signal;
 
-function beginOpening(name: string, stage: Opening["stage"]): AbortSignal {
+/** Shows that a clip is opened instead of the previous one. Returns a signal that aborts when another one is opened. */
+export function beginOpening(name: string, stage: Opening["stage"]): AbortSignal {
   controller.abort();
   controller = new AbortController();
   batch(() => {

@@ -1,13 +1,14 @@
-/** The second wasm module: the first labels do not require it, and everything else waits for it. */
+/** The two wasm modules: what waits for which. */
 
 import type { Page } from "@playwright/test";
 import { type App, expect, test } from "./app";
 import { sample } from "./clips";
 
 const address = /plantigrade_second-[^/]*\.wasm$/;
+const firstAddress = /plantigrade_bg-[^/]*\.wasm$/;
 
-/** Delays the module until the returned function is called. */
-async function holdModule(page: Page): Promise<() => void> {
+/** Delays a module until the returned function is called. */
+async function holdModule(page: Page, address: RegExp): Promise<() => void> {
   let release = () => {};
   const released = new Promise<void>((resolve) => {
     release = resolve;
@@ -22,8 +23,25 @@ async function holdModule(page: Page): Promise<() => void> {
 const isLabelled = (app: App) =>
   expect(app.timeline.getByRole("table", { name: /plants/ }).first()).toBeAttached();
 
+test("a link loads the first module before the 3D view, and no picture of the start page", async ({
+  app,
+  page,
+}) => {
+  const release = await holdModule(page, firstAddress);
+  const requested: string[] = [];
+  page.on("request", (request) => requested.push(new URL(request.url()).pathname));
+  const others = () => requested.filter((path) => /stage-.*\.js$|\.webp$/.test(path));
+  await page.goto(`${app.site.home}#sample=curved-walk`);
+  // The clip and the font are requested at the same time as three.js would be.
+  await expect.poll(() => requested.filter((path) => /\.(bvh|woff2)$/.test(path)).length).toBe(2);
+  expect(others()).toEqual([]);
+  release();
+  await expect(app.stage.locator("canvas")).toBeVisible();
+  expect(others()).toEqual([expect.stringMatching(/stage-.*\.js$/)]);
+});
+
 test("shows the first labels while the second module loads", async ({ app, page }) => {
-  const release = await holdModule(page);
+  const release = await holdModule(page, address);
   await page.goto(`${app.site.home}#sample=curved-walk`);
   await isLabelled(app);
   expect((await app.result("Left")).plants).toBe(3);
@@ -35,7 +53,7 @@ test("shows the first labels while the second module loads", async ({ app, page 
 });
 
 test("detects by another method after the second module has loaded", async ({ app, page }) => {
-  const release = await holdModule(page);
+  const release = await holdModule(page, address);
   await page.goto(`${app.site.home}#sample=curved-walk&method=paper`);
   await page.waitForRequest(address);
   release();
@@ -61,7 +79,7 @@ test("reports a failed download, and tries again", async ({ app, page }) => {
 });
 
 test("processes a batch after the second module has loaded", async ({ app, page }) => {
-  const release = await holdModule(page);
+  const release = await holdModule(page, address);
   await app.openStartPage();
   await app.drop(sample("ballet"), sample("skipping"));
   await page.waitForRequest(address).catch(() => {});
