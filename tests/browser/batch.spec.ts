@@ -38,6 +38,27 @@ const zip = (name: string, files: Record<string, Payload | string>): Payload => 
   ),
 });
 
+test("the titles of columns are above their values and not cut", async ({ app }) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("curved-walk"));
+  await waitForBatch(app);
+  const faults = await table(app).evaluate((element) => {
+    const rightOf = (cell: Element) => {
+      const text = document.createRange();
+      text.selectNodeContents(cell.querySelector("button > span") ?? cell);
+      return text.getBoundingClientRect().right;
+    };
+    const titles = [...element.querySelectorAll("thead th")].slice(1);
+    const values = [...element.querySelectorAll("tbody tr:first-child td")];
+    return titles.flatMap((title, i) => {
+      const value = values[i];
+      const shift = value?.textContent ? rightOf(title) - rightOf(value) : 0;
+      return Math.abs(shift) < 1.5 ? [] : [`${title.textContent}: ${shift}`];
+    });
+  });
+  expect(faults).toEqual([]);
+});
+
 test("lists several files in a table and reports invalid ones", async ({ app, page }) => {
   await app.openStartPage();
   await app.drop(sample("bowling"), bad("ragged-row"), sample("curved-walk"), good("no-motion"));

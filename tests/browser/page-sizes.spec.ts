@@ -13,6 +13,26 @@ async function middleOfView(app: App): Promise<number> {
 }
 
 atEachSize((size) => {
+  test("undo and redo are at the same place for plants and cuts", async ({ app }) => {
+    await app.openSample("curved-walk");
+    const places: number[][] = [];
+    for (const tab of ["Labels", "Segment"] as const) {
+      await app.tab(tab);
+      const head = app.panel.locator(".field-head:has(.undo)");
+      await head.scrollIntoViewIfNeeded();
+      const boxes = await Promise.all(
+        [head.locator("h2"), head.locator(".undo"), head.locator(".redo")].map((item) =>
+          item.boundingBox(),
+        ),
+      );
+      const [title = 0, undo = 0, redo = 0] = boxes.map((box) => box && box.y + box.height / 2);
+      expect(Math.abs((undo ?? 0) - (title ?? 0))).toBeLessThan(2);
+      expect(redo).toBe(undo);
+      places.push(boxes.slice(1).map((box) => box?.x ?? 0));
+    }
+    expect(places[1]).toEqual(places[0]);
+  });
+
   test("shows view, timeline and panel without squeezing any", async ({ app, page }) => {
     await app.openSample("curved-walk");
     const minimum = viewports[size].height <= 560 ? 150 : 180;

@@ -97,6 +97,38 @@ test("leaves similar plants as they are", async ({ app, page }) => {
   await expect(offer(app)).toBeVisible();
 });
 
+test("a declined offer stays declined while cuts are edited", async ({ app, page }) => {
+  await app.openSample("straight-jog");
+  const segments = (await app.segments()).length;
+  await moveEnd(app, -3);
+  await expect(offer(app)).toBeVisible();
+  await app.timeline.getByRole("button", { name: "Leave similar plants as they are" }).click();
+  await expect(offer(app)).toBeHidden();
+  await toFrame(app, 12);
+  await page.keyboard.press("x");
+  await expect.poll(async () => (await app.segments()).length).toBe(segments + 1);
+  // The worker answers after it has answered a search for similar plants, if there was one.
+  await plants(app);
+  await expect(offer(app)).toBeHidden();
+  await app.playhead.focus();
+  await page.keyboard.press("Control+z");
+  await expect.poll(async () => (await app.segments()).length).toBe(segments);
+  await plants(app);
+  await expect(offer(app)).toBeHidden();
+  await app.playhead.focus();
+  await page.keyboard.press("Control+Shift+z");
+  await expect.poll(async () => (await app.segments()).length).toBe(segments + 1);
+  // Also on the next visit.
+  await page.reload();
+  await app.waitForClip("straight-jog.bvh");
+  await expect(app.toast).toContainText("Your stored edits");
+  await plants(app);
+  await expect(offer(app)).toBeHidden();
+  // A new edit of plants is offered.
+  await moveEnd(app, -1);
+  await expect(offer(app)).toBeVisible();
+});
+
 test("small edits are not offered for other plants", async ({ app }) => {
   await app.openSample("curved-walk");
   const labels = readLabels(await app.save("Labels"));

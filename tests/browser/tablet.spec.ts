@@ -1,12 +1,12 @@
 /** Tablets: larger than a phone, and used by touch. */
 
 import type { Locator } from "@playwright/test";
-import { type App, expect, test } from "./app";
+import { expect, test } from "./app";
 import { clip, sample } from "./clips";
 import { readLabels } from "./labels";
 import { editBar, overlap, smallTargets, tapPlant } from "./touch-targets";
 import { encodeVideo } from "./videos";
-import { onTablets, tablets, viewports } from "./viewports";
+import { onTablets } from "./viewports";
 
 const tabs = ["Detect", "Evidence", "Segment", "Labels", "Clip"] as const;
 
@@ -116,61 +116,6 @@ onTablets(() => {
     }
   });
 });
-
-test("the gallery does not cover the feet of the preview", async ({ app, page }) => {
-  await app.openStartPage();
-  const start = page.locator(".start-page");
-  const show = (isShown: boolean) =>
-    start.evaluate(
-      (element, visibility) => {
-        element.style.visibility = visibility;
-      },
-      isShown ? "visible" : "hidden",
-    );
-  for (const viewport of [...Object.values(tablets), viewports["small window"]]) {
-    await page.setViewportSize(viewport);
-    const stage = await app.stage.boundingBox();
-    if (!stage) throw new Error("There is no view.");
-    const boxes = await page
-      .locator(".card")
-      .evaluateAll((cards) =>
-        cards.map((card) => card.getBoundingClientRect().toJSON() as DOMRect),
-      );
-    expect(boxes.length).toBeGreaterThan(10);
-    await show(false);
-    const lit = await colourfulPlaces(app);
-    await show(true);
-    expect(lit.length).toBeGreaterThan(200);
-    const covered = lit
-      .map(([x, y]) => [stage.x + x, stage.y + y] as const)
-      .filter(([x, y]) =>
-        boxes.some(
-          ({ left, right, top, bottom }) => x > left && x < right && y > top && y < bottom,
-        ),
-      );
-    expect(covered).toEqual([]);
-  }
-});
-
-/** Returns the pixels of the view with the colours of lit feet. */
-async function colourfulPlaces(app: App): Promise<[x: number, y: number][]> {
-  const picture = await app.stillPicture();
-  return app.page.evaluate(async (data) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${data}`;
-    await image.decode();
-    const { width, height } = image;
-    const ctx = new OffscreenCanvas(width, height).getContext("2d");
-    ctx?.drawImage(image, 0, 0);
-    const pixels = ctx?.getImageData(0, 0, width, height).data ?? [];
-    const places: [number, number][] = [];
-    for (let i = 0; i < pixels.length; i += 4) {
-      const difference = Math.abs((pixels[i] ?? 0) - (pixels[i + 2] ?? 0));
-      if (difference > 120) places.push([(i / 4) % width, Math.floor(i / 4 / width)]);
-    }
-    return places;
-  }, picture);
-}
 
 /** Returns the texts that are cut or that leave the panel, and neighbours that touch each other. */
 function layoutFaults(panel: Element): string[] {

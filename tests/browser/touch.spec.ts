@@ -1,7 +1,7 @@
 /** What is done by keys elsewhere is done by buttons on touch screens, upright and in landscape. */
 
 import { expect, test } from "./app";
-import { sample } from "./clips";
+import { clip, sample } from "./clips";
 import { readLabels } from "./labels";
 import { editBar, overlap, smallTargets, tapPlant, tapSecondPlant } from "./touch-targets";
 import { encodeVideo } from "./videos";
@@ -156,6 +156,28 @@ onPhones((size) => {
     await page.keyboard.press("Escape");
     await app.openShareDialog();
     expect(await smallTargets(app)).toEqual([]);
+  });
+
+  test("tabs and buttons of differences are wide enough", async ({ app, page }) => {
+    await app.openSample("curved-walk");
+    await app.drop(clip("samples/curved-walk.json"));
+    await expect(page.getByRole("tabpanel", { name: "Score" })).toBeVisible();
+    const tabs = await page.getByRole("tab").evaluateAll((elements) =>
+      elements.map((element) => {
+        const text = document.createRange();
+        text.selectNodeContents(element);
+        const { left, right } = text.getBoundingClientRect();
+        return { left, right, width: element.getBoundingClientRect().width };
+      }),
+    );
+    expect(tabs).toHaveLength(6);
+    expect(Math.min(...tabs.map(({ width }) => width))).toBeGreaterThanOrEqual(36);
+    const gaps = tabs.slice(1).map(({ left }, i) => left - (tabs[i]?.right ?? 0));
+    expect(Math.min(...gaps)).toBeGreaterThanOrEqual(4);
+    for (const name of ["Previous difference", "Next difference"]) {
+      const button = app.panel.getByRole("button", { name });
+      expect((await button.boundingBox())?.width).toBeGreaterThanOrEqual(44);
+    }
   });
 
   test("shows clips side by side", async ({ app, page }) => {

@@ -5,7 +5,7 @@ import type { StoredChanges } from "../model/batch/batch";
 import { clampView, type TimeView } from "../model/motion/time-view";
 import type { Video } from "../model/motion/video";
 import type { FrameRange, PlantRef } from "../model/plants/edits";
-import type { AnyEdit } from "../model/segments/cut-edits";
+import { type AnyEdit, haveSamePlantEdits } from "../model/segments/cut-edits";
 import type { NamedSegment, SegmentName } from "../model/segments/segments";
 import type { Source } from "../model/sources/source";
 import type { UnreadableRecord } from "../model/stored/stored-changes";
@@ -168,6 +168,12 @@ export class ClipSession {
       clip ? clampView({ start: 0, end: frames }, frames) : { start: 0, end: 1 },
     );
     this.loop = signal(loop);
+  }
+
+  /** True if the user has applied the present edits of plants to similar plants, or has declined to. */
+  get isSimilarSettled(): boolean {
+    const settled = this.similarSettledFor.value;
+    return settled !== null && haveSamePlantEdits(settled, this.edits.value);
   }
 
   /** Aborts when another clip replaces this one. */

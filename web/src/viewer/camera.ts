@@ -35,11 +35,11 @@ const characterFraction = 0.84;
 /** Canvas height covered by controls, in pixels: tools at the top, pills at the bottom on a phone. */
 const reserved = {
   wide: { top: 52, bottom: 44 },
-  narrow: { top: 54, bottom: 54 },
+  narrow: { top: 54, bottom: 46 },
   short: { top: 36, bottom: 30 },
 };
-/** Height below which a canvas is short, in pixels. */
-const shortHeight = 260;
+/** Height of the largest page that has the small controls of a short page, in pixels, as in the styles. */
+const shortPage = 560;
 /** Height of the centre and radius of a close-up of the feet, as fractions of the size. */
 const feetHeight = 0.09;
 const feetRadius = 0.3;
@@ -102,10 +102,11 @@ export class Camera {
   resize(width: number, height: number) {
     const { camera } = this;
     camera.aspect = width / Math.max(height, 1);
-    const right = this.isPreview && width > 720 ? 0.2 * width : 0;
+    const isShort = innerHeight <= shortPage;
+    const isWide = width > 720 || (isShort && width > 559);
+    const right = this.isPreview && isWide ? 0.2 * width : 0;
     // Below the headline on a phone, above the gallery on a wide page.
-    const { top, bottom } =
-      height < shortHeight ? reserved.short : width > 720 ? reserved.wide : reserved.narrow;
+    const { top, bottom } = isShort ? reserved.short : isWide ? reserved.wide : reserved.narrow;
     const up = this.isPreview ? (right ? 0.07 : -0.03) * height : (bottom - top) / 2;
     this.freeFraction = this.isPreview ? 0.78 : Math.max(1 - (top + bottom) / height, 0.3);
     camera.setViewOffset(width, height, -right, up, width, height);

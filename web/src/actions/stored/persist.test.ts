@@ -69,6 +69,20 @@ test("stores that similar plants are settled, until the next edit", async () => 
   expect(isSettled()).toBe(true);
 });
 
+test("similar plants stay settled when cuts are edited", async () => {
+  vi.spyOn(engine, "hash").mockResolvedValue("abc");
+  await restorePersisted();
+  await commitEdits([edit(0)], "");
+  dismissSimilar();
+  await commitEdits([edit(0), { cut: 12, present: true }], "");
+  expect(stored()).toMatchObject({ similarSettled: true });
+  openClip();
+  await restorePersisted();
+  expect(session.value.isSimilarSettled).toBe(true);
+  await commitEdits([edit(0), { cut: 12, present: true }, edit(20)], "");
+  expect(stored()).toMatchObject({ similarSettled: false });
+});
+
 test("reports edits of a file that cannot be identified", async () => {
   vi.spyOn(engine, "hash").mockRejectedValue(new Error("the file cannot be read"));
   await restorePersisted();

@@ -89,10 +89,6 @@ const changesOf = (clipSession: ClipSession): StoredChanges => ({
 
 type Revision = StoredChanges & Pick<StoredClip, "revision" | "ancestors" | "similarSettled">;
 
-/** True if the user has applied the present edits to similar plants, or has declined to. */
-const isSettled = ({ edits, similarSettledFor }: ClipSession) =>
-  similarSettledFor.value === edits.value;
-
 /** Synchronizes the changes of a clip and their record as long as the clip is open. */
 class StoredSession {
   /** The content of the storage when it was last read or written, if it was valid. */
@@ -224,15 +220,14 @@ class StoredSession {
 
   private nextRecord(): StoredClip {
     const { clipSession, last } = this;
-    const similarSettled = isSettled(clipSession);
-    const content = { ...changesOf(clipSession), similarSettled };
+    const content = { ...changesOf(clipSession), similarSettled: clipSession.isSimilarSettled };
     return nextRecord(last, clipSession.source?.name ?? "", content);
   }
 
   /** Stores the changes of the session if they differ from the record. */
   private save() {
     const { clipSession, key, last } = this;
-    const isSame = isSettled(clipSession) === last.similarSettled;
+    const isSame = clipSession.isSimilarSettled === last.similarSettled;
     if (sameChanges(changesOf(clipSession), last) && isSame) {
       dropUnsaved(key);
       clipSession.persistError.value = "";

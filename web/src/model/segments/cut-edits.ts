@@ -14,6 +14,10 @@ export const plantEditsOf = (edits: readonly AnyEdit[]): Edit[] =>
 /** Returns the edits of cuts, in order. */
 export const cutEditsOf = (edits: readonly AnyEdit[]): CutEdit[] => edits.filter(isCutEdit);
 
+/** True if two lists differ at most in their edits of cuts. */
+export const haveSamePlantEdits = (a: readonly AnyEdit[], b: readonly AnyEdit[]): boolean =>
+  JSON.stringify(plantEditsOf(a)) === JSON.stringify(plantEditsOf(b));
+
 /** Returns edits that move a cut between its neighbours; none if it stays. */
 export function moveCut(
   cuts: readonly number[],
