@@ -133,6 +133,7 @@ fn folders_are_read_without_companion_files_of_macos() {
         ("._walk.bvh", b"\0\x05\x16\x07"),
         ("take 1/._walk.BVH", b"\0\x05\x16\x07"),
         ("__MACOSX/walk.bvh", b"\0\x05\x16\x07"),
+        (".AppleDouble/walk.bvh", b"\0\x05\x16\x07"),
     ] {
         let path = clips.join(name);
         fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");

@@ -8,9 +8,9 @@ test("removes the extension and makes names unique", () => {
 });
 
 test("recognises the companion files of macOS", () => {
-  const companions = ["._walk.bvh", "take 1/._walk.bvh", "__MACOSX", "__MACOSX/walk.bvh"];
+  const companions = ["._walk.bvh", "take 1/._walk.bvh", "__MACOSX", "__MACOSX/walk.bvh", ".git/walk.bvh"];
   expect(companions.every(isMacCompanion)).toBe(true);
-  expect(["walk.bvh", "a._b.bvh", "MACOSX/walk.bvh", "_.bvh"].some(isMacCompanion)).toBe(false);
+  expect(["walk.bvh", "a._b.bvh", "MACOSX/walk.bvh", "_.bvh", "./walk.bvh", "../a"].some(isMacCompanion)).toBe(false);
 });
 
 test("makes names unique for systems that compose accents", () => {

@@ -18,7 +18,8 @@ impl StatedFrameTime {
     /// `30 fps`, or a fraction as in `1/30`. Returns `None` if there is no number.
     pub fn parse(text: &[u8]) -> Option<StatedFrameTime> {
         let word = number::word(text);
-        let number_len = word.len() - word.iter().rev().take_while(|byte| byte.is_ascii_alphabetic()).count();
+        let is_number = |byte: &&u8| byte.is_ascii_digit() || **byte == b'.';
+        let number_len = word.len() - word.iter().rev().take_while(|byte| !is_number(byte)).count();
         if let Some(slash) = word.iter().position(|&byte| byte == b'/') {
             let [numerator, denominator] = [&word[..slash], &word[slash + 1..]].map(whole_number);
             let ((numerator, mark), (denominator, _)) = numerator.zip(denominator)?;
@@ -58,7 +59,8 @@ fn seconds(value: f64, unit: &[u8]) -> Option<f64> {
     Some(match unit.trim_end_matches('.') {
         "s" | "sec" | "secs" | "second" | "seconds" => value,
         "ms" | "msec" | "msecs" | "millisecond" | "milliseconds" => value / 1e3,
-        "hz" | "fps" | "frames/s" | "frames/sec" | "frames/second" => 1.0 / value,
+        "us" | "\u{b5}s" | "\u{3bc}s" | "microseconds" => value / 1e6,
+        "hz" | "fps" | "frames" | "frames/s" | "frames/sec" | "frames/second" => 1.0 / value,
         _ => return None,
     })
 }
@@ -80,6 +82,8 @@ mod tests {
             ("25Hz", 0.04, 4),
             ("1/25", 0.04, 4),
             ("25 frames/s", 0.04, 11),
+            ("25 frames per second", 0.04, 9),
+            ("40000 us", 0.04, 8),
         ] {
             let stated = StatedFrameTime::parse(text.as_bytes()).expect(text);
             assert!((stated.seconds - seconds).abs() < 1e-12, "{text}");
@@ -94,6 +98,8 @@ mod tests {
             (".04 1 2 3", 0.04, 3),
             ("4e-2", 0.04, 4),
             ("0.04 (25 fps)", 0.04, 4),
+            ("0.04, 1 2 3", 0.04, 4),
+            ("0.04;", 0.04, 4),
             ("0.0-7.5", 0.0, 3),
         ] {
             let stated = StatedFrameTime::parse(text.as_bytes()).expect(text);

@@ -9,7 +9,7 @@ mod unnamed_legs;
 use crate::bvh::Clip;
 use crate::foot::Side;
 use crate::skeleton::names::{BodyPart, LimbPair};
-use crate::skeleton::{LegRoles, Reason, Roles};
+use crate::skeleton::{LegRoles, Reason, Role, Roles};
 use leg::Leg;
 use tree::Tree;
 
@@ -40,7 +40,11 @@ pub(crate) fn assign_roles(clip: &Clip, root: usize) -> RoleSearch {
     let is_fore = |joint: usize| tree.name(joint).limb_pair == Some(LimbPair::Fore);
     let has_fore_limbs =
         tree.members().any(|joint| is_fore(joint) && tree.parent(joint).is_some_and(is_fore));
-    let is_quadruped = roles.has_feet() && (has_fore_limbs || trunk::hands_stand(&tree, &roles));
+    // A body with arms may wear a skirt with a front.
+    let has_arms = [Role::LeftForearm, Role::RightForearm, Role::LeftHand, Role::RightHand]
+        .iter()
+        .any(|&role| roles.get(role).is_some_and(|joint| !is_fore(joint)));
+    let is_quadruped = roles.has_feet() && (has_fore_limbs && !has_arms || trunk::hands_stand(&tree, &roles));
     RoleSearch { roles, is_quadruped }
 }
 
@@ -124,6 +128,25 @@ mod tests {
         assert_eq!(ankles(&[("UpLeg", 5.0), ("LowLeg", 40.0), ("Bone3", 40.0)]), found("Bone3"));
         assert_eq!(ankles(&[("Thigh", 5.0), ("Shin", 40.0), ("Heel", 40.0), ("Toe", 8.0)]), found("Heel"));
         assert_eq!(ankles(&[("Hip", 5.0), ("Knee", 40.0), ("ANK", 40.0), ("TOE", 8.0)]), found("ANK"));
+        assert_eq!(ankles(&[("太もも", 5.0), ("すね", 40.0), ("足", 40.0), ("足指", 8.0)]), found("足"));
+        assert_eq!(ankles(&[("UpLeg", 5.0), ("Leg", 9.0)]), found("").map(|_| Some("End Site".into())));
+    }
+
+    #[test]
+    fn toes_in_a_list_of_points_may_be_named_foot() {
+        let names = ["l_foot", "r_foot", "l_ankle", "r_ankle", "l_knee", "r_knee", "l_hip", "r_hip", "head"];
+        for names in [names.to_vec(), names.iter().rev().copied().collect()] {
+            let joint = |name: &&str| {
+                format!("JOINT {name}\n{{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n}}\n")
+            };
+            let joints: String = names.iter().map(joint).collect();
+            let text = format!("HIERARCHY\nROOT body\n{{\nOFFSET 0 0 0\n{joints}}}\n");
+            let clip = bvh::parse(text.as_bytes(), bvh::Options::default()).expect("points").clip;
+            let roles = Skeleton::main(&clip, &Overrides::default()).roles;
+            let name = |role| roles.get(role).map(|joint| clip.joints()[joint].name.as_str());
+            assert_eq!(name(Role::LeftAnkle), Some("l_ankle"));
+            assert_eq!(name(Role::RightToe), Some("r_foot"));
+        }
     }
 
     fn has_feet(limbs: &[&str]) -> bool {
@@ -136,5 +159,23 @@ mod tests {
         assert!(has_feet(&["1 0 0", "-1 0 0"]));
         assert!(!has_feet(&["1 0 0", "-1 0 0", "1 0 -6", "-1 0 -6"]));
         assert!(!has_feet(&["1 0 0"]));
+    }
+
+    #[test]
+    fn a_body_with_arms_and_a_skirt_is_no_quadruped() {
+        let joint = |name: &str| format!("JOINT {name}\n{{\nOFFSET 0 -9 0\n");
+        let is_quadruped = |names: &[&str]| {
+            let limbs = [["LeftUpLeg", "LeftLeg", "LeftFoot"], ["RightUpLeg", "RightLeg", "RightFoot"]];
+            let limbs = limbs.map(|limb| limb.map(joint).concat() + "}\n}\n}\n").concat();
+            let others: String = names.iter().map(|name| joint(name)).collect();
+            let ends = "}\n".repeat(names.len() + 1);
+            let text = format!("HIERARCHY\nROOT hips\n{{\nOFFSET 0 0 0\n{limbs}{others}{ends}");
+            let clip = bvh::parse(text.as_bytes(), bvh::Options::default()).expect("a body").clip;
+            super::assign_roles(&clip, 0).is_quadruped
+        };
+        assert!(is_quadruped(&["FrontA", "FrontB"]));
+        assert!(is_quadruped(&["FrontA", "FrontB", "LeftFrontHand"]));
+        assert!(!is_quadruped(&["FrontA", "FrontB", "LeftHand"]));
+        assert!(!is_quadruped(&["SkirtFront1", "SkirtFront2"]));
     }
 }

@@ -79,10 +79,16 @@ fn candidates(tree: &Tree, side: Side) -> Vec<Candidate> {
 /// knee.
 fn unnamed_ankle(tree: &Tree, top: usize) -> Option<usize> {
     let (_, chain) = tree.main_chain(top);
-    let is_above =
-        |&joint: &usize| matches!(tree.part(joint), Some(BodyPart::Thigh | BodyPart::Hip | BodyPart::Shank));
+    let is_thigh = |&joint: &usize| matches!(tree.part(joint), Some(BodyPart::Thigh | BodyPart::Hip));
+    let is_shank = |&joint: &usize| tree.part(joint) == Some(BodyPart::Shank);
+    // Below a thigh, the leg is the shank; below a shank, it is the foot.
+    let is_leg_shank = chain.iter().any(is_thigh) && !chain.iter().any(is_shank);
+    let is_above = |joint: &usize| {
+        is_thigh(joint) || is_shank(joint) || is_leg_shank && tree.part(*joint) == Some(BodyPart::Leg)
+    };
     let first = chain.iter().rposition(is_above).map_or(0, |last| last + 1);
-    chain.get(leg::ankle_index(tree, &chain).max(first)).copied()
+    // One bone is no leg.
+    chain.get(leg::ankle_index(tree, &chain).max(first).max(1)).copied()
 }
 
 fn candidate(tree: &Tree, side: Side, ankle: usize) -> Candidate {
@@ -102,6 +108,10 @@ fn candidate(tree: &Tree, side: Side, ankle: usize) -> Candidate {
         + f64::from(leg.toe.is_some())
         - 0.1 * unknown_words.min(20) as f64
         - tree.name(ankle).unknown_words.min(2) as f64;
+    // In a list of points, no order tells that a foot is below its ankle.
+    if chain.len() == 1 && tree.part(ankle) == Some(BodyPart::Ankle) {
+        score += 0.5;
+    }
     if is_of(LimbPair::Fore) {
         score -= 8.0;
     }
@@ -143,4 +153,7 @@ fn fill_by_names(tree: &Tree, side: Side, leg: &mut Leg) {
     leg.thigh = first(&[BodyPart::Thigh]).or_else(|| first(&[BodyPart::Hip]));
     leg.shank = first(&[BodyPart::Shank]).or_else(|| first(&[BodyPart::Leg]).filter(|_| leg.thigh.is_some()));
     leg.toe = leg.toe.or_else(|| first(&[BodyPart::Toe]));
+    if tree.part(ankle) == Some(BodyPart::Ankle) {
+        leg.toe = leg.toe.or_else(|| first(&[BodyPart::Foot]));
+    }
 }

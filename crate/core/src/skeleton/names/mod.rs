@@ -72,13 +72,26 @@ pub(crate) fn parse_all<'a>(names: impl Iterator<Item = &'a str>) -> Vec<ParsedN
     }
     let limit = (COMMON_WORD * words.len() as f64).max(2.0);
     let is_common = |word: &str| counts.get(word).is_some_and(|&count| count as f64 > limit);
+    // Letters for front or back and for the side may be one word.
+    let has_corners = ["fl", "fr"].iter().all(|&corner| counts.contains_key(corner));
     let words: Vec<Vec<&str>> = words
         .iter()
-        .map(|words| words.iter().map(String::as_str).filter(|word| !is_common(word)).collect())
+        .map(|words| words.iter().map(String::as_str).filter(|word| !is_common(word)))
+        .map(|words| {
+            words.flat_map(|word| corner(word, has_corners)).filter(|word| !word.is_empty()).collect()
+        })
         .collect();
     let mut parsed: Vec<ParsedName> = words.iter().cloned().map(parse_words).collect();
     apply_letters(&words, &mut parsed);
     parsed
+}
+
+/// Splits a word such as `fl` into its letters for front or back and for the side, if `has_corners`.
+fn corner(word: &str, has_corners: bool) -> [&str; 2] {
+    match word {
+        "fl" | "fr" | "bl" | "br" | "hl" | "hr" if has_corners => [&word[..1], &word[1..]],
+        _ => [word, ""],
+    }
 }
 
 /// Letters for left and right in languages other than English: French, Spanish, Italian, Portuguese,
@@ -150,7 +163,9 @@ fn parse_with_side(words: Vec<&str>, is_sided: bool) -> ParsedName {
         if term.contains(&index) {
             continue;
         }
-        if FORE_LIMBS.contains(word) {
+        if part == Some(BodyPart::Other) && (FORE_LIMBS.contains(word) || HIND_LIMBS.contains(word)) {
+            // The front of a skirt is no limb.
+        } else if FORE_LIMBS.contains(word) {
             parsed.limb_pair = Some(LimbPair::Fore);
         } else if HIND_LIMBS.contains(word) || *word == "back" && part.is_some_and(BodyPart::is_of_leg) {
             parsed.limb_pair = Some(LimbPair::Hind);
@@ -303,7 +318,7 @@ such as a prefix, are ignored. The side may stand anywhere: `LeftFoot`, `L_Foot`
 `FootLeft`. Words of one term may be separated: `upper_leg` is `upperleg`.
 
 - *Hip* with a side is the thigh, unless a joint below it is named thigh. Without a side it is the pelvis.
-- *Leg* is the shank below a thigh, and the thigh above a shank.
+- *Leg* is the shank below a thigh, the thigh above a shank, and the ankle below a shank.
 - The first joint named *ankle* or *foot* is the ankle; a foot below it is the middle of the foot.
 - If a leg is named and its foot is not, the ankle is the joint below which bone lengths leave only a foot.
 - If nothing is named, the legs are the mirrored limbs that reach farthest from their common joint and do not
@@ -371,6 +386,7 @@ mod tests {
             ("LowerArm_L", Some(Left), Some(Forearm)),
             ("upper_arm.L", Some(Left), Some(Arm)),
             ("lThighBend", Some(Left), Some(Thigh)),
+            ("thigh_stretch.l", Some(Left), Some(Thigh)),
             ("LThighLower", Some(Left), Some(Thigh)),
             ("left_foot_index", Some(Left), Some(Toe)),
             ("LeftHandIndex1", Some(Left), Some(Finger)),
@@ -382,6 +398,7 @@ mod tests {
             ("playerleftfoot", Some(Left), Some(Foot)),
             ("footL", Some(Left), Some(Foot)),
             ("左ひざ", Some(Left), Some(Shank)),
+            ("左足", Some(Left), Some(Leg)),
             ("右足首", Some(Right), Some(Ankle)),
             ("左大腿", Some(Left), Some(Thigh)),
             ("脚踝_右", Some(Right), Some(Ankle)),
@@ -430,6 +447,12 @@ mod tests {
         use LimbPair::{Fore, Hind};
         assert_eq!(pairs, [Fore, Fore, Hind, Hind, Hind, Hind].map(Some));
         assert_eq!(parsed[5].part, Some(BodyPart::Leg));
+        let parsed = parse_all(["FL_knee", "FR_paw", "BL_knee", "BR_paw"].into_iter());
+        assert_eq!(
+            parsed.iter().map(|name| name.limb_pair).collect::<Vec<_>>(),
+            [Fore, Fore, Hind, Hind].map(Some)
+        );
+        assert_eq!(parsed[3].side, Some(Side::Right));
     }
 
     #[test]
@@ -442,6 +465,7 @@ mod tests {
         assert_eq!(parse("hindL1").side, Some(Side::Left));
         assert_eq!(parse("front_r_2").limb_pair, Some(LimbPair::Fore));
         assert_eq!(parse("LeftForeArm").limb_pair, None);
+        assert_eq!(parse("J_Sec_L_SkirtFront0_01").limb_pair, None);
         assert_eq!((parse("LeftFoot").unknown_words, parse("LeftFootSole").unknown_words), (0, 1));
     }
 
