@@ -88,9 +88,9 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
 
 fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageError> {
     let count_before = inputs.len();
-    let is_companion = |name: &OsStr| name == "__MACOSX" || name.as_encoded_bytes().starts_with(b".");
+    let is_hidden = |name: &OsStr| name == "__MACOSX" || name.as_encoded_bytes().starts_with(b".");
     let entries = WalkDir::new(folder).sort_by_file_name().into_iter();
-    for entry in entries.filter_entry(|entry| entry.depth() == 0 || !is_companion(entry.file_name())) {
+    for entry in entries.filter_entry(|entry| entry.depth() == 0 || !is_hidden(entry.file_name())) {
         let (path, problem) = match entry {
             Ok(entry) => (entry.into_path(), None),
             Err(error) => (error.path().unwrap_or(folder).to_owned(), Some(list_error(error))),

@@ -124,7 +124,7 @@ fn joint_names_in_documents_are_readable_and_their_bytes_recoverable() {
 }
 
 #[test]
-fn folders_are_read_without_companion_files_of_macos() {
+fn folders_are_read_without_hidden_files() {
     let folder = tempfile::tempdir().expect("a folder");
     let (clips, out) = (folder.path().join("clips"), folder.path().join("out"));
     let plain = fs::read(project("tests/files/good/plain.bvh")).expect("a file");

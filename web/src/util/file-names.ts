@@ -46,4 +46,4 @@ function shorten(name: string): string {
 }
 
 /** True for hidden files and folders, and for those that macOS adds to archives. */
-export const isMacCompanion = (path: string) => /(^|\/)(__MACOSX(\/|$)|\.[^./])/.test(path);
+export const isHidden = (path: string) => /(^|\/)(__MACOSX(\/|$)|\.[^./])/.test(path);

@@ -255,14 +255,14 @@ def _inputs(paths: Path | Iterable[Path]) -> list[tuple[str, str]]:
 
 
 def _below(folder: str) -> list[str]:
-    """Return the BVH files below a folder, without the companion files of macOS."""
+    """Return the BVH files below a folder, without hidden files and the companion files of macOS."""
     files = []
     for parent, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name != "__MACOSX" and not name.startswith("._"))
+        folders[:] = sorted(name for name in folders if name != "__MACOSX" and not name.startswith("."))
         files += [
             os.path.join(parent, name)
             for name in sorted(names)
-            if name.lower().endswith(".bvh") and not name.startswith("._")
+            if name.lower().endswith(".bvh") and not name.startswith(".")
         ]
     return files
 
