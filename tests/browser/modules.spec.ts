@@ -40,6 +40,26 @@ test("a link loads the first module before the 3D view, and no picture of the st
   expect(others()).toEqual([expect.stringMatching(/stage-.*\.js$/)]);
 });
 
+test("states that the 3D view is loading, or that it cannot be loaded", async ({ app, page }) => {
+  const stageAddress = /stage-[^/]*\.js$/;
+  const loading = page.getByText("Loading the 3D view");
+  const release = await holdModule(page, stageAddress);
+  await page.goto(`${app.site.home}#sample=curved-walk`);
+  await isLabelled(app);
+  await expect(loading).toBeVisible();
+  release();
+  await expect(app.stage.locator("canvas")).toBeVisible();
+  await expect(loading).toBeHidden();
+
+  await page.unroute(stageAddress);
+  await page.route(stageAddress, (route) => route.abort());
+  app.expectProblem(/stage-|Failed to load resource/);
+  await page.goto("about:blank");
+  await page.goto(`${app.site.home}#sample=ballet`);
+  await isLabelled(app);
+  await expect(page.getByText("3D view unavailable: it could not be loaded")).toBeVisible();
+});
+
 test("shows the first labels while the second module loads", async ({ app, page }) => {
   const release = await holdModule(page, address);
   await page.goto(`${app.site.home}#sample=curved-walk`);

@@ -40,8 +40,8 @@ import type { Stage } from "./stage";
 
 const FrameSteps = lazy(() => import("./FrameSteps").then((module) => module.FrameSteps));
 
-/** Reason why nothing is drawn: no WebGL, or a lost graphics context. Empty while drawing works. */
-const problem = signal<"" | "missing" | "lost">("");
+/** State of the 3D view. */
+const state = signal<"ready" | keyof typeof messages>("loading");
 
 const views: readonly CameraView[] = ["perspective", "front", "side", "top"];
 
@@ -54,10 +54,10 @@ export function Viewer() {
   return (
     <section class="viewer" aria-label="View">
       <div class="stage" ref={host} role="img" aria-label={label} />
-      {problem.value && <p class="viewer-error">{problemText[problem.value]}</p>}
+      <Message />
       {openClip.value && (
         <>
-          <div class="viewer-tools" hidden={problem.value === "missing"}>
+          <div class="viewer-tools" hidden={state.value === "missing"}>
             <fieldset class="segmented">
               <legend class="visually-hidden">Camera</legend>
               {views.map((view) => (
@@ -112,7 +112,7 @@ export function Viewer() {
           {isTouch() && openClip.value.frames > 1 && <FrameSteps />}
           <Pills />
           <Companions />
-          <p class="grid-size" hidden={problem.value === "missing"}>
+          <p class="grid-size" hidden={state.value === "missing"}>
             Grid {gridStep(characterSize(openClip.value))} m
           </p>
         </>
@@ -121,11 +121,21 @@ export function Viewer() {
   );
 }
 
-const problemText = {
+const messages = {
+  loading: "Loading the 3D view",
   missing:
     "3D view unavailable: WebGL is disabled or not supported. Enable WebGL to see the skeleton; the timeline and the labels work without it.",
   lost: "3D view interrupted: the graphics driver has reset. The view returns when the driver recovers; the timeline still works.",
+  failed:
+    "3D view unavailable: it could not be loaded. Check the connection to the network, then reload the page; the timeline and the labels work without it.",
 } as const;
+
+/** Text in the place of the view. While the start page loads the view, it shows a picture instead. */
+function Message() {
+  const isPictureShown = !openClip.value && ["loading", "failed"].includes(state.value);
+  if (state.value === "ready" || isPictureShown) return null;
+  return <p class={`viewer-message is-${state.value}`}>{messages[state.value]}</p>;
+}
 
 /**
  * Creates the stage as soon as three.js has loaded and binds it to the application state. Returns a
@@ -141,21 +151,25 @@ function mountStage(host: HTMLElement): () => void {
   // The labels need the module but not the view: over a slow network, three.js must not delay them.
   const moduleLoaded = wasmModule().catch(() => {});
   const stageLoaded = Promise.all([stageNeeded, moduleLoaded]).then(() => import("./stage"));
+  const onFailure = () => {
+    state.value = "failed";
+  };
   void Promise.all([stageLoaded, untilTruthy(() => clip.value)]).then(([{ Stage }]) => {
     if (unmounted) return;
     let stage: Stage;
     try {
       stage = new Stage(host, prefersReducedMotion());
     } catch {
-      problem.value = "missing";
+      state.value = "missing";
       return;
     }
+    state.value = "ready";
     stage.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
-      problem.value = "lost";
+      state.value = "lost";
     });
     stage.canvas.addEventListener("webglcontextrestored", () => {
-      problem.value = "";
+      state.value = "ready";
       stage.invalidate();
     });
     const disposers = bindStage(stage);
@@ -163,7 +177,7 @@ function mountStage(host: HTMLElement): () => void {
       for (const stop of disposers) stop();
       stage.dispose();
     };
-  });
+  }, onFailure);
   return () => {
     unmounted = true;
     dispose();
