@@ -96,8 +96,10 @@ test("edits given faster than they are applied are done in order", async ({ app,
   const press = (keys: string[]) =>
     page.evaluate((pressed) => {
       // All in one task: the worker answers none of them before the last one.
-      for (const key of pressed) {
-        document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+      for (const combination of pressed) {
+        const key = combination.replace("Control+", "");
+        const init = { key, ctrlKey: key !== combination, bubbles: true };
+        document.body.dispatchEvent(new KeyboardEvent("keydown", init));
       }
     }, keys);
   await press(typed);
@@ -108,6 +110,11 @@ test("edits given faster than they are applied are done in order", async ({ app,
     .toEqual([first, [start + 5, start + 20], third]);
   for (let i = 0; i < 3; i++) await page.keyboard.press("Control+z");
   await expect.poll(async () => spans(await saved(app))).toEqual(before);
+
+  // Labels that are saved in the same task contain the edits before.
+  await toFrame(app, start + 5);
+  const labels = await app.download(() => press([...typed, "Control+s"]));
+  expect(spans(readLabels(labels))).toEqual([first, [start + 5, start + 20], third]);
 });
 
 test("edits plants by buttons and fields", async ({ app, page }) => {

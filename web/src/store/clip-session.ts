@@ -211,6 +211,11 @@ export class ClipSession {
     return done;
   }
 
+  /** Resolves when all edits so far are applied or have failed. */
+  editsDone(): Promise<unknown> {
+    return this.edited;
+  }
+
   /** Lets later edits wait for a change of the labels. */
   delayEdits(change: Promise<unknown>) {
     this.edited = Promise.allSettled([this.edited, change]);

@@ -1,12 +1,17 @@
 import { Cancelled } from "../../engine";
+import { session } from "../../store/clip-session";
 import { reportFailure } from "../../store/errors";
 import { announcement } from "../../store/view";
 import { safeFileName } from "../../util/file-names";
 
-/** Downloads a file to the user's computer, under a name that every system allows. */
+/**
+ * Downloads a file to the user's computer, under a name that every system allows. The file is made when all edits
+ * so far are applied.
+ */
 export async function download(name: string, make: () => Promise<Blob>): Promise<void> {
   const fileName = safeFileName(name);
   try {
+    await session.value.editsDone();
     const url = URL.createObjectURL(await make());
     const link = document.createElement("a");
     link.href = url;

@@ -3,6 +3,7 @@
 import { engine } from "../../engine";
 import { segmentFileNames, segmentTitle } from "../../model/segments/segments";
 import type { FileFormat } from "../../model/types";
+import { session } from "../../store/clip-session";
 import { runJob } from "../../store/jobs";
 import {
   clip,
@@ -27,9 +28,11 @@ export async function exportLabels(format = plantFormats.value[0]): Promise<void
 
 /** Downloads the segments under their names. */
 export async function exportSegments(format: FileFormat): Promise<void> {
-  const names = namedSegments.value.map(segmentTitle);
-  const actions = namedSegments.value.map(({ action = "" }) => action);
-  await downloadAs(format, () => engine.saveSegments(format.name, names, actions));
+  await downloadAs(format, () => {
+    const names = namedSegments.value.map(segmentTitle);
+    const actions = namedSegments.value.map(({ action = "" }) => action);
+    return engine.saveSegments(format.name, names, actions);
+  });
 }
 
 /** Downloads a file that is named after the clip. */
@@ -59,6 +62,7 @@ export async function exportGait({ name, extension, mediaType }: FileFormat): Pr
 export async function printGaitReport(): Promise<void> {
   const format = gaitFormats.value[0];
   if (!format) return;
+  await session.value.editsDone();
   const actions = measuredAction.value ? fileActions() : gaitActions.value;
   const report = await engine.saveGait(actions, format.name);
   const blob = new Blob([report], { type: format.mediaType });
@@ -71,15 +75,17 @@ export async function printGaitReport(): Promise<void> {
 
 /** Downloads an archive with each segment as a BVH file. */
 export async function exportClips(): Promise<void> {
-  const names = segmentFileNames(namedSegments.value, stem());
-  const parts = namedSegments.value.map(({ start, end }, i) => ({
-    name: names[i] ?? "",
-    start,
-    end,
-  }));
-  await download(`${stem()}.segments.zip`, () =>
-    runJob({ title: "Cutting" }, new AbortController(), (options) => engine.cut(parts, options)),
-  );
+  await download(`${stem()}.segments.zip`, () => {
+    const names = segmentFileNames(namedSegments.value, stem());
+    const parts = namedSegments.value.map(({ start, end }, i) => ({
+      name: names[i] ?? "",
+      start,
+      end,
+    }));
+    return runJob({ title: "Cutting" }, new AbortController(), (options) =>
+      engine.cut(parts, options),
+    );
+  });
 }
 
 const stem = () => stemOf(clip.value?.name ?? "clip");
