@@ -70,7 +70,7 @@ fn ancestors(clip: &Clip, joint: usize) -> impl Iterator<Item = usize> + '_ {
     std::iter::successors(Some(joint), |&joint| clip.joints()[joint].parent)
 }
 
-/// Collects the input files. Folders are searched recursively for BVH files; hidden files and those
+/// Collects the input files. Folders are searched recursively for BVH files; the companion files
 /// that macOS adds to archives are left out. A folder that cannot be listed is an input with a problem.
 pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
     let mut inputs = Vec::new();
@@ -88,9 +88,9 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
 
 fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageError> {
     let count_before = inputs.len();
-    let is_hidden = |name: &OsStr| name == "__MACOSX" || name.as_encoded_bytes().starts_with(b".");
+    let is_companion = |name: &OsStr| name == "__MACOSX" || name.as_encoded_bytes().starts_with(b"._");
     let entries = WalkDir::new(folder).sort_by_file_name().into_iter();
-    for entry in entries.filter_entry(|entry| entry.depth() == 0 || !is_hidden(entry.file_name())) {
+    for entry in entries.filter_entry(|entry| entry.depth() == 0 || !is_companion(entry.file_name())) {
         let (path, problem) = match entry {
             Ok(entry) => (entry.into_path(), None),
             Err(error) => (error.path().unwrap_or(folder).to_owned(), Some(list_error(error))),

@@ -45,5 +45,5 @@ function shorten(name: string): string {
   return `${name.slice(0, read)}…${name.slice(-24)}`.toWellFormed();
 }
 
-/** True for hidden files and folders, and for those that macOS adds to archives. */
-export const isHidden = (path: string) => /(^|\/)(__MACOSX(\/|$)|\.[^./])/.test(path);
+/** True for the companion files and folders that macOS adds to archives. */
+export const isMacCompanion = (path: string) => /(^|\/)(__MACOSX(\/|$)|\._)/.test(path);

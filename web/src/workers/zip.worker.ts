@@ -4,7 +4,7 @@ import * as Comlink from "comlink";
 import { messageOf } from "../model/failure";
 import type { Failure, Notice, Result } from "../model/types";
 import { crc32 } from "../util/crc32";
-import { isHidden } from "../util/file-names";
+import { isMacCompanion } from "../util/file-names";
 import { holdLock } from "./hold-lock";
 import { readStream } from "./read-blob";
 import { listEntries, openEntry, type ZipEntry } from "./zip-reader";
@@ -90,7 +90,8 @@ async function unpack(
 ): Promise<UnpackedFiles> {
   const entries = (await listEntries(archive)).filter(
     ({ name }) =>
-      extensions.some((extension) => name.toLowerCase().endsWith(extension)) && !isHidden(name),
+      extensions.some((extension) => name.toLowerCase().endsWith(extension)) &&
+      !isMacCompanion(name),
   );
   if (entries.length > limits.files) throw tooManyFiles(limits.files);
   const unpacked: UnpackedFiles = { files: [], errors: [] };

@@ -242,7 +242,7 @@ impl Hierarchy {
             Expect::Body if is("OFFSET") => self.expect = Expect::Offset(0),
             Expect::Body if is("CHANNELS") => self.expect = Expect::ChannelCount,
             Expect::Body if is("JOINT") => self.expect = Expect::Name(JointKind::Joint),
-            Expect::Body if is_end_site(word) => {
+            Expect::Body if is("End") => {
                 self.push(JointKind::EndSite, END_SITE.as_bytes(), line, text, at)?;
                 // The text between `End` and the brace is `Site` and perhaps a name.
                 return Ok(names::name_len(&text[at..]));
@@ -360,15 +360,9 @@ fn word_or_brace(bytes: &[u8]) -> &[u8] {
 }
 
 fn is_keyword(word: &[u8]) -> bool {
-    ["{", "}", "OFFSET", "CHANNELS", "JOINT", "ROOT", "MOTION"]
+    ["{", "}", "OFFSET", "CHANNELS", "JOINT", "End", "ROOT", "MOTION"]
         .iter()
         .any(|keyword| word.eq_ignore_ascii_case(keyword.as_bytes()))
-        || is_end_site(word)
-}
-
-/// True for the first word of `End Site`, which some programs write as one word.
-fn is_end_site(word: &[u8]) -> bool {
-    ["End", "EndSite", "End_Site"].iter().any(|keyword| word.eq_ignore_ascii_case(keyword.as_bytes()))
 }
 
 fn parse_channel(word: &[u8]) -> Option<Channel> {

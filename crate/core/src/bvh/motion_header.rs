@@ -200,8 +200,8 @@ pub(super) fn is_statement(text: &[u8]) -> bool {
     is_keyword || is_assignment && word[0].is_ascii_alphabetic()
 }
 
-/// Returns the length of `words`, in any case and separated by blanks, and a following colon or equals
-/// sign, if `text` begins with them.
+/// Returns the length of `words`, in any case and separated by blanks, and a following colon, if
+/// `text` begins with them.
 fn match_words(text: &[u8], words: &[&str]) -> Option<usize> {
     let mut at = 0;
     for word in words {
@@ -213,5 +213,5 @@ fn match_words(text: &[u8], words: &[&str]) -> Option<usize> {
         at = end;
     }
     let colon = number::skip_blanks(text, at);
-    if matches!(text.get(colon), Some(b':' | b'=')) { Some(colon + 1) } else { (colon > at).then_some(colon) }
+    if text.get(colon) == Some(&b':') { Some(colon + 1) } else { (colon > at).then_some(colon) }
 }

@@ -255,14 +255,14 @@ def _inputs(paths: Path | Iterable[Path]) -> list[tuple[str, str]]:
 
 
 def _below(folder: str) -> list[str]:
-    """Return the BVH files below a folder, without hidden files and the companion files of macOS."""
+    """Return the BVH files below a folder, without the companion files of macOS."""
     files = []
     for parent, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name != "__MACOSX" and not name.startswith("."))
+        folders[:] = sorted(name for name in folders if name != "__MACOSX" and not name.startswith("._"))
         files += [
             os.path.join(parent, name)
             for name in sorted(names)
-            if name.lower().endswith(".bvh") and not name.startswith(".")
+            if name.lower().endswith(".bvh") and not name.startswith("._")
         ]
     return files
 

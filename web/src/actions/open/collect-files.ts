@@ -8,7 +8,7 @@ import type { Source } from "../../model/sources/source";
 import type { Failure, Notice } from "../../model/types";
 import type { ErrorReport } from "../../store/errors";
 import { runJob } from "../../store/jobs";
-import { baseNameOf, isHidden, stemOf } from "../../util/file-names";
+import { baseNameOf, isMacCompanion, stemOf } from "../../util/file-names";
 import { mapConcurrent } from "../../util/map-concurrent";
 import type { UnpackedFiles } from "../../workers/zip.worker";
 
@@ -55,7 +55,7 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<DroppedFiles> 
     const next = queue.shift();
     if (!next) break;
     const { entry, isDropped } = next;
-    if (!isDropped && isHidden(entry.name)) continue;
+    if (!isDropped && isMacCompanion(entry.name)) continue;
     if (entry.isDirectory) {
       const children = await listFolder(entry as FileSystemDirectoryEntry);
       children.sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));

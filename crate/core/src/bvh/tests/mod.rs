@@ -63,7 +63,6 @@ fn keywords_are_read_in_any_case_and_spacing() {
         "Frames :1\nFrame Time : 1e-2\n",
         "frames: 1\nframe time: +0.01\n",
         "FRAMES: 1\nFRAME TIME: 0.01\n",
-        "Frames = 1\nFrame Time=0.01\n",
         "\n\nFrames: 1\n\nFrame Time: 0.01\n\t\n",
         "Frames: 1 Frame Time: 0.01\n",
     ] {
@@ -72,10 +71,6 @@ fn keywords_are_read_in_any_case_and_spacing() {
     }
     let one_line = "hierarchy root Left Foot{offset 0 0 0 channels 1 xPosition End site{OFFSET 0 1 0}}motion";
     assert_eq!(read(&format!("{one_line}\nFrames: 1\nFrame Time: 1\n7")).clip.joints()[0].name, "Left Foot");
-    for end in ["EndSite", "ENDSITE tip", "End_Site"] {
-        let text = motion("Frames: 1\nFrame Time: 0.01\n1 2 3").replace("End Site", end);
-        assert_eq!(read(&text).clip.joints()[1].kind, JointKind::EndSite, "{end}");
-    }
 }
 
 #[test]
