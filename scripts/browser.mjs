@@ -49,7 +49,7 @@ export async function browser() {
   return { chromium: chromium(), headlessShell: headlessShell() ?? chromium(), driver: driver() };
 }
 
-/** The shell only makes the tests faster, and the tests in Firefox are skipped without it. */
+/** Without the shell the tests are slower, and without Firefox some are skipped. */
 function ignoreStop(error) {
   if (!(error instanceof Stop)) throw error;
 }
