@@ -23,17 +23,19 @@ const SHIFT_STEP: f64 = 0.004;
 const BANDWIDTH: f64 = 0.15;
 /// Standard deviation of boundaries whose instant is known to the frame only, in seconds.
 const FRAME_UNCERTAINTY: f64 = 0.03;
+/// Distance from the ends of the corrected frame within which a corrected time must be, as a fraction of the frame.
+const FRAME_MARGIN: f64 = 0.02;
 /// Numbers of standard deviations up to which a correction does not count and from which it counts in full.
 const SIGNIFICANT: [f64; 2] = [2.0, 3.0];
 /// Maximum ratio of the error of a correction to the error of the detection with which the correction is used.
 const MAX_ERROR_RATIO: f64 = 0.5;
+/// Number of bisections for a common offset: more than double precision needs for offsets of some seconds.
+const BISECTIONS: usize = 40;
 
 /// Largest number of corrected boundaries of one kind that are used, the latest ones, and of those that are
 /// similar to one boundary; more would take time and change little.
 const MAX_EXAMPLES: usize = 64;
 const MAX_SIMILAR: usize = 8;
-/// Number of corrections that show an error even if the uncertainty of a single one explains it.
-const ENOUGH: usize = 3;
 
 /// A boundary of a plant that a person corrected or confirmed.
 #[derive(Clone, Debug)]
@@ -45,18 +47,32 @@ pub(super) struct EdgeExample {
     /// Motion around the detected time, and around the corrected time.
     detected_window: Vec<f32>,
     corrected_window: Vec<f32>,
-    /// Detected and corrected time, in seconds.
+    /// Detected time and its standard deviation, in seconds.
     detected: f64,
+    deviation: f64,
+    /// Corrected time: the middle between two frames, or the detected time if it was confirmed. In seconds.
     corrected: f64,
-    /// Variance of the difference of these times due to the error of the detected time and to the frames of
-    /// the correction, in seconds squared.
-    variance: f64,
+    /// Times, in seconds, between which a boundary must be to agree with the corrected labels.
+    allowed: [f64; 2],
 }
 
 impl EdgeExample {
     /// Returns the corrected time minus the detected time, in seconds.
     pub fn offset(&self) -> f64 {
         self.corrected - self.detected
+    }
+
+    /// Returns by how much a time is after the allowed ones; negative if it is before them, 0 if it is allowed.
+    fn excess(&self, time: f64) -> f64 {
+        let [first, last] = self.allowed;
+        time - time.clamp(first, last)
+    }
+
+    /// Returns the standard deviation of the difference of detected and corrected time, in seconds; the corrected
+    /// one is known to the frame.
+    fn offset_deviation(&self) -> f64 {
+        let [first, last] = self.allowed;
+        (self.deviation.powi(2) + (last - first).powi(2) / 12.0).sqrt()
     }
 
     /// Returns the time near a boundary at which the motion is most similar to that at the corrected time.
@@ -135,7 +151,6 @@ pub(super) fn learn(example: &Example, profile: &Arc<Profile>) -> Vec<EdgeExampl
         let (detected, deviation) = instant(before, old, frame_time);
         // A confirmed boundary is known more exactly than to the frame.
         let corrected = if old == new { detected } else { (new as f64 - 0.5) * frame_time };
-        let variance = deviation.powi(2) + frame_time.powi(2) / 12.0;
         EdgeExample {
             part: *part,
             is_strike,
@@ -143,8 +158,10 @@ pub(super) fn learn(example: &Example, profile: &Arc<Profile>) -> Vec<EdgeExampl
             detected_window: window(profile, detected, REACH),
             corrected_window: window(profile, corrected, ALIGNED_REACH),
             detected,
+            deviation,
             corrected,
-            variance,
+            allowed: [new as f64 - 1.0 + FRAME_MARGIN, new as f64 - FRAME_MARGIN]
+                .map(|frame| frame * frame_time),
         }
     });
     examples.collect()
@@ -155,7 +172,7 @@ pub(super) fn learn(example: &Example, profile: &Arc<Profile>) -> Vec<EdgeExampl
 enum Rule {
     /// The detected instant.
     Keep,
-    /// A constant time after the detected instant.
+    /// A constant time after the detected instant ([`Examples::common_offset`]).
     Shift,
     /// The instant at which the motion is most similar to that of the corrected boundaries.
     Align,
@@ -200,22 +217,24 @@ impl<'a> Examples<'a> {
     /// (leave-one-out cross-validation). Needs at least two.
     fn best_rule(&self, similar: &[usize]) -> Rule {
         let count = similar.len() as f64;
-        let example = |index: usize| self.examples[index];
-        let mean_square = |error: &dyn Fn(usize) -> f64| {
-            similar.iter().map(|&index| error(index).powi(2)).sum::<f64>() / count
+        let examples = || similar.iter().map(|&index| self.examples[index]);
+        // Mean square error of the times that a rule gives, by the index of a boundary and those of the others.
+        let mean_square = |time: &dyn Fn(usize, &[usize]) -> f64| {
+            let squares = similar.iter().map(|&index| {
+                let others: Vec<usize> = similar.iter().copied().filter(|&other| other != index).collect();
+                self.examples[index].excess(time(index, &others)).powi(2)
+            });
+            squares.sum::<f64>() / count
         };
-        let mean_of_others = |index: usize, value: &dyn Fn(usize) -> f64| {
-            let others = similar.iter().filter(|&&other| other != index);
-            others.map(|&other| value(other)).sum::<f64>() / (count - 1.0)
-        };
-        let offset = |index: usize| example(index).offset();
-        let keep = mean_square(&offset);
-        let shift = mean_square(&|index| offset(index) - mean_of_others(index, &offset));
-        let align = mean_square(&|index| {
-            mean_of_others(index, &|other| self.aligned[index][other]) - example(index).corrected
+        let detected = |index: usize| self.examples[index].detected;
+        let keep = mean_square(&|index, _| detected(index));
+        let shift = mean_square(&|index, others| detected(index) + self.common_offset(others));
+        let align = mean_square(&|index, others| {
+            others.iter().map(|&other| self.aligned[index][other]).sum::<f64>() / (count - 1.0)
         });
-        let expected = similar.iter().map(|&index| example(index).variance).sum::<f64>() / count;
-        let is_significant = keep > expected || similar.len() >= ENOUGH;
+        let expected = examples().map(|example| example.deviation.powi(2)).sum::<f64>() / count;
+        // The errors that the corrections show must be larger than the uncertainty of the boundaries explains.
+        let is_significant = count * keep > expected;
         let is_better = |error: f64| is_significant && error < MAX_ERROR_RATIO.powi(2) * keep;
         if is_better(align) && align < shift {
             Rule::Align
@@ -226,27 +245,46 @@ impl<'a> Examples<'a> {
         }
     }
 
+    /// Returns the smallest offset that agrees best with the corrections of some boundaries, in seconds: the one
+    /// with the least sum of squared errors (interval-censored least squares).
+    fn common_offset(&self, indices: &[usize]) -> f64 {
+        let excess = |offset: f64| -> f64 {
+            let example = |&index: &usize| self.examples[index];
+            indices.iter().map(example).map(|example| example.excess(example.detected + offset)).sum()
+        };
+        let excess_of_detected = excess(0.0);
+        let largest =
+            indices.iter().map(|&index| self.examples[index].excess(self.examples[index].detected).abs());
+        // The excess grows with the offset. Bisection for its first zero from 0.
+        let (mut near, mut far) = (0.0, -excess_of_detected.signum() * largest.fold(0.0, f64::max));
+        for _ in 0..BISECTIONS {
+            let middle = f64::midpoint(near, far);
+            *(if excess(middle) * excess_of_detected > 0.0 { &mut near } else { &mut far }) = middle;
+        }
+        far
+    }
+
     /// Returns the corrected time of a boundary that was detected at `time`; the same time if no correction
     /// applies.
     fn corrected_time(&self, profile: &Profile, time: f64) -> f64 {
         let similar = self.similar(profile, time);
-        let mean = |value: &dyn Fn(&EdgeExample) -> f64| {
-            similar.iter().map(|&index| value(self.examples[index])).sum::<f64>() / similar.len() as f64
-        };
         match similar[..] {
             [] => time,
             // A single correction must be larger than the uncertainty of the boundary explains (firm shrinkage,
             // Gao and Bruce 1997).
             [index] => {
                 let example = self.examples[index];
-                let [low, high] = SIGNIFICANT.map(|deviations| deviations * example.variance.sqrt());
+                let [low, high] = SIGNIFICANT.map(|deviations| deviations * example.offset_deviation());
                 let offset = example.offset();
                 time + offset * ((offset.abs() - low) / (high - low)).clamp(0.0, 1.0)
             }
             _ => match self.best_rule(&similar) {
                 Rule::Keep => time,
-                Rule::Shift => time + mean(&EdgeExample::offset),
-                Rule::Align => mean(&|example| example.align(profile, time)),
+                Rule::Shift => time + self.common_offset(&similar),
+                Rule::Align => {
+                    let aligned = similar.iter().map(|&index| self.examples[index].align(profile, time));
+                    aligned.sum::<f64>() / similar.len() as f64
+                }
             },
         }
     }

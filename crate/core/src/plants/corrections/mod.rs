@@ -326,6 +326,24 @@ mod tests {
     }
 
     #[test]
+    fn corrections_within_the_uncertainty_are_not_applied_elsewhere_either() {
+        let detected = detection(|_| 0.2, |frame| frame % STEP < 62);
+        let edits = [edit(260, 262, false), edit(360, 362, false), edit(460, 462, false)];
+        assert_eq!(apply(&detected, &edits).plants, 0);
+    }
+
+    #[test]
+    fn several_corrections_move_similar_boundaries_no_further_than_they_show() {
+        // Plants end 10 and 12 frames late.
+        let end = |frame: usize| if frame / STEP % 2 == 0 { 70 } else { 72 };
+        let detected = detection(|_| 0.2, |frame| frame % STEP < end(frame));
+        let corrected = apply(&detected, &[edit(260, 270, false), edit(360, 372, false)]);
+        for (step, plant) in plants(&corrected.detection).iter().enumerate().filter(|(step, _)| *step != 3) {
+            assert!((60..=62).contains(&(plant.end - step * STEP)), "{plant:?}");
+        }
+    }
+
+    #[test]
     fn confirmed_labels_change_nothing() {
         let detected = detection(|_| 0.2, |frame| frame % STEP < 60);
         let edits = [edit(200, 260, true), edit(260, 300, false)];
