@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { createPool } from "./worker-pool";
+import { createPool, poolSize } from "./worker-pool";
 
 beforeEach(() => {
   vi.useFakeTimers();
@@ -28,6 +28,10 @@ const deferred = () => {
   });
   return { promise, resolve };
 };
+
+test("uses both of two processors, and leaves one of more to the page", () => {
+  expect([1, 2, 3, 4, 5, 32].map((processors) => poolSize(processors))).toEqual([2, 2, 2, 3, 4, 4]);
+});
 
 test("starts at most `size` workers and reuses them", async () => {
   const { log, pool } = fakePool(2);

@@ -29,9 +29,12 @@ interface Slot<Calls> {
 /** Time after which an idle worker is stopped to free its memory. */
 const idleTimeoutMs = 10_000;
 
-/** Leaves one processor to the page and the clip worker; more than four rarely fit into memory. */
-export const poolSize = () =>
-  Math.min(4, Math.max(1, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
+/**
+ * Returns the number of workers for a number of processors. One processor is left to the page and the clip worker,
+ * except of two: the page needs a tenth of one during a batch. More than four workers rarely fit into memory.
+ */
+export const poolSize = (processors = globalThis.navigator?.hardwareConcurrency ?? 2) =>
+  Math.min(4, Math.max(2, processors - 1));
 
 /**
  * Creates a pool of at most `size` workers; `start` starts one and reports its failure to
