@@ -232,12 +232,19 @@ fn exact_angles(clip: &Clip, spec: &ClipSpec, side: Side) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// Returns the largest differences between curves and exact angles over the gait cycle, in degrees: of hip,
-/// knee and ankle.
-fn angle_errors(clip: &Clip, spec: &ClipSpec, analysis: &GaitAnalysis) -> [f64; 3] {
+/// Differences between curves and exact angles over the gait cycle, in degrees.
+#[derive(Debug)]
+struct AngleErrors {
+    /// The largest ones, of hip, knee and ankle.
+    largest: [f64; 3],
+    /// Root mean squares of hip, knee and ankle.
+    rms: [f64; 3],
+}
+
+fn angle_errors(clip: &Clip, spec: &ClipSpec, analysis: &GaitAnalysis) -> AngleErrors {
     let curves = analysis.curves.as_ref().expect("curves");
     let plan = spec.plan(0);
-    let mut errors = [0.0_f64; 3];
+    let mut errors: [Vec<f64>; 3] = Default::default();
     for side in Side::BOTH {
         let exact = exact_angles(clip, spec, side);
         let strikes: Vec<f64> = stances(&plan.feet[side as usize])
@@ -257,11 +264,14 @@ fn angle_errors(clip: &Clip, spec: &ClipSpec, analysis: &GaitAnalysis) -> [f64; 
                     exact[before][joint] * (1.0 - fraction) + exact[before + 1][joint] * fraction
                 };
                 let expected = mean(&strikes.windows(2).map(at).collect::<Vec<_>>());
-                errors[joint] = errors[joint].max((curve.mean[percent] - expected).abs());
+                errors[joint].push((curve.mean[percent] - expected).abs());
             }
         }
     }
-    errors
+    AngleErrors {
+        largest: errors.each_ref().map(|errors| errors.iter().copied().fold(0.0, f64::max)),
+        rms: errors.map(|errors| mean(&errors.iter().map(|error| error * error).collect::<Vec<_>>()).sqrt()),
+    }
 }
 
 #[test]
@@ -270,8 +280,10 @@ fn joint_angles_match_the_plan() {
         let exact = ClipSpec { noise_level: 0.0, ..spec(name) };
         let (clip, [by_truth, detected]) = analysed(&exact);
         let errors = [by_truth, detected].map(|analysis| angle_errors(&clip, &exact, &analysis));
-        println!("{name}: hip, knee, ankle {:.2?}°, detected {:.2?}°", errors[0], errors[1]);
-        assert!(errors[0].iter().all(|error| *error <= 1.0), "{name}: {errors:?}");
+        println!("{name}: hip, knee, ankle in degrees: {:.2?}, detected {:.2?}", errors[0], errors[1]);
+        let [by_truth, detected] = &errors;
+        assert!(by_truth.largest.iter().all(|error| *error <= 1.0), "{name}: {errors:?}");
+        assert!(detected.rms.iter().all(|error| *error <= 1.0), "{name}: {errors:?}");
     }
 }
 
@@ -301,7 +313,8 @@ fn walks_are_measured_within_half_a_percent_ten_milliseconds_and_a_centimetre() 
                 1e3 * times,
                 1e3 * lengths
             );
-            if source == "truth" {
+            // The curved walk has two complete strides, so that each of its events counts.
+            if source == "truth" || name != "curved-walk" {
                 assert!(cadence_error <= 0.005 && times <= 0.010 && lengths <= 0.010, "{name}: {gait:?}");
             }
         }
