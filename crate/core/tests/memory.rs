@@ -1,9 +1,11 @@
-//! Memory of reading and of the search for roles: in proportion to the file, whatever its shape.
+//! Memory of reading and of the search for roles: in proportion to the file, whatever its shape. Memory of
+//! detection: in proportion to the frames, whatever their rate.
 
 use std::sync::Mutex;
 
 use peak_alloc::PeakAlloc;
 use plantigrade::bvh::{self, Options};
+use plantigrade::plants::{self, Feet, ValidParams};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
 #[global_allocator]
@@ -67,4 +69,40 @@ fn memory_is_in_proportion_to_the_file() {
         assert!(per_byte.iter().all(|&ratio| ratio < 200.0), "{shape}: {per_byte:?}");
         assert!(per_byte[1] < 1.5 * per_byte[0] + 1.0, "{shape} grows faster than the file: {per_byte:?}");
     }
+}
+
+/// Returns a file of two legs whose root moves up and down, with a frame time in seconds.
+fn legs(frames: usize, frame_time: f64) -> Vec<u8> {
+    let joint = |name: &str, offset: &str, content: &str| {
+        format!("JOINT {name}\n{{\nOFFSET {offset}\nCHANNELS 0\n{content}}}\n")
+    };
+    let leg = |side: &str, x: i32| {
+        let toe = joint(&format!("{side}ToeBase"), "0 -5 10", "End Site\n{\nOFFSET 0 0 5\n}\n");
+        let foot = joint(&format!("{side}Foot"), "0 -40 0", &toe);
+        joint(&format!("{side}UpLeg"), &format!("{x} 0 0"), &joint(&format!("{side}Leg"), "0 -40 0", &foot))
+    };
+    let root = "OFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n";
+    let rows: String = (0..frames).map(|frame| format!("0 {} 0\n", frame * frame % 7)).collect();
+    let (left, right) = (leg("Left", 9), leg("Right", -9));
+    format!(
+        "HIERARCHY\nROOT Hips\n{{\n{root}{left}{right}}}\nMOTION\nFrames: {frames}\nFrame Time: {frame_time}\n{rows}"
+    )
+    .into_bytes()
+}
+
+#[test]
+fn memory_of_detection_does_not_grow_with_the_frame_time() {
+    let _measuring = MEASURING.lock();
+    const FRAMES: usize = 4000;
+    let per_frame = [1.0 / 120.0, 1.0 / 12.0, 0.5, 1.0].map(|frame_time| {
+        let parsed = bvh::parse(&legs(FRAMES, frame_time), Options::default()).expect("a clip");
+        let skeleton = Skeleton::main(&parsed.clip, &Overrides::default());
+        let feet = Feet::new(&parsed.clip, &skeleton).expect("feet");
+        let before = ALLOCATOR.current_usage();
+        ALLOCATOR.reset_peak_usage();
+        plants::detect(&feet, ValidParams::default());
+        (ALLOCATOR.peak_usage() - before) / FRAMES
+    });
+    println!("bytes per frame: {per_frame:?}");
+    assert!(per_frame.iter().all(|&bytes| bytes < 2500), "{per_frame:?}");
 }

@@ -335,7 +335,7 @@ mod tests {
     #[test]
     fn several_corrections_move_similar_boundaries_no_further_than_they_show() {
         // Plants end 10 and 12 frames late.
-        let end = |frame: usize| if frame / STEP % 2 == 0 { 70 } else { 72 };
+        let end = |frame: usize| 70 + 2 * (frame / STEP % 2);
         let detected = detection(|_| 0.2, |frame| frame % STEP < end(frame));
         let corrected = apply(&detected, &[edit(260, 270, false), edit(360, 372, false)]);
         for (step, plant) in plants(&corrected.detection).iter().enumerate().filter(|(step, _)| *step != 3) {

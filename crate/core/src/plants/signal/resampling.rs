@@ -8,8 +8,11 @@ use crate::plants::Feet;
 
 /// Minimum rate after resampling, in Hz.
 const MIN_RATE: f64 = 120.0;
+/// Maximum upsampling factor, which slower clips than 12 Hz have: they would need memory and time without limit.
+const MAX_FACTOR: f64 = 10.0;
 
-/// Resamples clips of low rates to about 120 Hz, span by span; faster clips are not changed.
+/// Resamples clips of low rates to about 120 Hz, or to ten times their rate, span by span; faster clips are not
+/// changed.
 pub(crate) struct Resampler {
     /// Spans of the clip, in frames.
     spans: Vec<Range<usize>>,
@@ -24,7 +27,7 @@ pub(crate) struct Resampler {
 impl Resampler {
     /// Creates a resampler for these feet with the given spans.
     pub fn new(feet: &Feet, spans: &[Range<usize>]) -> Resampler {
-        let factor = (MIN_RATE * feet.frame_time).round().max(1.0) as usize;
+        let factor = (MIN_RATE * feet.frame_time).round().clamp(1.0, MAX_FACTOR) as usize;
         let to_fine = |span: &Range<usize>| span.start * factor..(span.end - 1) * factor + 1;
         Resampler {
             spans: spans.to_vec(),
