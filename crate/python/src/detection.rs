@@ -94,7 +94,7 @@ impl RawDetection {
         self.array(py, part, |foot| &foot.confidence, |confidence| confidence)
     }
 
-    /// Height above the lowest point in metres, frames × 2.
+    /// Height above the ground in metres, frames × 2.
     fn height<'py>(&self, py: Python<'py>, part: &str) -> PyResult<Bound<'py, PyArray2<f32>>> {
         self.array(py, part, |foot| &foot.height, self.metres())
     }
@@ -170,7 +170,7 @@ impl RawDetection {
         )
     }
 
-    /// Noise of planted feet: standard deviation of position in metres and of speed in metres per second.
+    /// Noise of planted feet: standard deviation of position in metres, median speed in metres per second.
     fn noise(&self) -> Option<(f64, f64)> {
         let metres = self.data.skeleton.metres_per_unit;
         self.detection.noise.map(|noise| (noise.position * metres, noise.speed * metres))

@@ -47,7 +47,7 @@ def presets() -> list[tuple[str, int, str]]:
     """Return name, number of joints and description of each preset."""
     source = inspect.getsource(plantigrade.presets)
     descriptions = re.findall(
-        r'^([A-Z0-9_]+) = Preset\(.*?^\)\n"""(.*?)"""', source, re.DOTALL | re.MULTILINE
+        r'^([A-Z0-9_]+) = Preset\((?:[^\n]+|\n.*?^)\)\n"""(.*?)"""', source, re.DOTALL | re.MULTILINE
     )
     return [
         (name, len(getattr(plantigrade.presets, name).names), markdown(text)) for name, text in descriptions

@@ -34,7 +34,7 @@ pub struct GaitInfo {
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cadence: Option<f64>,
-    /// Speed over ground in m/s.
+    /// Speed over ground, or relative to the belt of a treadmill, in m/s.
     #[tsify(optional)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,

@@ -52,7 +52,7 @@ const isBoolean = (value: unknown): value is boolean => typeof value === "boolea
 const isSize = (value: unknown): value is number | null =>
   value === null || (typeof value === "number" && value > 0 && value < 10_000);
 
-/** True if the keys are those of version 1: L loops, K splits, comma and full stop change the speed. */
+/** True if the keys are the former ones: L loops, K splits, comma and full stop change the speed. */
 export const classicKeys = preference("classic-keys", false, isBoolean);
 
 /** Height of the tracks of the timeline, in pixels; null for the default of the page size. */

@@ -83,7 +83,7 @@ pub enum Omission {
 }
 
 impl Omission {
-    /// Returns a description of the reason, as in `cut off by the clip`.
+    /// Returns a description of the reason, such as `cut off`.
     pub fn description(self) -> &'static str {
         match self {
             Omission::CutOff => "cut off",

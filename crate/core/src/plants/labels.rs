@@ -21,7 +21,8 @@ pub struct FootLabels {
     pub planted: Vec<bool>,
     /// Probability that the label is right, from 0.5 to 1.
     pub confidence: Vec<f32>,
-    /// Height above the lowest point of the clip, in file units.
+    /// Height above the ground, in file units: the ground under the foot for `robust`, the lowest height of both
+    /// feet for other methods.
     pub height: Vec<f32>,
     /// Speed, in file units per second.
     pub speed: Vec<f32>,

@@ -1,12 +1,12 @@
 //! Segmentation of a clip into actions.
 //!
 //! Six methods share one interface, [`Method`], and one result, [`Segmentation`]. [`Method::Auto`]
-//! is the default; the others are published methods for comparison. None needs the number of
-//! actions.
+//! is the default; the others are published methods for comparison and a variant of one of them,
+//! [`Method::PcaTail`]. None needs the number of actions.
 //!
 //! Data flow: clip → poses (joint rotations or joint positions) → a curve → cuts → [`Segment`]s →
 //! actions. Segments of all methods are then grouped by what is done in them, see [`Segment::action`].
-//! All constants are in seconds, so results do not depend on the frame rate.
+//! All durations are in seconds, so results do not depend on the frame rate.
 
 mod actions;
 mod body;

@@ -26,7 +26,7 @@ pub struct Slide {
     pub side: Side,
     /// Frames in which heel or toe is planted.
     pub frames: Range<usize>,
-    /// Maximum distance of the part from its mean position over the plant, in metres.
+    /// Maximum horizontal distance of the part from its mean position over the plant, in metres.
     pub distance: f64,
     /// Frame of that distance.
     pub frame: usize,

@@ -13,7 +13,7 @@ const MAX_DURATION: f64 = 0.05;
 const MIN_DEVIATION: f64 = 0.05;
 
 /// Acceleration of hips, in leg lengths per second squared, above which they do not move by themselves: about
-/// 8 g. By the accelerations of jumps and falls, which are below 5 g.
+/// 8 g. Those of jumps and falls are below 5 g.
 const MAX_ACCELERATION: f64 = 90.0;
 
 /// Deviation relative to the distance over the spike, at least; a jump that does not come back has 0.5.

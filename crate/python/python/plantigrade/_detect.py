@@ -140,9 +140,9 @@ class Noise(NamedTuple):
     Attributes
     ----------
     position : float
-        Standard deviation of positions, in metres.
+        Standard deviation of each coordinate of planted toes, in metres.
     speed : float
-        Standard deviation of speeds, in metres per second.
+        Median speed of planted feet, in metres per second.
     """
 
     position: float
@@ -252,7 +252,7 @@ class Detection:
         return self._raw.confidence(part)
 
     def height(self, part: Part = "toe") -> NDArray[np.float32]:
-        """Return the height of a part above its lowest point, in metres, shape (frames, 2)."""
+        """Return the height of a part above the ground, in metres, shape (frames, 2)."""
         return self._raw.height(part)
 
     def speed(self, part: Part = "toe") -> NDArray[np.float32]:
@@ -351,8 +351,8 @@ class Detection:
         Parameters
         ----------
         format : str
-            ``"json"``, ``"csv"``, ``"intervals"``, ``"events"``, ``"part-events"``, ``"npz"`` or
-            ``"blender"``, as in ``plantigrade detect --format``.
+            ``"json"``, ``"csv"``, ``"intervals"``, ``"events"``, ``"part-events"``, ``"npz"``,
+            ``"blender"``, ``"unreal"`` or ``"unity"``, as in ``plantigrade detect --format``.
         """
         return self._raw.to_bytes(format)
 
@@ -427,7 +427,7 @@ class Detection:
         height : int
             Height in pixels.
         static : bool
-            If true, the viewer is a part of the notebook, about 2.5 MB, which also works when the notebook
+            If true, the viewer is a part of the notebook, about 2.3 MB, which also works when the notebook
             is exported as HTML; its edits do not reach Python. Without anywidget, the viewer is static.
 
         Returns
@@ -461,7 +461,8 @@ class Detection:
         path : path
             File to write. Its ending determines the format: ``.plants.json`` or ``.json``,
             ``.frames.csv`` or ``.csv``, ``.intervals.csv``, ``.events.csv``, ``.part-events.csv``,
-            ``.contacts.npz`` or ``.npz``, ``.blender.py`` or ``.py``.
+            ``.contacts.npz`` or ``.npz``, ``.blender.py`` or ``.py``, ``.unreal.py``, ``.unity.cs`` or
+            ``.cs``.
         format : str, optional
             Format, if the ending does not determine it; see :meth:`to_bytes`.
         """

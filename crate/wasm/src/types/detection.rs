@@ -78,7 +78,7 @@ pub struct GroundInfo {
 /// Noise of planted feet: of the capture, and of feet that roll.
 #[derive(Debug, PartialEq, Serialize, Deserialize, Tsify)]
 pub struct NoiseInfo {
-    /// Standard deviation of each coordinate that changes from frame to frame, in metres.
+    /// Standard deviation of each coordinate of planted toes, in metres.
     pub position: f64,
     /// Median speed, in metres per second.
     pub speed: f64,

@@ -90,7 +90,7 @@ impl GroundUsed {
 /// Noise of planted feet; see [`CaptureNoise`].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Noise {
-    /// Standard deviation of each coordinate that changes from frame to frame, in millimetres.
+    /// Standard deviation of each coordinate of planted toes, in millimetres.
     pub position_mm: f64,
     /// Median speed, in millimetres per second.
     pub speed_mm_per_s: f64,

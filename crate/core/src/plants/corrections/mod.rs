@@ -6,9 +6,10 @@
 //! affinity retains the labels of the clustering.
 //!
 //! Two things can be wrong. The boundary of a plant can be early or late: [`edges`] moves similar boundaries
-//! by the same time. Or a run of frames has the wrong label, such as a foot that is held still in the air:
+//! likewise. Or a run of frames has the wrong label, such as a foot that is held still in the air:
 //! [`runs`] changes the label of similar runs. Affinities are those of windows of height and speed in leg
-//! lengths, so that corrections apply to other clips of the same character as well.
+//! lengths, so that corrections apply to other clips of the same character as well. Affinities and limits were
+//! chosen on generated hard cases (seeds 0 to 9).
 
 mod edges;
 mod example;

@@ -70,9 +70,9 @@ struct ApproxDegrees<'a> {
 /// Accuracy of a value, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Accuracy {
-    /// Expanded about the cell of the sample and the cells of all queries.
+    /// Expanded about the cell of the sample and the cells of the graph.
     CellToCell,
-    /// Expanded about the cells of the queries only.
+    /// Expanded about the cells of the graph only.
     PointToCell,
     /// Summed over all pairs.
     Exact,

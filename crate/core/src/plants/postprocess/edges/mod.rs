@@ -41,7 +41,7 @@ const TIP_FRACTION: f64 = 0.1;
 /// motion (seeds 0 to 2), such that foot offs over force plates do not become less exact.
 const MAX_TOE_SPEED: f64 = 1.5;
 const MAX_TIP_SPEED: f64 = 1.1;
-/// Uncertainty of boundaries of the clustering, and the least uncertainty of any edge, in seconds.
+/// Uncertainty of boundaries of the clustering, which is the largest of any edge, and the least one, in seconds.
 const ESTIMATE_UNCERTAINTY: f64 = 0.03;
 const MIN_UNCERTAINTY: f64 = 0.001;
 /// Uncertainty of cues above which the boundary of the clustering remains, in seconds. Up to this one, cues are
@@ -108,7 +108,7 @@ fn set_confidence(frame_time: f64, span: &Range<usize>, edges: &[Edge], confiden
     }
 }
 
-/// Returns the cumulative distribution of the normal distribution to 0.01 (Bowling et al. 2009).
+/// Returns the cumulative distribution of the standard normal distribution to 0.0002 (Bowling et al. 2009).
 fn normal_cdf(x: f64) -> f64 {
     1.0 / (1.0 + (-0.07056 * x.powi(3) - 1.5976 * x).exp())
 }
