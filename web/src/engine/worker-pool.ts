@@ -30,8 +30,9 @@ interface Slot<Calls> {
 const idleTimeoutMs = 10_000;
 
 /**
- * Returns the number of workers for a number of processors. One processor is left to the page and the clip worker,
- * except of two: the page needs a tenth of one during a batch. More than four workers rarely fit into memory.
+ * Returns the number of workers for a number of processors. Of two processors the workers use both, as the page
+ * needs a tenth of one during a batch; of more, one is left to the page and the clip worker. More than four workers
+ * rarely fit into memory.
  */
 export const poolSize = (processors = globalThis.navigator?.hardwareConcurrency ?? 2) =>
   Math.min(4, Math.max(2, processors - 1));

@@ -8,7 +8,8 @@ use crate::plants::Feet;
 
 /// Minimum rate after resampling, in Hz.
 const MIN_RATE: f64 = 120.0;
-/// Maximum upsampling factor, which slower clips than 12 Hz have: they would need memory and time without limit.
+/// Maximum upsampling factor, that of 12 Hz. Without it, memory and time of a detection would grow with the frame
+/// time, to 120 times the frames at 1 Hz.
 const MAX_FACTOR: f64 = 10.0;
 
 /// Resamples clips of low rates to about 120 Hz, or to ten times their rate, span by span; faster clips are not
