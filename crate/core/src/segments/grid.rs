@@ -5,8 +5,8 @@ use std::ops::Range;
 use crate::bvh::Clip;
 use crate::numeric::interpolate;
 
-/// Maximum number of samples per frame, reached at 24 Hz. Poses between frames are on curves, of which more
-/// samples would tell nothing.
+/// Maximum number of samples per frame, which 30 samples per second reach at 6 Hz. More samples of the curve
+/// between two frames would tell nothing.
 const MAX_SAMPLES_PER_FRAME: f64 = 5.0;
 
 /// Maximum number of frames per sample. No clip has as many, but frame times may be 0.

@@ -35,9 +35,10 @@ pub(crate) struct Poses {
 }
 
 impl Poses {
-    /// Samples the poses of a range of frames at `rate` per second.
+    /// Samples the poses of a range of frames at `rate` per second, or one per frame of slower clips:
+    /// interpolated poses tell nothing that the frames do not.
     pub fn new(clip: &Clip, body: &Body, frames: &Range<usize>, rate: f64) -> Poses {
-        let grid = SampleGrid::new(clip, frames, rate);
+        let grid = SampleGrid::new(clip, frames, rate.min(clip.rate()));
         let mut columns = DMatrix::zeros(4 * body.joints.len(), grid.count());
         for (index, &joint) in body.joints.iter().enumerate() {
             let mut last = Quaternion::identity();
@@ -67,6 +68,11 @@ impl Poses {
     /// Returns the frame nearest to a pose.
     pub fn frame(&self, column: usize) -> usize {
         self.grid.frame(column)
+    }
+
+    /// Returns the time from the first pose to another, in seconds.
+    pub fn seconds(&self, column: usize) -> f64 {
+        self.grid.seconds(column)
     }
 
     /// Returns the position of a pose, in fractional frames.

@@ -32,32 +32,38 @@ const MIN_SLACK: f64 = 0.25;
 pub(crate) fn drop_dragged(feet: &Feet, span: &Range<usize>, contact: &mut [FootLabels; 2]) {
     let both_planted = |frame: &usize| contact.iter().all(|labels| labels.planted[*frame]);
     let both_planted_frames: Vec<usize> = span.clone().filter(both_planted).collect();
-    let stance_ids = contact.each_ref().map(|labels| stance_ids(labels, STEP_SPEED * feet.leg));
+    let stance_ids = contact.each_ref().map(|labels| stance_ids(labels, span, STEP_SPEED * feet.leg));
     let both = BothPlanted::new(feet, &both_planted_frames);
     for foot in 0..2 {
-        let stance_id = |index: usize| stance_ids[foot][both_planted_frames[index]];
+        let stance_id = |index: usize| stance_ids[foot][both_planted_frames[index] - span.start];
         let labels = &mut contact[foot];
+        // The ranges come from the last to the first and overlap within a stance, whose frames from `done` on
+        // are processed already.
+        let (mut stance, mut done) = (None, span.end);
         for (from, to) in both.separations(feet, foot, stance_id) {
+            if stance.replace(stance_id(from)) != Some(stance_id(from)) {
+                done = span.end;
+            }
             // While the other foot is up, the frames take the label of their neighbours.
             let start = from.checked_sub(1).map_or(span.start, |before| both_planted_frames[before] + 1);
             let end = both_planted_frames.get(to + 1).copied().unwrap_or(span.end);
-            let is_dragged =
-                |frame: &usize| labels.planted[*frame] && stance_ids[foot][*frame] == stance_id(from);
-            for frame in (start..end).filter(is_dragged).collect::<Vec<_>>() {
-                labels.planted[frame] = false;
-                // The clustering disagrees.
-                labels.confidence[frame] = 0.5;
+            for frame in start..end.min(done) {
+                if labels.planted[frame] && stance_ids[foot][frame - span.start] == stance_id(from) {
+                    labels.planted[frame] = false;
+                    // The clustering disagrees.
+                    labels.confidence[frame] = 0.5;
+                }
             }
+            done = start;
         }
     }
 }
 
-/// Returns a number per frame that increases when the foot takes a step.
-fn stance_ids(labels: &FootLabels, step_speed: f64) -> Vec<usize> {
-    let is_step = labels
-        .planted
+/// Returns a number per frame of a span that increases when the foot takes a step.
+fn stance_ids(labels: &FootLabels, span: &Range<usize>, step_speed: f64) -> Vec<usize> {
+    let is_step = labels.planted[span.clone()]
         .iter()
-        .zip(&labels.speed)
+        .zip(&labels.speed[span.clone()])
         .map(|(planted, speed)| !planted && f64::from(*speed) > step_speed);
     is_step
         .scan(0, |count, is_step| {
@@ -195,9 +201,16 @@ mod tests {
     /// Position at a time, in leg lengths and seconds.
     type Path<'a> = &'a dyn Fn(f64) -> Vector3<f64>;
 
-    /// Returns the contact that remains of two feet, which are labelled as planted while their toes
-    /// are slower than two leg lengths per second. Ankles are relative to toes.
+    /// Returns the contact that remains of two feet.
     fn remaining_contact(seconds: f64, rate: f64, toes: [Path; 2], ankles: [Path; 2]) -> [Vec<bool>; 2] {
+        let (feet, mut contact) = labelled(seconds, rate, toes, ankles);
+        drop_dragged(&feet, &(0..feet.frame_count()), &mut contact);
+        contact.map(|labels| labels.planted)
+    }
+
+    /// Returns two feet, which are labelled as planted while their toes are slower than two leg lengths per
+    /// second. Ankles are relative to toes.
+    fn labelled(seconds: f64, rate: f64, toes: [Path; 2], ankles: [Path; 2]) -> (Feet, [FootLabels; 2]) {
         let frames = (seconds * rate) as usize;
         let track = |path: Path| -> Track { (0..frames).map(|frame| path(frame as f64 / rate)).collect() };
         let feet = Feet {
@@ -212,7 +225,7 @@ mod tests {
             metres_per_unit: 1.0,
             frame_time: 1.0 / rate,
         };
-        let mut contact = feet.tracks.each_ref().map(|foot| {
+        let contact = feet.tracks.each_ref().map(|foot| {
             let velocities = velocity::central_difference(&foot.toe, feet.frame_time);
             let speed: Vec<f32> = velocities.iter().map(|velocity| velocity.norm() as f32).collect();
             let planted = speed.iter().map(|&speed| speed < 2.0).collect();
@@ -224,8 +237,7 @@ mod tests {
                 edges: Vec::new(),
             }
         });
-        drop_dragged(&feet, &(0..frames), &mut contact);
-        contact.map(|labels| labels.planted)
+        (feet, contact)
     }
 
     fn at_rest(_: f64) -> Vector3<f64> {
@@ -254,6 +266,20 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn spans_are_independent() {
+        let creeping = |time: f64| Vector3::z() * 0.25 * (time % 14.0 - 4.0).clamp(0.0, 6.0);
+        let (feet, mut contact) = labelled(28.0, RATE, [&creeping, &at_rest], [&rigid; 2]);
+        let half = feet.frame_count() / 2;
+        for span in [0..half, half..2 * half] {
+            drop_dragged(&feet, &span, &mut contact);
+        }
+        let (first, second) = contact[0].planted.split_at(half);
+        // The speed of the frames at the jump is not that of the motion.
+        let inner = |labels: &[bool]| labels[1..half - 1].to_vec();
+        assert!(inner(first) == inner(second) && inner(first).contains(&false));
     }
 
     #[test]

@@ -51,7 +51,8 @@ fn interpolate_track(track: &Track, spans: &[Range<usize>], factor: usize) -> Tr
     for frame in 0..last {
         // Beyond the end of a span its last position is repeated; a jump between spans is not
         // motion.
-        let span = spans.iter().find(|span| span.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
+        let span = spans.get(spans.partition_point(|span| span.end <= frame));
+        let span = span.filter(|span| span.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
         let at = |frame: usize| track[frame.clamp(span.start, span.end - 1)];
         let points = [at(frame.saturating_sub(1)), at(frame), at(frame + 1), at(frame + 2)];
         fine.extend((0..factor).map(|step| interpolate::catmull_rom(points, step as f64 / factor as f64)));

@@ -131,10 +131,8 @@ impl Pipeline<'_> {
         }
         if is_clustered {
             for foot in 0..2 {
-                for span in &self.motion.spans {
-                    let parts = [(Part::Heel, &mut heel.feet[foot]), (Part::Toe, &mut toe.feet[foot])];
-                    edges::refine_parts(self.feet, foot, span, &contact.feet[foot], parts);
-                }
+                let parts = [(Part::Heel, &mut heel.feet[foot]), (Part::Toe, &mut toe.feet[foot])];
+                edges::refine_parts(self.feet, foot, &self.motion.spans, &contact.feet[foot], parts);
             }
         }
         Output { parts: vec![contact, toe, heel], notices }
@@ -279,9 +277,7 @@ impl Pipeline<'_> {
     /// Moves the boundaries of contact to the instants of impact and release.
     fn refine_edges(&self, contact: &mut [FootLabels; 2]) {
         for (foot, labels) in contact.iter_mut().enumerate() {
-            for span in &self.motion.spans {
-                edges::refine(self.feet, foot, span, labels);
-            }
+            edges::refine(self.feet, foot, &self.motion.spans, labels);
             self.fill_ends(&mut labels.planted, &mut labels.confidence);
         }
     }

@@ -55,38 +55,16 @@ const ROUNDING: f64 = 1e-9;
 const CONFIDENCE_REACH: f64 = 4.0;
 const MIN_CONFIDENCE_REACH: f64 = 0.06;
 
-/// Moves the boundaries of the plants of one foot within a span of continuous motion to the instants of
+/// Moves the boundaries of the plants of one foot within spans of continuous motion to the instants of
 /// impact and release, and appends them to the edges of the labels.
 ///
-/// Boundaries at the ends of the span are no edges. Where there are no cues, the boundary of the
+/// Boundaries at the ends of a span are no edges. Where there are no cues, the boundary of the
 /// clustering remains.
-pub(crate) fn refine(feet: &Feet, foot: usize, span: &Range<usize>, labels: &mut FootLabels) {
-    let mut plants: Vec<Range<usize>> = intervals(&labels.planted[span.clone()]);
-    for plant in &mut plants {
-        *plant = plant.start + span.start..plant.end + span.start;
-    }
+pub(crate) fn refine(feet: &Feet, foot: usize, spans: &[Range<usize>], labels: &mut FootLabels) {
     let kernels = Kernels::new(feet.frame_time);
-    let refiner = Refiner { feet, tracks: &feet.tracks[foot], span, kernels };
-    let first_edge = labels.edges.len();
-    let mut planted = vec![false; span.len()];
-    for (index, plant) in plants.iter().enumerate() {
-        let previous_end = index.checked_sub(1).map_or(span.start, |previous| plants[previous].end);
-        let next_start = plants.get(index + 1).map_or(span.end, |next| next.start);
-        let mut refined = plant.clone();
-        if plant.start > span.start {
-            let edge = refiner.strike(previous_end, plant);
-            refined.start = edge.frame;
-            labels.edges.push(edge);
-        }
-        if plant.end < span.end {
-            let edge = refiner.off(plant, next_start);
-            refined.end = edge.frame;
-            labels.edges.push(edge);
-        }
-        planted[refined.start - span.start..refined.end - span.start].fill(true);
+    for span in spans {
+        Refiner { feet, tracks: &feet.tracks[foot], span, kernels: &kernels }.refine(labels);
     }
-    labels.planted[span.clone()].copy_from_slice(&planted);
-    set_confidence(feet.frame_time, span, &labels.edges[first_edge..], &mut labels.confidence);
 }
 
 /// Sets the confidence of the frames near edges: the probability that each edge is on its side of the
@@ -118,10 +96,39 @@ struct Refiner<'a> {
     feet: &'a Feet,
     tracks: &'a FootTracks,
     span: &'a Range<usize>,
-    kernels: Kernels,
+    kernels: &'a Kernels,
 }
 
 impl Refiner<'_> {
+    /// Moves the boundaries of the plants within the span, and appends the edges.
+    fn refine(&self, labels: &mut FootLabels) {
+        let span = self.span;
+        let mut plants: Vec<Range<usize>> = intervals(&labels.planted[span.clone()]);
+        for plant in &mut plants {
+            *plant = plant.start + span.start..plant.end + span.start;
+        }
+        let first_edge = labels.edges.len();
+        let mut planted = vec![false; span.len()];
+        for (index, plant) in plants.iter().enumerate() {
+            let previous_end = index.checked_sub(1).map_or(span.start, |previous| plants[previous].end);
+            let next_start = plants.get(index + 1).map_or(span.end, |next| next.start);
+            let mut refined = plant.clone();
+            if plant.start > span.start {
+                let edge = self.strike(previous_end, plant);
+                refined.start = edge.frame;
+                labels.edges.push(edge);
+            }
+            if plant.end < span.end {
+                let edge = self.off(plant, next_start);
+                refined.end = edge.frame;
+                labels.edges.push(edge);
+            }
+            planted[refined.start - span.start..refined.end - span.start].fill(true);
+        }
+        labels.planted[span.clone()].copy_from_slice(&planted);
+        set_confidence(self.feet.frame_time, span, &labels.edges[first_edge..], &mut labels.confidence);
+    }
+
     /// Returns the foot strike of a plant; `previous_end` is the first frame of the swing before it.
     fn strike(&self, previous_end: usize, plant: &Range<usize>) -> Edge {
         let estimate = self.boundary_time(plant.start);
@@ -175,7 +182,7 @@ impl Refiner<'_> {
 
     fn track_span<'a>(&'a self, track: &'a Track) -> TrackSpan<'a> {
         let Feet { frame_time, leg, .. } = *self.feet;
-        TrackSpan { track, span: self.span, frame_time, leg, kernels: &self.kernels }
+        TrackSpan { track, span: self.span, frame_time, leg, kernels: self.kernels }
     }
 
     /// Returns the time of the boundary before a frame, in seconds.
@@ -231,7 +238,7 @@ mod tests {
         for range in planted {
             labels.planted[range.clone()].fill(true);
         }
-        refine(feet, 0, &(0..frames), &mut labels);
+        refine(feet, 0, &[0..frames], &mut labels);
         labels
     }
 

@@ -28,7 +28,7 @@ const LIFT_SEARCH: [f64; 2] = [0.3, 0.15];
 const ERROR_PER_DOUBLING: f64 = 0.5;
 const ERROR_PER_FRAME: f64 = 0.29;
 
-/// Appends the instants of heel and toe of one foot within a span of continuous motion to the edges of
+/// Appends the instants of heel and toe of one foot within spans of continuous motion to the edges of
 /// their labels, which remain unchanged.
 ///
 /// `contact` has its edges already. Parts that land or lift while the clip is cut off, and pitches that are
@@ -36,7 +36,7 @@ const ERROR_PER_FRAME: f64 = 0.29;
 pub(crate) fn refine_parts(
     feet: &Feet,
     foot: usize,
-    span: &Range<usize>,
+    spans: &[Range<usize>],
     contact: &FootLabels,
     parts: [(Part, &mut FootLabels); 2],
 ) {
@@ -44,13 +44,15 @@ pub(crate) fn refine_parts(
     let sole: Track = tracks.ankle.iter().zip(&tracks.toe).map(|(ankle, toe)| ankle - toe).collect();
     let Feet { frame_time, leg, .. } = *feet;
     let kernels = Kernels::new(frame_time);
-    let sole = TrackSpan { track: &sole, span, frame_time, leg, kernels: &kernels };
     let planted = parts.each_ref().map(|(_, labels)| labels.planted.as_slice());
-    let stances: Vec<Stance> = intervals(&contact.planted[span.clone()])
-        .into_iter()
-        .map(|plant| plant.start + span.start..plant.end + span.start)
-        .map(|plant| Stance { feet, sole, contact, planted, plant })
-        .collect();
+    let mut stances = Vec::new();
+    for span in spans {
+        let sole = TrackSpan { track: &sole, span, frame_time, leg, kernels: &kernels };
+        for plant in intervals(&contact.planted[span.clone()]) {
+            let plant = plant.start + span.start..plant.end + span.start;
+            stances.push(Stance { feet, sole, contact, planted, plant });
+        }
+    }
     let edges = [0, 1].map(|part| {
         let (part, other) = ((parts[part].0, planted[part]), planted[1 - part]);
         stances.iter().flat_map(|stance| stance.edges(part, other)).collect::<Vec<Edge>>()
@@ -261,7 +263,7 @@ mod tests {
         };
         let [mut heel, mut toe] = planted.map(|planted| labels(planted, &[]));
         let before = [heel.planted.clone(), toe.planted.clone()];
-        refine_parts(&feet, 0, &(0..240), contact, [(Part::Heel, &mut heel), (Part::Toe, &mut toe)]);
+        refine_parts(&feet, 0, &[0..240], contact, [(Part::Heel, &mut heel), (Part::Toe, &mut toe)]);
         assert_eq!([heel.planted, toe.planted], before, "labels do not change");
         [heel.edges, toe.edges]
     }

@@ -18,7 +18,7 @@ use crate::segments::{Curve, SegmentError};
 
 /// Pose rate, in Hz. Higher rates repeat poses, which a likelihood counts as evidence.
 const RATE: f64 = 10.0;
-/// Minimum duration of a segment, in seconds.
+/// Minimum duration of a segment, in seconds; slower clips than [`RATE`] need as many poses.
 const MIN_DURATION: f64 = 1.2;
 
 pub(crate) const METHOD: MethodInfo = MethodInfo {
@@ -37,7 +37,8 @@ fn segment(input: &mut Input) -> Result<Output, SegmentError> {
     (input.progress)(0.2)?;
     let min_length = (MIN_DURATION * RATE).round() as usize;
     if poses.count() < 2 * min_length {
-        let text = format!("The clip is shorter than two actions of {MIN_DURATION} s; it is one segment.");
+        let seconds = poses.seconds(min_length);
+        let text = format!("The clip is shorter than two actions of {seconds:.1} s; it is one segment.");
         notices.push(Notice::new(Code::ShortClip, text));
     }
     let gaussians = Gaussians::new(&poses.columns);
