@@ -89,13 +89,8 @@ test("shows the options of each method", async ({ app, page }) => {
   const template = app.panel.getByRole("combobox", { name: "Template" });
   await template.selectOption({ label: "Current frame" });
   await expect(template).toHaveValue(String(frame));
-  // The saved segments are the displayed ones, until the new segmentation is ready.
-  await expect(async () => {
-    const { method } = read((await app.saveSegments("Segments")).text) as {
-      method: { template?: string };
-    };
-    expect(method.template).toBe(String(frame));
-  }).toPass();
+  const { method } = read((await app.saveSegments("Segments")).text);
+  expect(method).toMatchObject({ template: String(frame) });
   await page.keyboard.press("Home");
 });
 
@@ -183,6 +178,19 @@ test("shows a segment name on the bar, in files and with other methods", async (
   await app.drop(sample("bowling"));
   await app.waitForClip("bowling.bvh");
   await expect(name(app, 1)).toHaveValue("");
+});
+
+test("saves the segments of a method that is still running under their own names", async ({
+  app,
+}) => {
+  await app.openSample("limp-to-run");
+  await app.tab("Segment");
+  await menu(app).selectOption("lsd");
+  await expect(name(app, 2)).toHaveAttribute("placeholder", /^Motifs/);
+  await menu(app).selectOption("mvu");
+  const { method, segments } = read((await app.saveSegments("Segments")).text);
+  expect(method.name).toBe("mvu");
+  for (const segment of segments) expect(segment).toMatchObject({ label: "", source: "auto" });
 });
 
 test("saves segments as JSON, CSV and BABEL", async ({ app }) => {

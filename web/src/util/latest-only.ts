@@ -1,25 +1,24 @@
 /**
  * Limits an async function to one call at a time. Of the calls made during a call, only the newest
- * runs afterwards, so that a slider does not fill a queue.
+ * runs afterwards, so that a slider does not fill a queue. The promise resolves when no call is left.
  */
-export function latestOnly<T>(run: (value: T) => Promise<void>): (value: T) => void {
-  let busy = false;
+export function latestOnly<T>(run: (value: T) => Promise<void>): (value: T) => Promise<void> {
   let waiting: { value: T } | undefined;
-  const next = async (value: T) => {
-    busy = true;
+  let running: Promise<void> | undefined;
+  const runAll = async () => {
     try {
-      await run(value);
-    } finally {
-      busy = false;
-      if (waiting) {
-        const { value: newest } = waiting;
+      while (waiting) {
+        const { value } = waiting;
         waiting = undefined;
-        void next(newest);
+        await run(value);
       }
+    } finally {
+      running = waiting && runAll();
     }
   };
   return (value) => {
-    if (busy) waiting = { value };
-    else void next(value);
+    waiting = { value };
+    running ??= runAll();
+    return running;
   };
 }

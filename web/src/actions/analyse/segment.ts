@@ -25,10 +25,18 @@ async function listMethodsAndFormats() {
   });
 }
 
+let segmenting: Promise<void> = Promise.resolve();
+
+/** Resolves when the segments of all options chosen so far are shown, or their segmentation has ended without. */
+export const segmentingDone = (): Promise<void> => segmenting;
+
 /** Segments the open clip. */
-export async function runSegmentation(
-  options: SegmentOptions = segmentOptions.value,
-): Promise<void> {
+export function runSegmentation(options: SegmentOptions = segmentOptions.value): Promise<void> {
+  segmenting = segment(options);
+  return segmenting;
+}
+
+async function segment(options: SegmentOptions): Promise<void> {
   const clipSession = session.value;
   if (!clipSession.clip.value?.frames) return;
   try {
@@ -90,7 +98,7 @@ const segmentLatest = latestOnly((options: SegmentOptions) => runSegmentation(op
 export function setSegmentOptions(next: SegmentOptions) {
   segmentOptions.value = next;
   job.stopIfSlow();
-  segmentLatest(next);
+  segmenting = segmentLatest(next);
 }
 
 /**

@@ -15,6 +15,7 @@ import {
 } from "../../store/session";
 import { gaitFormats, plantFormats } from "../../store/settings";
 import { stemOf } from "../../util/file-names";
+import { segmentingDone } from "../analyse/segment";
 import { download } from "./download";
 
 /** Time for which the report can be reloaded. */
@@ -26,9 +27,13 @@ export async function exportLabels(format = plantFormats.value[0]): Promise<void
   await downloadAs(format, () => engine.save(format.name));
 }
 
-/** Downloads the segments under their names. */
+/**
+ * Downloads the segments under their names. The worker writes those of the chosen method, so their names are known
+ * when they are shown.
+ */
 export async function exportSegments(format: FileFormat): Promise<void> {
-  await downloadAs(format, () => {
+  await downloadAs(format, async () => {
+    await segmentingDone();
     const names = namedSegments.value.map(segmentTitle);
     const actions = namedSegments.value.map(({ action = "" }) => action);
     return engine.saveSegments(format.name, names, actions);
@@ -75,7 +80,8 @@ export async function printGaitReport(): Promise<void> {
 
 /** Downloads an archive with each segment as a BVH file. */
 export async function exportClips(): Promise<void> {
-  await download(`${stem()}.segments.zip`, () => {
+  await download(`${stem()}.segments.zip`, async () => {
+    await segmentingDone();
     const names = segmentFileNames(namedSegments.value, stem());
     const parts = namedSegments.value.map(({ start, end }, i) => ({
       name: names[i] ?? "",
