@@ -1,13 +1,23 @@
 /** Paired measurements: two operations that alternate, so that both run under the same load. */
 
+/** Half the width of the confidence interval of a ratio, relative to it, at which a measurement ends. */
+const PRECISION = 0.03;
+/** Time after which no further pair is measured for a narrower interval, in milliseconds. */
+const MAX_TIME = 20_000;
+
 /**
- * Measures two operations alternately. Each of `ours` and `reference` returns a time in milliseconds.
- * The first pair warms up and is left out.
+ * Measures two operations alternately, at least `count` times, until the ratio is known precisely or
+ * the time is up. Each of `ours` and `reference` returns a time in milliseconds. The first pair warms up
+ * and is left out.
+ *
+ * The end depends on the width of the interval only, not on a target, which would bias the result.
  * @returns {Promise<{ ours: number, reference: number }[]>}
  */
 export async function alternate(count, ours, reference) {
   const pairs = [];
-  for (let pair = 0; pair <= count; pair++) {
+  const end = performance.now() + MAX_TIME;
+  const isDone = () => pairs.length >= count && (isPrecise(pairs) || performance.now() > end);
+  for (let pair = 0; !isDone(); pair++) {
     // The order changes, so that neither always runs after the other.
     const times = {};
     for (const name of pair % 2 ? ["ours", "reference"] : ["reference", "ours"]) {
@@ -16,6 +26,14 @@ export async function alternate(count, ours, reference) {
     if (pair > 0) pairs.push(times);
   }
   return pairs;
+}
+
+/** Returns whether the confidence interval of the ratio of pairs is narrow. */
+function isPrecise(pairs) {
+  const { median, low, high } = medianInterval(
+    pairs.map(({ ours, reference }) => ours / reference),
+  );
+  return high - low <= 2 * PRECISION * median;
 }
 
 /**

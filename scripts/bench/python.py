@@ -42,10 +42,12 @@ import numpy as np
 
 import plantigrade
 
-#: Pairs of runs. Slow pairs have fewer, but at least three.
+#: Least number of pairs of runs. Slow pairs have fewer, but at least three.
 RUNS = 9
+#: Half the width of the confidence interval of a ratio, relative to it, at which a measurement ends.
+PRECISION = 0.03
 #: Time after which no further pair is measured, in seconds.
-LIMIT = 30
+LIMIT = 20
 #: Number of files and least number of frames of a clip that is labelled as arrays.
 FILES = 70
 
@@ -73,6 +75,13 @@ def median_interval(values: list[float]) -> tuple[float, float]:
     return ordered[max(rank, 1) - 1], ordered[count - max(rank, 1)]
 
 
+def is_precise(pairs: list[tuple[float, float]]) -> bool:
+    """Return whether the confidence interval of the ratio of pairs is narrow."""
+    ratios = [reference / ours for ours, reference in pairs]
+    low, high = median_interval(ratios)
+    return high - low <= 2 * PRECISION * statistics.median(ratios)
+
+
 def compare(name: str, unit: str, amount: float, ours: Task, reference: Task, note: str = "") -> Row:
     """Return a row. `amount` is the number of frames of a rate; 0 if the unit is ms."""
     try:
@@ -82,7 +91,7 @@ def compare(name: str, unit: str, amount: float, ours: Task, reference: Task, no
     ours()
     pairs: list[tuple[float, float]] = []
     end = time.perf_counter() + LIMIT
-    while len(pairs) < 3 or (len(pairs) < RUNS and time.perf_counter() < end):
+    while len(pairs) < 3 or (time.perf_counter() < end and not (len(pairs) >= RUNS and is_precise(pairs))):
         # The order alternates, too.
         if len(pairs) % 2:
             other = seconds(reference)

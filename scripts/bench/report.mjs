@@ -91,9 +91,10 @@ ${cpus().length} × ${cpus()[0]?.model.trim()}; ${results.filter(Boolean).length
 
 Times differ from machine to machine and from day to day, so targets are ratios to a reference that is
 measured in the same run. Both alternate, and each pair gives a ratio: the table has its median and,
-in parentheses, the 95 % confidence interval of the median. A target is met only if the whole interval
-meets it. Ratios with targets of at least (≥) are how many times as fast the work is as the reference;
-those of at most (≤) are its time as a multiple of that of the reference. Times are medians.
+in parentheses, the 95 % confidence interval of the median. Pairs are measured until the interval is
+within ±3 %, or until 20 s have passed. A target is met only if the whole interval meets it. Ratios with
+targets of at least (≥) are how many times as fast the work is as the reference; those of at most (≤) are
+its time as a multiple of that of the reference. Times are medians.
 
 Unless stated otherwise, work is done by the WebAssembly module in Chromium on one thread, and
 "native" is the same code without a browser. Labelling is a first detection of all parts of both feet

@@ -49,7 +49,7 @@ def dense_eigensolver(points, gamma):
 for frames, signals in json.load(sys.stdin).items():
     points = samples(signals)
     gamma = 1 / signals["sigma"] ** 2
-    runs = 3 if int(frames) > 300 else 21
+    runs = 5 if int(frames) > 300 else 61
     results.setdefault("dense", {})[frames] = measure(lambda: dense_eigensolver(points, gamma), runs)
     try:
         from sklearn.cluster import SpectralClustering

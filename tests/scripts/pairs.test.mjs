@@ -33,11 +33,27 @@ test("a target is met by the whole interval only", () => {
 
 test("operations alternate, and the first pair is left out", async () => {
   const order = [];
-  const measure = (name) => async () => order.push(name);
-  const pairs = await alternate(2, measure("ours"), measure("reference"));
+  const measure = (name, times) => async () => {
+    order.push(name);
+    return times.shift();
+  };
+  const pairs = await alternate(2, measure("ours", [9, 3, 3]), measure("reference", [1, 4, 4]));
   assert.deepEqual(order, ["reference", "ours", "ours", "reference", "reference", "ours"]);
   assert.deepEqual(pairs, [
     { ours: 3, reference: 4 },
-    { ours: 6, reference: 5 },
+    { ours: 3, reference: 4 },
   ]);
+});
+
+test("pairs are measured until the interval of the ratio is narrow", async () => {
+  // Two of ten pairs are disturbed; the interval of few pairs includes them.
+  const times = Array.from({ length: 100 }, (_, pair) => (pair % 10 < 2 ? 200 : 100));
+  const pairs = await alternate(
+    3,
+    async () => times.shift(),
+    async () => 100,
+  );
+  const { median, low, high } = medianInterval(pairs.map(({ ours }) => ours));
+  assert.ok(pairs.length > 3 && pairs.length < 20, `${pairs.length} pairs`);
+  assert.deepEqual([median, low, high], [100, 100, 100]);
 });
