@@ -35,8 +35,8 @@ pub enum UsageError {
     /// `clean` was given more than one clip.
     #[error("found {0} inputs: clean takes exactly one clip")]
     NotOneClip(usize),
-    /// `clean` was given standard input for both the clip and its labels.
-    #[error("standard input (-) cannot be used for both the clip and --labels")]
+    /// Standard input was given for several files.
+    #[error("standard input (-) can be read only once: use it for one file and name the others")]
     StdinTwice,
     /// Several inputs without an output folder.
     #[error("found {0} inputs: name a folder for the results with --out")]
