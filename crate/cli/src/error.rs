@@ -47,6 +47,9 @@ pub enum UsageError {
     /// `gait --out` with a format that is printed.
     #[error("--out applies to --report, --format steps and --format angles; redirect the other formats")]
     OutOfPrinted,
+    /// `--out` names a file that is read and differs from the result.
+    #[error("--out would replace {path}, which is read: name another file", path = display_name(.0))]
+    OutIsInput(PathBuf),
     /// No clip of a folder has truth.
     #[error("no clip in {folder} has a truth file ({expected})", folder = display_name(.folder))]
     NoTruth {

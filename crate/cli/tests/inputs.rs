@@ -1,4 +1,4 @@
-//! Tests of the files next to the clip that commands read: labels, segments, constraints.
+//! Tests of the files that commands read: clips, labels, segments, constraints.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -62,4 +62,33 @@ fn segments_that_are_not_text_have_a_message() {
         run(folder.path(), &["gait", &clip, "--segments", "-"], b"0.0\t1.0\tL\xe4uft\n");
     assert_eq!((code, out.as_str(), stderr.lines().count()), (1, "", 1), "{stderr}");
     assert!(stderr.contains("<stdin>: error: the file cannot be read: it is not text in UTF-8"), "{stderr}");
+}
+
+#[test]
+fn files_that_are_read_are_not_replaced_by_other_results() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["curved-walk.bvh", "curved-walk.json"] {
+        fs::copy(sample(name), folder.path().join(name)).expect("a copy");
+    }
+    fs::write(folder.path().join("track.txt"), "0.0\t1.0\twalk\n").expect("a track");
+    fs::create_dir(folder.path().join("sub")).expect("a folder");
+    let files = ["curved-walk.bvh", "curved-walk.json", "track.txt"];
+    let contents = || files.map(|name| fs::read(folder.path().join(name)).expect("a file"));
+    let before = contents();
+    let steps = ["gait", "curved-walk.bvh", "--format", "steps"];
+    let labels = ["--labels", "curved-walk.json", "--segments", "track.txt"];
+    for args in [
+        &["gait", "curved-walk.bvh", "--report", "html", "-o", "curved-walk.bvh"][..],
+        &[&steps[..], &["-o", "sub/../curved-walk.bvh"]].concat(),
+        &[&steps[..], &labels, &["-o", "curved-walk.json"]].concat(),
+        &[&steps[..], &labels, &["-o", "./track.txt"]].concat(),
+        &["clean", "curved-walk.bvh", "--labels", "curved-walk.json", "-o", "curved-walk.json"],
+    ] {
+        let (code, _, stderr) = run(folder.path(), args, b"");
+        assert_eq!(code, 2, "{args:?}: {stderr}");
+        assert!(stderr.contains(", which is read: name another file"), "{args:?}: {stderr}");
+        assert_eq!(contents(), before, "{args:?}");
+    }
+    // A clip may be cleaned in place.
+    assert_eq!(run(folder.path(), &["clean", "curved-walk.bvh", "-o", "curved-walk.bvh"], b"").0, 0);
 }

@@ -22,6 +22,9 @@ pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
     let inputs = input::collect(&args.read)?;
     let [_] = &inputs[..] else { return Err(UsageError::NotOneClip(inputs.len())) };
     input::check_stdin(&args.read, &[&args.labels])?;
+    if args.labels.as_ref().is_some_and(|labels| file::is_same(labels, &args.out)) {
+        return Err(UsageError::OutIsInput(args.out.clone()));
+    }
     let (_, failures) = parallel::map(&inputs, NonZeroUsize::new(1), |input| {
         let (loaded, bytes) = input::load_with_bytes(input, &args.read)?;
         clean(input, &loaded, &bytes, params, args)

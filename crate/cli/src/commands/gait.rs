@@ -130,6 +130,11 @@ fn write_files(
         out.is_dir() || has_separator || reads_folder || inputs.len() > 1
     };
     if let (Some(out), [input]) = (args.out.as_deref().filter(|out| !is_folder(out)), inputs) {
+        let mut read =
+            [Some(&input.path), args.labels.as_ref(), args.segments.as_ref()].into_iter().flatten();
+        if read.any(|path| file::is_same(path, out)) {
+            return Err(UsageError::OutIsInput(out.into()));
+        }
         file::remove_temporary_files([out]);
         let (_, failures) = parallel::map(std::slice::from_ref(input), args.jobs, |input| {
             let text = write(input, &input::load(input, &args.read)?)?;
