@@ -35,8 +35,8 @@ pub enum UsageError {
     /// `clean` was given more than one clip.
     #[error("found {0} inputs: clean takes exactly one clip")]
     NotOneClip(usize),
-    /// `clean` was given standard input for both the clip and its labels.
-    #[error("standard input (-) cannot be used for both the clip and --labels")]
+    /// Standard input was given for several files.
+    #[error("standard input (-) can be read only once: use it for one file and name the others")]
     StdinTwice,
     /// Several inputs without an output folder.
     #[error("found {0} inputs: name a folder for the results with --out")]
@@ -47,6 +47,9 @@ pub enum UsageError {
     /// `gait --out` with a format that is printed.
     #[error("--out applies to --report, --format steps and --format angles; redirect the other formats")]
     OutOfPrinted,
+    /// `--out` names a file that is read and differs from the result.
+    #[error("--out would replace {path}, which is read: name another file", path = display_name(.0))]
+    OutIsInput(PathBuf),
     /// No clip of a folder has truth.
     #[error("no clip in {folder} has a truth file ({expected})", folder = display_name(.folder))]
     NoTruth {

@@ -35,6 +35,12 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
+/// True if both paths lead to the same regular file.
+pub fn is_same(a: &Path, b: &Path) -> bool {
+    let file = |path: &Path| fs::canonicalize(path).ok().filter(|path| path.is_file());
+    file(a).is_some_and(|a| file(b) == Some(a))
+}
+
 /// Removes the temporary files that killed processes have left next to `paths`.
 pub fn remove_temporary_files<'a>(paths: impl IntoIterator<Item = &'a Path>) {
     // A path that cannot be resolved cannot be written either, which is reported then.

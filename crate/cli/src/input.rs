@@ -6,7 +6,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::{self, Clip, Limits, Options, Parsed, Reader};
-use plantigrade::formats::Source;
+use plantigrade::formats::{ReadError, Source};
 use plantigrade::skeleton::{Overrides, Role, Skeleton};
 use sha2::{Digest, Sha256};
 use walkdir::WalkDir;
@@ -73,6 +73,7 @@ fn ancestors(clip: &Clip, joint: usize) -> impl Iterator<Item = usize> + '_ {
 /// Collects the input files. Folders are searched recursively for BVH files; the companion files
 /// that macOS adds to archives are left out. A folder that cannot be listed is an input with a problem.
 pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
+    check_stdin(args, &[])?;
     let mut inputs = Vec::new();
     for path in &args.paths {
         if path.is_dir() {
@@ -84,6 +85,16 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
         }
     }
     Ok(inputs)
+}
+
+/// Checks that standard input is read only once, for a clip or for one of the other files.
+pub fn check_stdin(read: &ReadArgs, files: &[&Option<PathBuf>]) -> Result<(), UsageError> {
+    let paths = read.paths.iter().chain(files.iter().copied().flatten());
+    if paths.filter(|path| *path == Path::new("-")).count() > 1 {
+        Err(UsageError::StdinTwice)
+    } else {
+        Ok(())
+    }
 }
 
 fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageError> {
@@ -195,6 +206,16 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, InputError> {
         fs::read(path)
     };
     read.map_err(|error| InputError::Read { path: path.into(), error })
+}
+
+/// Returns the bytes of a file as text.
+pub fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
+    let error = |_| {
+        let message =
+            "it is not text in UTF-8: save a document, a BABEL file or a table in this encoding".into();
+        InputError::Labels { path: path.into(), error: ReadError::Invalid(message) }
+    };
+    std::str::from_utf8(bytes).map_err(error)
 }
 
 /// Reads one file and returns its bytes, too.

@@ -1,7 +1,6 @@
 //! `plantigrade clean`: removes foot skate.
 
 use std::num::NonZeroUsize;
-use std::path::Path;
 use std::sync::Arc;
 
 use plantigrade::bvh;
@@ -21,9 +20,10 @@ use crate::text::display_name;
 pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
     let inputs = input::collect(&args.read)?;
-    let [input] = &inputs[..] else { return Err(UsageError::NotOneClip(inputs.len())) };
-    if args.labels.as_deref() == Some(Path::new("-")) && input.path == Path::new("-") {
-        return Err(UsageError::StdinTwice);
+    let [_] = &inputs[..] else { return Err(UsageError::NotOneClip(inputs.len())) };
+    input::check_stdin(&args.read, &[&args.labels])?;
+    if args.labels.as_ref().is_some_and(|labels| file::is_same(labels, &args.out)) {
+        return Err(UsageError::OutIsInput(args.out.clone()));
     }
     let (_, failures) = parallel::map(&inputs, NonZeroUsize::new(1), |input| {
         let (loaded, bytes) = input::load_with_bytes(input, &args.read)?;
@@ -71,7 +71,6 @@ fn clean(
     Ok(())
 }
 
-/// Reads a file or standard input.
 /// Returns a summary in one line: number of plants, and their slide before and after.
 fn summary(cleaned: &Cleaned) -> String {
     let mean_and_max = |slide: fn(&skate::CleanedPlant) -> f64| {

@@ -16,6 +16,7 @@ use crate::output_folder::hex_digest;
 /// Detects plants in all inputs. Returns the number of inputs that failed.
 pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
+    input::check_stdin(&args.read, &[&args.still, &args.constraints, &args.constraints_clip])?;
     let standing = args.still.as_deref().map(|path| load_standing(path, args)).transpose();
     let (standing, standing_sha256) = standing.map_err(UsageError::Still)?.unzip();
     let constraints = args.constraints.as_deref().map(|path| Constraints::load(path, args)).transpose();

@@ -1,8 +1,7 @@
 //! `plantigrade gait`: measures walking and running.
 
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use plantigrade::formats::{self, GaitExport, SkeletonGait};
 use plantigrade::gait::{self, ActionGait, ActionRanges, Gait, GaitAnalysis, LeftOut, PerSide, Spread};
@@ -43,10 +42,24 @@ struct Record {
     actions: Option<Vec<ActionGait>>,
 }
 
+/// Contents of the files that belong to the clip.
+struct ClipFiles {
+    labels: Option<Vec<u8>>,
+    segments: Option<Vec<u8>>,
+}
+
+impl ClipFiles {
+    fn read(args: &GaitArgs) -> Result<ClipFiles, InputError> {
+        let read = |path: &Option<PathBuf>| path.as_deref().map(input::read_file).transpose();
+        Ok(ClipFiles { labels: read(&args.labels)?, segments: read(&args.segments)? })
+    }
+}
+
 /// Measures the gait of all inputs. Returns the number of inputs that failed.
 pub fn run(args: &GaitArgs) -> Result<usize, UsageError> {
     args.detection.params()?;
     let inputs = input::collect(&args.read)?;
+    input::check_stdin(&args.read, &[&args.labels, &args.segments])?;
     if (args.labels.is_some() || args.segments.is_some()) && inputs.len() > 1 {
         return Err(UsageError::LabelsOfSeveral(inputs.len()));
     }
@@ -56,16 +69,25 @@ pub fn run(args: &GaitArgs) -> Result<usize, UsageError> {
         (None, GaitFormat::Angles) => Some(formats::GaitFormat::Angles),
         (None, GaitFormat::Text | GaitFormat::Csv | GaitFormat::Json) => None,
     };
+    if file_format.is_none() && args.out.is_some() {
+        return Err(UsageError::OutOfPrinted);
+    }
+    let files = match ClipFiles::read(args) {
+        Ok(files) => files,
+        Err(error) => {
+            output::report(format_args!("{error}"));
+            return Ok(inputs.len());
+        }
+    };
     match file_format {
-        Some(format) => write_files(args, &inputs, format),
-        None if args.out.is_some() => Err(UsageError::OutOfPrinted),
-        None => Ok(print_records(args, &inputs)),
+        Some(format) => write_files(args, &inputs, &files, format),
+        None => Ok(print_records(args, &inputs, &files)),
     }
 }
 
 /// Writes the measures of all inputs. Returns the number of inputs that failed.
-fn print_records(args: &GaitArgs, inputs: &[Input]) -> usize {
-    let (records, failures) = parallel::map(inputs, args.jobs, |input| records(input, args));
+fn print_records(args: &GaitArgs, inputs: &[Input], files: &ClipFiles) -> usize {
+    let (records, failures) = parallel::map(inputs, args.jobs, |input| records(input, args, files));
     let records: Vec<Record> = records.into_iter().flatten().collect();
     match args.format {
         GaitFormat::Csv => output::print(format_args!("{}", csv(&records))),
@@ -82,12 +104,17 @@ fn print_records(args: &GaitArgs, inputs: &[Input]) -> usize {
 }
 
 /// Writes a file per input, to the output or to standard output. Returns the number of inputs that failed.
-fn write_files(args: &GaitArgs, inputs: &[Input], format: formats::GaitFormat) -> Result<usize, UsageError> {
+fn write_files(
+    args: &GaitArgs,
+    inputs: &[Input],
+    files: &ClipFiles,
+    format: formats::GaitFormat,
+) -> Result<usize, UsageError> {
     let write = |input: &Input, loaded: &LoadedClip| {
-        let detected = detect_all(input, loaded, args)?;
+        let detected = detect_all(input, loaded, args, files)?;
         let clip = &loaded.parsed.clip;
         let gait = |(skeleton, feet, detection): &'_ DetectedSkeleton| {
-            let actions = actions(input, loaded, skeleton, args)?;
+            let actions = actions(input, loaded, skeleton, args, files)?;
             Ok((skeleton.clone(), feet.clone(), detection.clone(), actions))
         };
         let detected = detected.iter().map(gait).collect::<Result<Vec<_>, InputError>>()?;
@@ -103,6 +130,11 @@ fn write_files(args: &GaitArgs, inputs: &[Input], format: formats::GaitFormat) -
         out.is_dir() || has_separator || reads_folder || inputs.len() > 1
     };
     if let (Some(out), [input]) = (args.out.as_deref().filter(|out| !is_folder(out)), inputs) {
+        let mut read =
+            [Some(&input.path), args.labels.as_ref(), args.segments.as_ref()].into_iter().flatten();
+        if read.any(|path| file::is_same(path, out)) {
+            return Err(UsageError::OutIsInput(out.into()));
+        }
         file::remove_temporary_files([out]);
         let (_, failures) = parallel::map(std::slice::from_ref(input), args.jobs, |input| {
             let text = write(input, &input::load(input, &args.read)?)?;
@@ -111,10 +143,7 @@ fn write_files(args: &GaitArgs, inputs: &[Input], format: formats::GaitFormat) -
         });
         return Ok(failures);
     }
-    let contents = [&args.labels, &args.segments].map(|path| {
-        path.as_ref()
-            .map(|path| fs::read(path).map_or_else(|error| error.to_string(), |bytes| hex_digest(&bytes)))
-    });
+    let contents = [&files.labels, &files.segments].map(|bytes| bytes.as_deref().map(hex_digest));
     let write_args = WriteArgs { out: args.out.clone(), force: args.force, jobs: args.jobs };
     let batch = Batch {
         read: &args.read,
@@ -130,15 +159,17 @@ fn detect_all(
     input: &Input,
     loaded: &LoadedClip,
     args: &GaitArgs,
+    files: &ClipFiles,
 ) -> Result<Vec<DetectedSkeleton>, InputError> {
     let params = args.detection.params().expect("parameters were checked before");
-    let Some(path) = &args.labels else { return detect::detect_all(input, loaded, params, None) };
+    let (Some(path), Some(bytes)) = (&args.labels, &files.labels) else {
+        return detect::detect_all(input, loaded, params, None);
+    };
     let clip = &loaded.parsed.clip;
     let skeleton = loaded.main_skeleton();
     let detect_error = |error| InputError::Detect { path: input.path.clone(), error };
     let feet = Feet::new(clip, &skeleton).map_err(detect_error)?;
-    let bytes = fs::read(path).map_err(|error| InputError::Read { path: path.clone(), error })?;
-    let labels = formats::read_plants(&bytes, clip.frame_count());
+    let labels = formats::read_plants(bytes, clip.frame_count());
     let labels = labels.map_err(|error| InputError::Labels { path: path.clone(), error })?;
     let detection = plants::detect(&feet, params);
     let edited = plants::apply_edits(&detection, &labels.edits(), clip.frame_time());
@@ -151,13 +182,13 @@ fn actions(
     loaded: &LoadedClip,
     skeleton: &Skeleton,
     args: &GaitArgs,
+    files: &ClipFiles,
 ) -> Result<Option<Vec<ActionRanges>>, InputError> {
     let clip = &loaded.parsed.clip;
-    let segments = if let Some(path) = &args.segments {
-        let read_error = |error| InputError::Read { path: path.clone(), error };
-        let text = fs::read_to_string(path).map_err(read_error)?;
+    let segments = if let (Some(path), Some(bytes)) = (&args.segments, &files.segments) {
+        let text = input::text(path, bytes)?;
         let name = input.path.file_stem().unwrap_or_default().to_string_lossy();
-        let segments = formats::read_segments(&text, &name, clip.frame_count(), clip.rate());
+        let segments = formats::read_segments(text, &name, clip.frame_count(), clip.rate());
         segments.map_err(|error| InputError::Labels { path: path.clone(), error })?
     } else if args.per_action {
         let params = segments::Params::default().check().expect("defaults are valid");
@@ -170,13 +201,13 @@ fn actions(
 }
 
 /// Measures each skeleton of a clip that has feet.
-fn records(input: &Input, args: &GaitArgs) -> Result<Vec<Record>, InputError> {
+fn records(input: &Input, args: &GaitArgs, files: &ClipFiles) -> Result<Vec<Record>, InputError> {
     let loaded = input::load(input, &args.read)?;
     let clip = &loaded.parsed.clip;
     let has_several_roots = clip.roots().count() > 1;
     let record = |(skeleton, feet, detection): &DetectedSkeleton| {
         let part = |actions| SkeletonGait::new(clip, skeleton, feet, detection, actions).parts;
-        let actions = actions(input, &loaded, skeleton, args)?;
+        let actions = actions(input, &loaded, skeleton, args, files)?;
         Ok(Record {
             path: display_name(&input.path),
             root: has_several_roots.then(|| clip.joints()[skeleton.root].name.clone()),
@@ -187,7 +218,7 @@ fn records(input: &Input, args: &GaitArgs) -> Result<Vec<Record>, InputError> {
             actions: actions.map(|actions| part(Some(actions))),
         })
     };
-    detect_all(input, &loaded, args)?.iter().map(record).collect()
+    detect_all(input, &loaded, args, files)?.iter().map(record).collect()
 }
 
 /// Returns a table with one row per skeleton or, per action, one row per action; unknown values are empty.

@@ -89,9 +89,10 @@ fn read_truth(clip: &Path, name: &str) -> Result<Option<(PathBuf, String)>, Inpu
     shared.sort();
     let own_files = ["segments.json", "json"].map(|extension| clip.with_extension(extension));
     for path in own_files.into_iter().chain(shared).filter(|path| path.is_file()) {
-        let text = fs::read_to_string(&path).map_err(|error| read_error(&path, error))?;
-        if formats::has_segments(&text, name) {
-            return Ok(Some((path, text)));
+        let bytes = fs::read(&path).map_err(|error| read_error(&path, error))?;
+        let text = input::text(&path, &bytes)?;
+        if formats::has_segments(text, name) {
+            return Ok(Some((path.clone(), text.into())));
         }
     }
     Ok(None)
