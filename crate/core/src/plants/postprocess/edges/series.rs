@@ -6,7 +6,7 @@ use std::slice;
 use nalgebra::Vector3;
 
 use crate::kinematics::Track;
-use crate::numeric::{interpolate, stats};
+use crate::numeric::interpolate;
 use crate::plants::signal::remove_spikes;
 
 /// Minimum rate of the interpolated coordinate, in Hz.
@@ -186,11 +186,6 @@ impl Series {
     /// Returns the largest value; negative infinity if there are none.
     pub fn maximum(&self) -> f64 {
         self.values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Returns the median of the absolute values; 0 if there are none.
-    pub fn median_magnitude(&self) -> f64 {
-        stats::median_high(self.values.iter().map(|value| value.abs())).unwrap_or(0.0)
     }
 
     /// Returns the negated values.
