@@ -9,7 +9,7 @@ import { runJob } from "../../store/jobs";
 import { clip } from "../../store/session";
 import { announcement } from "../../store/view";
 import { stemOf } from "../../util/file-names";
-import { download } from "../save/download";
+import { download, ofOpenClip } from "../save/download";
 
 /** Removes the foot skate of the open clip, or of some of its plants, and shows the result. */
 export async function cleanClip({
@@ -73,5 +73,5 @@ export async function saveCleaned(): Promise<void> {
     runJob({ title: "Writing" }, new AbortController(), (options) =>
       engine.saveCleaned(keepSpikes, only, options),
     );
-  await download(name, write);
+  await download(name, ofOpenClip(write));
 }

@@ -27,3 +27,16 @@ export async function download(name: string, make: () => Promise<Blob>): Promise
     reportFailure("saved", fileName, failureOf(error), () => void download(fileName, make));
   }
 }
+
+/**
+ * Returns a function that makes a file of the open clip, once `ready` resolves. It fails if another clip is open by
+ * then, since its file would have the name of this one.
+ */
+export function ofOpenClip<T>(make: () => Promise<T>, ready = async () => {}): () => Promise<T> {
+  const { signal } = session.value;
+  return async () => {
+    await ready();
+    if (signal.aborted) throw new Superseded();
+    return make();
+  };
+}
