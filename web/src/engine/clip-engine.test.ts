@@ -31,6 +31,7 @@ function fakeCalls(log: string[]) {
     },
     async override(overrides) {
       log.push(`override ${overrides.rate}`);
+      if (overrides.rate === 0) return { ok: false, failure };
       return opened();
     },
     async detect({ method }) {
@@ -210,4 +211,71 @@ test.each([
   await engine.saveSegments("json", [], []);
   expect((await segmented).ok).toBe(segmentation.ok);
   expect(log.slice(3)).toEqual(["start", "open walk", ...segmentation.calls]);
+});
+
+/**
+ * Opens "walk", and makes a call that ends with the worker, which a segmentation occupies. Returns the log from the
+ * time at which the segmentation is stopped.
+ */
+async function stopWhilePending() {
+  const { log, engine } = fakeEngine();
+  await engine.open(file, "walk");
+  const controller = new AbortController();
+  const { signal } = controller;
+  const segmented = engine.segment({ method: "mvu" }, { signal }).catch((error) => error);
+  const saved = engine.save("csv").catch((error) => error);
+  await vi.waitFor(() => expect(log.at(-1)).toBe("segment mvu"));
+  log.length = 0;
+  controller.abort();
+  return { log, engine, segmented, saved };
+}
+
+test("does not read the previous clip while another one is opened", async () => {
+  const { log, engine, saved } = await stopWhilePending();
+  await engine.open(file, "run");
+  expect(await saved).toBeInstanceOf(Cancelled);
+  await engine.detect(options);
+  expect(log).toEqual(["start", "open run", "detect run"]);
+});
+
+test("repeats calls for the previous clip if the other one cannot be read", async () => {
+  const { log, engine, saved } = await stopWhilePending();
+  expect((await engine.open(file, "bad")).ok).toBe(false);
+  expect(new TextDecoder().decode(await saved)).toBe("walk");
+  expect(log).toEqual(["start", "open bad", "open walk", "save walk"]);
+});
+
+test("stops restoring a clip when another one is opened", async () => {
+  const { log, engine, saved } = await stopWhilePending();
+  while (log.at(-1) !== "open walk") await Promise.resolve();
+  await engine.open(file, "run");
+  expect(await saved).toBeInstanceOf(Cancelled);
+  expect(log).toEqual(["start", "open walk", "start", "open run"]);
+});
+
+test("leaves the previous clip open if the opening is aborted", async () => {
+  const { log, engine } = fakeEngine();
+  await engine.open(file, "walk");
+  const controller = new AbortController();
+  const slow = engine.open(file, "slow", { signal: controller.signal });
+  const edited = engine.edit([]);
+  await Promise.resolve();
+  controller.abort();
+  await expect(slow).rejects.toBeInstanceOf(Cancelled);
+  await edited;
+  expect(log.slice(2)).toEqual(["open slow", "start", "open walk", "edit 0", "edit 0"]);
+});
+
+test("opens a clip with overrides, or without if they cannot be applied", async () => {
+  const { log, engine } = fakeEngine();
+  expect(await engine.open(file, "walk", { overrides: { rate: 30 } })).toMatchObject({ ok: true });
+  engine.cancel();
+  await engine.detect(options);
+  const opened = ["start", "open walk", "override 30"];
+  expect(log).toEqual([...opened, ...opened, "detect walk"]);
+  const rejected = await engine.open(file, "walk", { overrides: { rate: 0 } });
+  expect(rejected).toMatchObject({ ok: true, rejected: failure });
+  engine.cancel();
+  await engine.detect(options);
+  expect(log.slice(7)).toEqual(["open walk", "override 0", "start", "open walk", "detect walk"]);
 });

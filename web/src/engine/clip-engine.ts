@@ -20,11 +20,15 @@ export interface CallOptions {
   onProgress?: OnProgress;
 }
 
-export interface OpenOptions {
+export interface OpenOptions extends CallOptions {
   /** Replace values that are not numbers by those of the previous frame. */
   lenient?: boolean;
-  onProgress?: OnProgress;
+  /** Applied to the clip when it is read. */
+  overrides?: Overrides;
 }
+
+/** A clip, with the failure of its overrides if they were not applied. */
+export type OpenedWith = Opened & { rejected?: Failure };
 
 type Calls = Omit<CallsOf<ClipApi>, "startWasm" | "startSecondModule" | "holdLock">;
 
@@ -45,7 +49,8 @@ type EngineCall<Call extends (...args: never[]) => unknown> = (
 export type ClipEngine = { [Name in keyof SimpleCalls]: EngineCall<SimpleCalls[Name]> } & {
   /** Starts the worker before the first call. */
   start(): void;
-  open(file: Blob, name: string, options?: OpenOptions): Promise<Opened>;
+  /** Opens a clip. Calls for the previous one wait for it, and are cancelled if it succeeds. */
+  open(file: Blob, name: string, options?: OpenOptions): Promise<OpenedWith>;
   override(overrides: Overrides): Promise<Opened>;
   detect(options: DetectOptions, callOptions?: CallOptions): Promise<Detected>;
   segment(options: SegmentOptions, callOptions?: CallOptions): Promise<Segmented>;
@@ -86,8 +91,15 @@ const simpleCalls: {
 
 /** The error of calls that were pending when the worker was ended. */
 export class Cancelled extends Error {
+  constructor(message = "Cancelled.") {
+    super(message);
+  }
+}
+
+/** The error of calls that were pending when another clip was opened. */
+export class Superseded extends Cancelled {
   constructor() {
-    super("Cancelled.");
+    super("Another clip was opened before that.");
   }
 }
 
@@ -118,6 +130,8 @@ interface RunningWorker extends WorkerHandle<ClipApi> {
   end: (reason: Error) => void;
   /** Settles when the worker has the open clip; undefined before that was requested. */
   restored?: Promise<unknown>;
+  /** True while the clip of an earlier worker is restored. */
+  isRestoring?: boolean;
   /** Settles when the worker has the segmentation, for which only some calls wait. */
   segmented?: Promise<unknown>;
 }
@@ -151,7 +165,16 @@ export function createEngine(
     running = undefined;
   }
 
-  async function restore(calls: Calls) {
+  async function restore(worker: RunningWorker) {
+    worker.isRestoring = true;
+    try {
+      await restoreClip(worker.calls);
+    } finally {
+      worker.isRestoring = false;
+    }
+  }
+
+  async function restoreClip(calls: Calls) {
     if (!restorePoint) return;
     const { file, name, lenient, overrides, edits, options } = restorePoint;
     const { annotation, segmentAnnotation } = restorePoint;
@@ -190,14 +213,17 @@ export function createEngine(
     { signal, onProgress }: CallOptions = {},
   ): Promise<T> {
     if (signal?.aborted) throw new Cancelled();
+    const target = restorePoint;
     const report = onProgress && Comlink.proxy(onProgress);
     const abort = () => stop(new Replaced());
     signal?.addEventListener("abort", abort);
     try {
       return await call(async (worker) => {
         if (requirement !== "worker") {
-          worker.restored ??= restore(worker.calls);
+          worker.restored ??= restore(worker);
           await worker.restored;
+          // The call is not for a clip that was opened after it.
+          if (restorePoint !== target) throw new Superseded();
         }
         if (requirement === "segmentation") {
           worker.segmented ??= restoreSegmentation(worker.calls);
@@ -208,6 +234,33 @@ export function createEngine(
     } finally {
       signal?.removeEventListener("abort", abort);
     }
+  }
+
+  /** Opens a clip in a worker. If that fails, the worker has the previous clip. */
+  async function openIn(
+    worker: RunningWorker,
+    file: Blob,
+    name: string,
+    { lenient = false, overrides }: OpenOptions,
+    report?: OnProgress,
+  ): Promise<OpenedWith> {
+    const { calls, restored } = worker;
+    const opening = (async (): Promise<OpenedWith> => {
+      const opened = await calls.open(file, name, lenient, report);
+      if (!opened.ok) return opened;
+      const overridden = overrides && (await calls.override(overrides).catch(asFailureUnlessFatal));
+      restorePoint = { file, name, lenient, ...(overridden?.ok && { overrides }) };
+      worker.segmented = Promise.resolve();
+      if (!overridden) return opened;
+      return overridden.ok ? overridden : { ...opened, rejected: overridden.failure };
+    })();
+    // Calls for the previous clip would otherwise restore it during the opening, or apply to the new one.
+    worker.restored = opening.then(
+      ({ ok }) => (ok ? undefined : (restored ?? restore(worker))),
+      () => restored ?? restore(worker),
+    );
+    worker.restored.catch(() => {});
+    return opening;
   }
 
   /** Makes the page's side of the calls that have no state to restore, from their names. */
@@ -236,17 +289,14 @@ export function createEngine(
     start() {
       startedWorker();
     },
-    async open(file, name, { lenient = false, onProgress } = {}) {
-      const report = onProgress && Comlink.proxy(onProgress);
-      const opened: Opened = await call(async (worker) => {
-        const opened = await worker.calls.open(file, name, lenient, report);
-        if (opened.ok) {
-          restorePoint = { file, name, lenient };
-          worker.restored = Promise.resolve();
-          worker.segmented = Promise.resolve();
-        }
-        return opened;
-      }).catch(asFailure);
+    async open(file, name, options = {}) {
+      // The previous clip is no longer needed, and would be read at the same time.
+      if (running?.isRestoring) stop(new Replaced());
+      const opened: OpenedWith = await callWith(
+        "worker",
+        (_, worker, report) => openIn(worker, file, name, options, report),
+        options,
+      ).catch(asFailure);
       return opened;
     },
     async override(overrides) {
@@ -307,6 +357,12 @@ export function createEngine(
 
 function startWorker(onBroken: (reason: Error) => void): WorkerHandle<ClipApi> {
   return wrapWasmWorker<ClipApi>(startClipWorker(), onBroken);
+}
+
+/** Converts an internal error to a failure if the worker need not be replaced. */
+function asFailureUnlessFatal(error: unknown) {
+  if (isFatal(error)) throw error;
+  return asFailure(error);
 }
 
 /** Converts an internal error to a failure; a cancelled call stays cancelled. */

@@ -2,7 +2,13 @@
 
 import { createEngine } from "./clip-engine";
 
-export { type CallOptions, Cancelled, type ClipEngine, type OpenOptions } from "./clip-engine";
+export {
+  type CallOptions,
+  Cancelled,
+  type ClipEngine,
+  type OpenOptions,
+  Superseded,
+} from "./clip-engine";
 export { batchWorkers, zipWorkers } from "./pools";
 export { wasmModule } from "./wasm-module";
 

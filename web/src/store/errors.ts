@@ -1,6 +1,7 @@
 /** The last failure, shown until it is dismissed or another clip is opened. */
 
 import { batch, signal } from "@preact/signals";
+import { Cancelled } from "../engine";
 import { failureOf } from "../model/failure";
 import type { Source } from "../model/sources/source";
 import type { Failure } from "../model/types";
@@ -20,8 +21,9 @@ export interface ErrorReport {
 
 export const errorReport = signal<ErrorReport | null>(null);
 
-/** Reports that something could not be done with the open clip or one of its files. */
+/** Reports that something could not be done with the open clip or one of its files, unless it was cancelled. */
 export function reportFailure(action: string, name: string, error: unknown, retry?: () => void) {
+  if (error instanceof Cancelled) return;
   const failure = failureOf(error);
   errorReport.value = {
     name,

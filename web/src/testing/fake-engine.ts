@@ -4,7 +4,7 @@ import { Cancelled, type ClipEngine } from "../engine/clip-engine";
 import type { Annotation, Clip, Detection, SegmentAnnotation, Tracks } from "../model/types";
 import { createWalkingClip, createWalkingTrack } from "./walking-clip";
 
-export { Cancelled } from "../engine/clip-engine";
+export { Cancelled, Superseded } from "../engine/clip-engine";
 
 /** Returns a promise that is never fulfilled, and rejected when the signal aborts. */
 const waitForAbort = (signal?: AbortSignal) =>
@@ -21,10 +21,9 @@ export function createFakeEngine(): ClipEngine {
   let clip: Clip | undefined;
   let annotation: Annotation | undefined;
   let segmentAnnotation: SegmentAnnotation | undefined;
-  let abortController = new AbortController();
   return {
     start() {},
-    async open(_file, name, { onProgress } = {}) {
+    async open(_file, name, { signal, onProgress } = {}) {
       if (name.includes("bad")) {
         return {
           ok: false,
@@ -39,7 +38,7 @@ export function createFakeEngine(): ClipEngine {
       }
       if (name.includes("slow")) {
         onProgress?.(0.1);
-        await waitForAbort(abortController.signal);
+        await waitForAbort(signal);
       }
       annotation = undefined;
       segmentAnnotation = undefined;
@@ -196,10 +195,7 @@ export function createFakeEngine(): ClipEngine {
       new TextEncoder().encode(JSON.stringify({ format, names, actions })),
     cut: async (parts) => new Blob(parts.map(({ name }) => name)),
     save: async (format) => new TextEncoder().encode(`{"format": "${format}"}`),
-    cancel() {
-      abortController.abort();
-      abortController = new AbortController();
-    },
+    cancel() {},
   };
 }
 

@@ -1,7 +1,7 @@
 /** Comparing labels and segments with those of a reference. */
 
 import { batch } from "@preact/signals";
-import { engine } from "../../engine";
+import { Cancelled, engine } from "../../engine";
 import { failureOf } from "../../model/failure";
 import { nextDisagreement } from "../../model/plants/disagreements";
 import type { Source } from "../../model/sources/source";
@@ -55,7 +55,10 @@ export async function compareWith(name: string, data: Blob, show = showTab): Pro
     });
     await ("segments" in compared ? updateCutScores(clipSession) : updateScores(clipSession));
   } catch (error) {
-    reportOpenFailure(name, failureOf(error), { retry: () => void compareWith(name, data, show) });
+    if (!(error instanceof Cancelled))
+      reportOpenFailure(name, failureOf(error), {
+        retry: () => void compareWith(name, data, show),
+      });
   }
 }
 

@@ -1,7 +1,7 @@
 /** Detecting plants, and overriding how the clip is read. */
 
 import { batch } from "@preact/signals";
-import { Cancelled, engine } from "../../engine";
+import { engine } from "../../engine";
 import { failureOf } from "../../model/failure";
 import type { DetectOptions, Overrides } from "../../model/types";
 import { type ClipSession, session } from "../../store/clip-session";
@@ -68,8 +68,7 @@ export async function runDetection(options: DetectOptions = detectOptions.value)
   } catch (error) {
     const name = clipSession.source?.name ?? "";
     // The labels remain valid.
-    if (!(error instanceof Cancelled))
-      reportFailure("compared", name, error, () => void runDetection(options));
+    reportFailure("compared", name, error, () => void runDetection(options));
   }
 }
 

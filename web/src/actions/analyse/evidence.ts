@@ -1,7 +1,7 @@
 /** Requesting the evidence for the labels while the evidence tab is open. */
 
 import { effect } from "@preact/signals";
-import { Cancelled, engine } from "../../engine";
+import { engine } from "../../engine";
 import { heightSpeedRange } from "../../model/plants/evidence";
 import type { Part } from "../../model/types";
 import { type ClipSession, session } from "../../store/clip-session";
@@ -24,10 +24,9 @@ const request = latestOnly(
       // May belong to newer labels, which the page is about to receive, while a slider moves.
       if (answer) clipSession.evidence.value = answer;
     } catch (error) {
-      if (!(error instanceof Cancelled))
-        reportFailure("explained", clipSession.source?.name ?? "", error, () =>
-          request({ part, clipSession }),
-        );
+      reportFailure("explained", clipSession.source?.name ?? "", error, () =>
+        request({ part, clipSession }),
+      );
     }
   },
 );

@@ -1,7 +1,7 @@
 /** Removing foot skate. */
 
 import { batch } from "@preact/signals";
-import { Cancelled, engine } from "../../engine";
+import { engine } from "../../engine";
 import type { FootFrames } from "../../model/types";
 import { type CleanedView, session } from "../../store/clip-session";
 import { reportFailure } from "../../store/errors";
@@ -9,7 +9,7 @@ import { runJob } from "../../store/jobs";
 import { clip } from "../../store/session";
 import { announcement } from "../../store/view";
 import { stemOf } from "../../util/file-names";
-import { download } from "../save/download";
+import { download, ofOpenClip } from "../save/download";
 
 /** Removes the foot skate of the open clip, or of some of its plants, and shows the result. */
 export async function cleanClip({
@@ -48,8 +48,7 @@ export async function cleanClip({
       announcement.value = "Foot skate fixed; the original is shown in red";
     });
   } catch (error) {
-    if (!(error instanceof Cancelled))
-      reportFailure("cleaned", before.name, error, () => void cleanClip({ keepSpikes, only }));
+    reportFailure("cleaned", before.name, error, () => void cleanClip({ keepSpikes, only }));
   } finally {
     clipSession.cleaning.value = false;
   }
@@ -70,9 +69,9 @@ export function discardCleaned() {
 export async function saveCleaned(): Promise<void> {
   const name = `${stemOf(clip.value?.name ?? "clip")}.clean.bvh`;
   const { keepSpikes = false, only = [] } = session.value.cleanUp.value ?? {};
-  await download(name, () =>
+  const write = () =>
     runJob({ title: "Writing" }, new AbortController(), (options) =>
       engine.saveCleaned(keepSpikes, only, options),
-    ),
-  );
+    );
+  await download(name, ofOpenClip(write));
 }

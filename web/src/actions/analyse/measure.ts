@@ -1,7 +1,7 @@
 /** Measuring gait and foot skate while the clip tab is open. */
 
 import { batch, effect } from "@preact/signals";
-import { Cancelled, engine } from "../../engine";
+import { engine } from "../../engine";
 import type { GaitAction } from "../../model/types";
 import { type ClipSession, session } from "../../store/clip-session";
 import { reportFailure } from "../../store/errors";
@@ -40,12 +40,11 @@ async function measure(clipSession: ClipSession, action: GaitAction | undefined)
       [clipSession.gait.value, clipSession.slides.value] = measured;
     });
   } catch (error) {
-    if (!(error instanceof Cancelled))
-      reportFailure(
-        "measured",
-        clipSession.source?.name ?? "",
-        error,
-        () => void measure(clipSession, action),
-      );
+    reportFailure(
+      "measured",
+      clipSession.source?.name ?? "",
+      error,
+      () => void measure(clipSession, action),
+    );
   }
 }

@@ -464,12 +464,16 @@ export async function addToTarget(): Promise<void> {
 export const adoptReference = () =>
   inOrder(async () => {
     const clipSession = session.value;
-    const reference = await clipSession.run("reference edits", () => engine.referenceEdits());
-    if (reference?.length)
-      await commitEdits(
-        [...reference, ...cutEditsOf(clipSession.edits.value)],
-        "Labels replaced by those of the reference",
-      );
+    try {
+      const reference = await clipSession.run("reference edits", () => engine.referenceEdits());
+      if (reference?.length)
+        await commitEdits(
+          [...reference, ...cutEditsOf(clipSession.edits.value)],
+          "Labels replaced by those of the reference",
+        );
+    } catch (error) {
+      reportFailure("edited", clipSession.source?.name ?? "", error, () => void adoptReference());
+    }
   });
 
 /** Shows the start and end fields of a plant. */

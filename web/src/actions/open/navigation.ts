@@ -1,6 +1,7 @@
 /** Moving between the start page and the clips that were open, by the logo, Back and Forward. */
 
 import { batch } from "@preact/signals";
+import { engine } from "../../engine";
 import type { Source } from "../../model/sources/source";
 import { batchRows, tableVisible } from "../../store/batch";
 import { ClipSession, openSession } from "../../store/clip-session";
@@ -29,6 +30,7 @@ function showStartPage() {
     tableVisible.value = false;
     openSession(new ClipSession(null, null, { isPreview: true }));
   });
+  engine.cancel();
   void startPreview();
 }
 

@@ -59,7 +59,7 @@ export async function startPreview(): Promise<void> {
     const data = await (await fetch(previewSample.url)).blob();
     const source = { name: `${previewSample.name}.bvh`, data };
     if (isUnwanted()) return;
-    const opened = await engine.open(data, source.name);
+    const opened = await engine.open(data, source.name, { signal });
     if (isUnwanted() || !opened.ok) return;
     showClip(opened.clip, source, true);
     await runDetection();

@@ -6,7 +6,7 @@ import { failureOf } from "../../model/failure";
 import { fileTooLarge, maxFileBytes } from "../../model/limits";
 import { fileNameOfUrl, formatHash } from "../../model/sources/link";
 import type { Source } from "../../model/sources/source";
-import type { Clip } from "../../model/types";
+import type { Clip, Failure } from "../../model/types";
 import { ClipSession, openSession, session } from "../../store/clip-session";
 import { isFramed } from "../../store/embedded";
 import { errorReport, reportOpenFailure } from "../../store/errors";
@@ -46,7 +46,6 @@ export function cancelOpening() {
   controller.abort();
   controller = new AbortController();
   stopClipJobs();
-  engine.cancel();
   opening.value = null;
 }
 
@@ -72,8 +71,10 @@ export async function openSource(
     const onProgress = (fraction: number) => {
       if (!signal.aborted) opening.value = { name, stage: "read", fraction };
     };
+    const overrides = overridesOf(source.view ?? {});
+    const changes = Object.keys(overrides).length ? { overrides } : {};
     const opened = await Promise.race([
-      engine.open(data, name, { lenient, onProgress }),
+      engine.open(data, name, { lenient, ...changes, signal, onProgress }),
       rejectOnAbort(signal),
     ]);
     if (signal.aborted) return false;
@@ -82,9 +83,8 @@ export async function openSource(
       return false;
     }
     source.lenient = lenient;
-    const clip = await applyOverrides(opened.clip, source);
-    if (signal.aborted) return false;
-    showClip(clip, source);
+    if (opened.rejected) reportRejected(opened.rejected, source);
+    showClip(opened.clip, source);
     opening.value = { name, stage: "detect" };
     await Promise.race([runDetection(), rejectOnAbort(signal)]);
     if (signal.aborted) return true;
@@ -100,16 +100,11 @@ export async function openSource(
   }
 }
 
-/** Applies the overrides of a link or a shared page. */
-async function applyOverrides(clip: Clip, source: Source): Promise<Clip> {
-  const overrides = overridesOf(source.view ?? {});
-  if (!Object.keys(overrides).length) return clip;
-  const opened = await engine.override(overrides);
-  if (opened.ok) return opened.clip;
-  showToast({ text: `The link changes how the file is read, but ${opened.failure.message}.` });
+/** Reports that the overrides of a link or a shared page were not applied, and forgets them. */
+function reportRejected({ message }: Failure, source: Source) {
+  showToast({ text: `The link changes how the file is read, but ${message}.` });
   const { rate: _1, up: _2, unit: _3, joints: _4, ...others } = source.view ?? {};
   source.view = others;
-  return clip;
 }
 
 /** Makes a clip the open one, at its first frame or at the moment of its view state. */

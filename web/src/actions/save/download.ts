@@ -1,4 +1,5 @@
-import { Cancelled } from "../../engine";
+import { Cancelled, Superseded } from "../../engine";
+import { failureOf } from "../../model/failure";
 import { session } from "../../store/clip-session";
 import { reportFailure } from "../../store/errors";
 import { announcement } from "../../store/view";
@@ -21,7 +22,21 @@ export async function download(name: string, make: () => Promise<Blob>): Promise
     announcement.value = `Saved ${fileName}`;
   } catch (error) {
     const isAborted = error instanceof Error && error.name === "AbortError";
-    if (error instanceof Cancelled || isAborted) return;
-    reportFailure("saved", fileName, error, () => void download(fileName, make));
+    const isCancelled = error instanceof Cancelled && !(error instanceof Superseded);
+    if (isCancelled || isAborted) return;
+    reportFailure("saved", fileName, failureOf(error), () => void download(fileName, make));
   }
+}
+
+/**
+ * Returns a function that makes a file of the open clip, once `ready` resolves. It fails if another clip is open by
+ * then, since its file would have the name of this one.
+ */
+export function ofOpenClip<T>(make: () => Promise<T>, ready = async () => {}): () => Promise<T> {
+  const { signal } = session.value;
+  return async () => {
+    await ready();
+    if (signal.aborted) throw new Superseded();
+    return make();
+  };
 }

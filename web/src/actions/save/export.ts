@@ -4,6 +4,7 @@ import { engine } from "../../engine";
 import { segmentFileNames, segmentTitle } from "../../model/segments/segments";
 import type { FileFormat } from "../../model/types";
 import { session } from "../../store/clip-session";
+import { reportFailure } from "../../store/errors";
 import { runJob } from "../../store/jobs";
 import {
   clip,
@@ -16,7 +17,7 @@ import {
 import { gaitFormats, plantFormats } from "../../store/settings";
 import { stemOf } from "../../util/file-names";
 import { segmentingDone } from "../analyse/segment";
-import { download } from "./download";
+import { download, ofOpenClip } from "./download";
 
 /** Time for which the report can be reloaded. */
 const reportLifetimeMs = 600_000;
@@ -32,32 +33,30 @@ export async function exportLabels(format = plantFormats.value[0]): Promise<void
  * when they are shown.
  */
 export async function exportSegments(format: FileFormat): Promise<void> {
-  await downloadAs(format, async () => {
-    await segmentingDone();
+  const save = () => {
     const names = namedSegments.value.map(segmentTitle);
     const actions = namedSegments.value.map(({ action = "" }) => action);
     return engine.saveSegments(format.name, names, actions);
-  });
+  };
+  await downloadAs(format, save, segmentingDone);
 }
 
 /** Downloads a file that is named after the clip. */
 function downloadAs(
   { extension, mediaType }: FileFormat,
-  save: () => Promise<Uint8Array<ArrayBuffer>>,
+  save: () => Promise<Uint8Array<ArrayBuffer> | string>,
+  ready?: () => Promise<void>,
 ): Promise<void> {
-  const fileName = `${stem()}.${extension}`;
-  return download(fileName, async () => new Blob([await save()], { type: mediaType }));
+  const make = ofOpenClip(async () => new Blob([await save()], { type: mediaType }), ready);
+  return download(`${stem()}.${extension}`, make);
 }
 
 /** The actions of files of gait: the measured action, or none for the whole clip. */
 const fileActions = () => (measuredAction.value ? [measuredAction.value] : []);
 
 /** Downloads the gait of the measured action or of the whole clip. */
-export async function exportGait({ name, extension, mediaType }: FileFormat): Promise<void> {
-  await download(`${stem()}.${extension}`, async () => {
-    const text = await engine.saveGait(fileActions(), name);
-    return new Blob([text], { type: mediaType });
-  });
+export async function exportGait(format: FileFormat): Promise<void> {
+  await downloadAs(format, () => engine.saveGait(fileActions(), format.name));
 }
 
 /**
@@ -67,21 +66,27 @@ export async function exportGait({ name, extension, mediaType }: FileFormat): Pr
 export async function printGaitReport(): Promise<void> {
   const format = gaitFormats.value[0];
   if (!format) return;
-  await session.value.editsDone();
-  const actions = measuredAction.value ? fileActions() : gaitActions.value;
-  const report = await engine.saveGait(actions, format.name);
-  const blob = new Blob([report], { type: format.mediaType });
-  const url = URL.createObjectURL(blob);
-  const page = window.open(url);
-  page?.addEventListener("load", () => page.print());
-  if (!page) await download(`${stem()}.${format.extension}`, async () => blob);
-  setTimeout(() => URL.revokeObjectURL(url), reportLifetimeMs);
+  const fileName = `${stem()}.${format.extension}`;
+  const make = ofOpenClip(() => {
+    const actions = measuredAction.value ? fileActions() : gaitActions.value;
+    return engine.saveGait(actions, format.name);
+  });
+  try {
+    await session.value.editsDone();
+    const blob = new Blob([await make()], { type: format.mediaType });
+    const url = URL.createObjectURL(blob);
+    const page = window.open(url);
+    page?.addEventListener("load", () => page.print());
+    if (!page) await download(fileName, async () => blob);
+    setTimeout(() => URL.revokeObjectURL(url), reportLifetimeMs);
+  } catch (error) {
+    reportFailure("printed", fileName, error, () => void printGaitReport());
+  }
 }
 
 /** Downloads an archive with each segment as a BVH file. */
 export async function exportClips(): Promise<void> {
-  await download(`${stem()}.segments.zip`, async () => {
-    await segmentingDone();
+  const cut = () => {
     const names = segmentFileNames(namedSegments.value, stem());
     const parts = namedSegments.value.map(({ start, end }, i) => ({
       name: names[i] ?? "",
@@ -91,7 +96,8 @@ export async function exportClips(): Promise<void> {
     return runJob({ title: "Cutting" }, new AbortController(), (options) =>
       engine.cut(parts, options),
     );
-  });
+  };
+  await download(`${stem()}.segments.zip`, ofOpenClip(cut, segmentingDone));
 }
 
 const stem = () => stemOf(clip.value?.name ?? "clip");

@@ -15,7 +15,7 @@ import { stemOf } from "../../util/file-names";
 import { randomId } from "../../util/random-id";
 import { pause } from "../view/playback";
 import { currentViewState } from "../view/view-state";
-import { download } from "./download";
+import { download, ofOpenClip } from "./download";
 
 export function openShareDialog() {
   // The current moment is shared.
@@ -38,9 +38,8 @@ const stem = () => stemOf(source.value?.name ?? "clip");
 /** Downloads a page that contains the clip and the player. */
 export function savePage(): Promise<void> {
   const name = `${stem()}.html`;
-  return download(name, () =>
-    runJob({ title: "Creating", name }, new AbortController(), createPage),
-  );
+  const create = () => runJob({ title: "Creating", name }, new AbortController(), createPage);
+  return download(name, ofOpenClip(create));
 }
 
 async function createPage(options: CallOptions): Promise<Blob> {

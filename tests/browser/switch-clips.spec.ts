@@ -1,0 +1,92 @@
+/** Opening a clip while the app is still busy with another one. */
+
+import { type App, expect, test } from "./app";
+import { bad, type Payload, repeated, sample } from "./clips";
+
+/** A clip that takes longer to read than the others of these tests, and minutes to segment by MVU. */
+const large = { ...repeated(sample("limp-to-run"), 20), name: "large.bvh" };
+/** A clip that takes so long to read that another file can be dropped meanwhile. */
+const huge = { ...repeated(sample("limp-to-run"), 60), name: "huge.bvh" };
+const small = sample("one-leg-hop");
+
+/** Number of plants of both feet. */
+const plants = async (app: App) => [
+  (await app.result("Left")).plants,
+  (await app.result("Right")).plants,
+];
+
+const method = (app: App) => app.panel.getByRole("combobox", { name: "Method" });
+
+/** Starts a segmentation during which the worker of the open clip does nothing else. */
+async function occupyWorker(app: App) {
+  await app.tab("Segment");
+  await method(app).selectOption("mvu");
+  await expect(app.page.getByRole("button", { name: "Cancel" })).toBeVisible();
+  await method(app).blur();
+}
+
+/** Drops a file, and another one while the first one is read. */
+async function dropWhileReading(app: App, first: Payload, second: Payload) {
+  const transfers = [await app.transfer(first), await app.transfer(second)] as const;
+  await app.page.evaluate(async ([first, second]) => {
+    const drop = (dataTransfer: DataTransfer) =>
+      dispatchEvent(new DragEvent("drop", { dataTransfer }));
+    const progress = () => document.querySelector<HTMLProgressElement>(".progress progress");
+    drop(first);
+    while (!progress()?.value) await new Promise((resolve) => setTimeout(resolve, 0));
+    drop(second);
+  }, transfers);
+}
+
+test("a clip that is opened during an edit of another one has its own labels and edits", async ({
+  app,
+  page,
+}) => {
+  await app.openFile(small);
+  const expected = await plants(app);
+  await app.openFile(large);
+  await occupyWorker(app);
+  // Both wait for the segmentation.
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await app.tab("Labels");
+  await app.panel.getByRole("button", { name: "Save", exact: true }).click();
+  await app.panel.getByRole("button", { name: /^Labels/ }).click();
+  await app.drop(small);
+  await expect(page).toHaveTitle(/one-leg-hop/);
+  await expect.poll(() => plants(app)).toEqual(expected);
+  await expect(app.alert).toContainText("large.plants.json could not be saved");
+  await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  await app.waitForClip(small.name);
+  const { frames, source } = JSON.parse((await app.save("Labels")).text);
+  expect(frames).toBe((await app.lastFrame()) + 1);
+  expect(source.name).toBe(small.name);
+  // Each clip has its own record.
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await expect.poll(async () => (await plants(app))[0]).toBe((expected[0] ?? 0) - 1);
+  const records = await page.evaluate(() =>
+    Object.entries(localStorage)
+      .filter(([key]) => key.startsWith("plantigrade:clip:"))
+      .map(([, text]) => JSON.parse(text)),
+  );
+  expect(records.map(({ name, edits }) => `${name} ${edits.length}`).sort()).toEqual([
+    `${large.name} 1`,
+    `${small.name} 1`,
+  ]);
+});
+
+test("a clip stays open if a file is dropped that cannot be read while another one is read", async ({
+  app,
+}) => {
+  await app.openFile(small);
+  const expected = await plants(app);
+  await dropWhileReading(app, huge, bad("not-a-number"));
+  await expect(app.alert).toContainText(`${small.name} is still open`);
+  await app.tab("Detect");
+  await method(app).selectOption("speed");
+  await method(app).selectOption("robust");
+  await expect.poll(() => plants(app)).toEqual(expected);
+  const { frames } = JSON.parse((await app.save("Labels")).text);
+  expect(frames).toBe((await app.lastFrame()) + 1);
+});
