@@ -6,7 +6,7 @@ use std::slice;
 use nalgebra::Vector3;
 
 use crate::kinematics::Track;
-use crate::numeric::interpolate;
+use crate::numeric::{interpolate, stats};
 use crate::plants::signal::remove_spikes;
 
 /// Minimum rate of the interpolated coordinate, in Hz.
@@ -141,8 +141,11 @@ impl Kernels {
         let gaussian = |t: f64| (-0.5 * (t / SMOOTHING).powi(2)).exp();
         let total: f64 = times.iter().map(|&t| gaussian(t)).sum();
         let variance = SMOOTHING * SMOOTHING;
-        let kernel = |polynomial: fn(f64, f64) -> f64| {
-            times.iter().map(|&t| polynomial(t, variance) * gaussian(t) / total).collect()
+        let kernel = |polynomial: fn(f64, f64) -> f64| -> Vec<f64> {
+            let weights = times.iter().map(|&t| polynomial(t, variance) * gaussian(t) / total);
+            // A constant has no derivative, although the kernel has ends.
+            let mean = stats::mean(weights.clone());
+            weights.map(|weight| weight - mean).collect()
         };
         // The derivative of a convolution is a correlation with the derivative of the kernel, negated
         // for odd orders.
@@ -235,6 +238,15 @@ mod tests {
         assert!(jerk.values.iter().all(|jerk| jerk.abs() < 10.0), "{jerk:?}");
         let [_, jerk] = derivatives(|t| t * t * t, 0.01);
         assert!(jerk.values.iter().all(|jerk| (jerk - 6.0).abs() < 10.0), "{jerk:?}");
+    }
+
+    #[test]
+    fn derivatives_do_not_depend_on_the_origin() {
+        for order in &Kernels::new(0.01).by_order {
+            let sum: f64 = order.iter().sum();
+            let magnitude: f64 = order.iter().map(|weight| weight.abs()).sum();
+            assert!(sum.abs() < 1e-14 * magnitude, "{sum} of {magnitude}");
+        }
     }
 
     #[test]
