@@ -89,6 +89,8 @@ interface OpenClip {
   segmentation?: WasmSegmentation;
   annotation?: WasmAnnotation;
   segmentAnnotation?: WasmSegmentAnnotation;
+  /** Settles when all calls have ended that use the clip after waiting; it is not freed before. */
+  uses?: Promise<unknown>;
 }
 
 let openClip: OpenClip | undefined;
@@ -103,7 +105,7 @@ const api = {
     await wasmReady;
     const opened = await toResult(async () => {
       const clip = await readClip(file, lenient, throttle(onProgress));
-      release();
+      void release();
       openClip = { file, name, clip, edits: [] };
       return clip;
     });
@@ -215,22 +217,23 @@ const api = {
 
   /** Reads reference labels or segments and replaces those of the same kind. */
   async compare(file: Blob, name: string): Promise<Compared> {
-    const open = current();
-    const clipName = stem(open.name);
-    const text = (await isArchive(file)) ? "" : await file.text();
-    if (hasSegments(text, clipName)) {
-      const read = await toResult(() => new WasmSegmentAnnotation(text, clipName, open.clip));
+    return useClip(async (open) => {
+      const clipName = stem(open.name);
+      const text = (await isArchive(file)) ? "" : await file.text();
+      if (hasSegments(text, clipName)) {
+        const read = await toResult(() => new WasmSegmentAnnotation(text, clipName, open.clip));
+        if (!read.ok) return read;
+        open.segmentAnnotation?.free();
+        open.segmentAnnotation = read.value;
+        return { ok: true, segments: { name, segments: read.value.segments() } };
+      }
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const read = await toResult(() => new WasmAnnotation(bytes, open.clip.info().frames));
       if (!read.ok) return read;
-      open.segmentAnnotation?.free();
-      open.segmentAnnotation = read.value;
-      return { ok: true, segments: { name, segments: read.value.segments() } };
-    }
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    const read = await toResult(() => new WasmAnnotation(bytes, open.clip.info().frames));
-    if (!read.ok) return read;
-    open.annotation?.free();
-    open.annotation = read.value;
-    return { ok: true, annotation: annotationToPlain(read.value, name) };
+      open.annotation?.free();
+      open.annotation = read.value;
+      return { ok: true, annotation: annotationToPlain(read.value, name) };
+    });
   },
 
   /**
@@ -244,11 +247,12 @@ const api = {
 
   /** Returns the gait of the whole clip, or of each action if there are any, as a file. */
   async saveGait(actions: GaitAction[], format: string): Promise<string> {
-    const open = current();
-    const hash = await hashOf(open);
-    const { name, clip, detection } = open;
-    if (!detection) throw new Error("There are no labels to measure.");
-    return clip.saveGait(detection, actions, format, name, hash);
+    return useClip(async (open) => {
+      const hash = await hashOf(open);
+      const { name, clip, detection } = open;
+      if (!detection) throw new Error("There are no labels to measure.");
+      return clip.saveGait(detection, actions, format, name, hash);
+    });
   },
 
   /** Returns the slide of every plant: those of the left foot, then those of the right. */
@@ -303,35 +307,38 @@ const api = {
     names: string[],
     actions: string[],
   ): Promise<Uint8Array<ArrayBuffer>> {
-    const open = current();
-    const hash = await hashOf(open);
-    const { name, clip, segmentation } = open;
-    if (!segmentation) throw new Error("There are no segments to save.");
-    const file = clip.saveSegments(segmentation, names, actions, format, name, hash);
-    return file as Uint8Array<ArrayBuffer>;
+    return useClip(async (open) => {
+      const hash = await hashOf(open);
+      const { name, clip, segmentation } = open;
+      if (!segmentation) throw new Error("There are no segments to save.");
+      const file = clip.saveSegments(segmentation, names, actions, format, name, hash);
+      return file as Uint8Array<ArrayBuffer>;
+    });
   },
 
   /** Writes parts of the clip as BVH files into a zip archive. */
   async cut(parts: readonly ClipPart[], onProgress?: OnProgress): Promise<Blob> {
-    const { file, clip } = current();
-    const report = throttle(onProgress);
-    const zip = new ZipWriter();
-    // One at a time, as all texts together might not fit into memory.
-    for (const [i, { name, start, end }] of parts.entries()) {
-      const part = await rewriteFile(file, clip.cut(start, end));
-      zip.add(name, new Uint8Array(await part.arrayBuffer()));
-      report((i + 1) / parts.length);
-    }
-    return zip.finish();
+    return useClip(async ({ file, clip }) => {
+      const report = throttle(onProgress);
+      const zip = new ZipWriter();
+      // One at a time, as all texts together might not fit into memory.
+      for (const [i, { name, start, end }] of parts.entries()) {
+        const part = await rewriteFile(file, clip.cut(start, end));
+        zip.add(name, new Uint8Array(await part.arrayBuffer()));
+        report((i + 1) / parts.length);
+      }
+      return zip.finish();
+    });
   },
 
   /** Returns the labels as a file. */
   async save(format: string): Promise<Uint8Array<ArrayBuffer>> {
-    const open = current();
-    const hash = await hashOf(open);
-    const { name, clip, detection } = open;
-    if (!detection) throw new Error("There are no labels to save.");
-    return clip.save(detection, format, name, hash) as Uint8Array<ArrayBuffer>;
+    return useClip(async (open) => {
+      const hash = await hashOf(open);
+      const { name, clip, detection } = open;
+      if (!detection) throw new Error("There are no labels to save.");
+      return clip.save(detection, format, name, hash) as Uint8Array<ArrayBuffer>;
+    });
   },
 };
 
@@ -359,19 +366,29 @@ function current(): OpenClip {
   return openClip;
 }
 
+/** Makes a call that uses the open clip after waiting, even if another clip is opened meanwhile. */
+function useClip<T>(call: (open: OpenClip) => Promise<T>): Promise<T> {
+  const open = current();
+  const result = call(open);
+  open.uses = Promise.allSettled([open.uses, result]);
+  return result;
+}
+
 function discardCleaned(open: OpenClip) {
   open.cleaned?.free();
   delete open.cleaned;
 }
 
-function release() {
-  openClip?.detection?.free();
-  openClip?.cleaned?.free();
-  openClip?.segmentation?.free();
-  openClip?.annotation?.free();
-  openClip?.segmentAnnotation?.free();
-  openClip?.clip.free();
+async function release() {
+  const open = openClip;
   openClip = undefined;
+  await open?.uses;
+  open?.detection?.free();
+  open?.cleaned?.free();
+  open?.segmentation?.free();
+  open?.annotation?.free();
+  open?.segmentAnnotation?.free();
+  open?.clip.free();
 }
 
 async function isArchive(file: Blob) {
