@@ -8,6 +8,7 @@ import {
   toSentence,
 } from "../model/batch/report";
 import { type ErrorReport, errorReport } from "../store/errors";
+import { opening } from "../store/jobs";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";
 
@@ -44,7 +45,9 @@ export function ErrorCard() {
         </button>
       </div>
       <Reason report={error} />
-      {openClip.value && !error.action && <p class="muted">{openClip.value.name} is still open.</p>}
+      {openClip.value && !opening.value && !error.action && (
+        <p class="muted">{openClip.value.name} is still open.</p>
+      )}
       <p class="error-foot">
         {error.retry && (
           <button

@@ -132,6 +132,17 @@ test("leaves the clip open if another file cannot be read", async () => {
   expect(log.at(-1)).toBe("detect walk");
 });
 
+test("does not compare a clip with the reference of the one before", async () => {
+  const { log, engine } = fakeEngine();
+  await engine.open(file, "walk");
+  const compared = engine.compare(new Blob(["truth"]), "truth.json");
+  await engine.open(file, "run");
+  await compared;
+  engine.cancel();
+  await engine.detect(options);
+  expect(log.slice(log.lastIndexOf("start"))).toEqual(["start", "open run", "detect run"]);
+});
+
 test("does not restore a clip that is replaced", async () => {
   const { log, engine } = fakeEngine();
   await engine.open(file, "walk");

@@ -300,22 +300,25 @@ export function createEngine(
       return opened;
     },
     async override(overrides) {
+      const target = restorePoint;
       const opened: Opened = await callWith("clip", (calls) => calls.override(overrides)).catch(
         asFailure,
       );
-      if (opened.ok && restorePoint) restorePoint.overrides = overrides;
+      if (opened.ok && target) target.overrides = overrides;
       return opened;
     },
     async detect(options, callOptions) {
+      const target = restorePoint;
       const detected: Detected = await callWith(
         "clip",
         (calls) => calls.detect(options),
         callOptions,
       ).catch(asFailure);
-      if (detected.ok && restorePoint) restorePoint.options = options;
+      if (detected.ok && target) target.options = options;
       return detected;
     },
     segment(options, callOptions) {
+      const target = restorePoint;
       return callWith(
         "clip",
         async (calls, worker, report) => {
@@ -327,8 +330,8 @@ export function createEngine(
             () => {},
           );
           const segmented: Segmented = await answer;
-          if (segmented.ok && restorePoint) {
-            restorePoint.segmentOptions = options;
+          if (segmented.ok && target && restorePoint === target) {
+            target.segmentOptions = options;
             worker.segmented = Promise.resolve();
           }
           return segmented;
@@ -337,12 +340,13 @@ export function createEngine(
       ).catch(asFailure);
     },
     async compare(file, name) {
+      const target = restorePoint;
       const compared: Compared = await callWith("clip", (calls) => calls.compare(file, name)).catch(
         asFailure,
       );
-      if (compared.ok && restorePoint) {
+      if (compared.ok && target) {
         const kind = "annotation" in compared ? "annotation" : "segmentAnnotation";
-        restorePoint[kind] = { file, name };
+        target[kind] = { file, name };
       }
       return compared;
     },

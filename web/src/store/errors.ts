@@ -1,11 +1,10 @@
 /** The last failure, shown until it is dismissed or another clip is opened. */
 
-import { batch, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
 import { Cancelled } from "../engine";
 import { failureOf } from "../model/failure";
 import type { Source } from "../model/sources/source";
 import type { Failure } from "../model/types";
-import { opening } from "./jobs";
 
 /** A failure and the file or clip that it concerns. */
 export interface ErrorReport {
@@ -33,19 +32,16 @@ export function reportFailure(action: string, name: string, error: unknown, retr
   };
 }
 
-/** Reports that a file could not be opened, and ends the opening. */
+/** Reports that a file could not be opened. */
 export function reportOpenFailure(
   name: string,
   failure: Failure,
   { source, retry }: Pick<ErrorReport, "source" | "retry"> = {},
 ) {
-  batch(() => {
-    opening.value = null;
-    errorReport.value = {
-      name,
-      failure,
-      ...(source && { source }),
-      ...(failure.canRetry && retry && { retry }),
-    };
-  });
+  errorReport.value = {
+    name,
+    failure,
+    ...(source && { source }),
+    ...(failure.canRetry && retry && { retry }),
+  };
 }

@@ -7,7 +7,9 @@ import { activeTab } from "../../store/view";
 vi.mock("../../engine", () => import("../../testing/fake-engine"));
 
 const { errorReport } = await import("../../store/errors");
-const { compareWith, removeReference, stepDisagreement } = await import("./compare");
+const { compareWith, compareWithAll, removeReference, stepDisagreement } = await import(
+  "./compare"
+);
 const { openFiles } = await import("../open/open-files");
 
 const clip = () => new File(["HIERARCHY"], "walk.bvh");
@@ -35,6 +37,14 @@ describe("comparing", () => {
     await compareWith("short.json", labels(7));
     expect(errorReport.value?.failure.message).toContain("7 frames");
     expect(reference.value?.name).toBe("truth.json");
+  });
+
+  it("does not compare another clip with files that were dropped with the one before", async () => {
+    const files = ["a.json", "b.json"].map((name) => ({ name, data: labels(720) }));
+    const compared = compareWithAll(files);
+    openSession(new ClipSession(openClip.value, null, { isPreview: false }));
+    await compared;
+    expect(reference.value).toBeNull();
   });
 
   it("requires an open clip", async () => {

@@ -62,9 +62,11 @@ export async function compareWith(name: string, data: Blob, show = showTab): Pro
   }
 }
 
-/** Compares with files in turn, and shows the notices on them. */
+/** Compares with files in turn, as long as the clip is open, and shows the notices on them. */
 export async function compareWithAll(labels: readonly Source[], show = showTab): Promise<void> {
+  const { signal } = session.value;
   for (const { name, data, notices = [] } of labels) {
+    if (signal.aborted) return;
     for (const { text } of notices) showToast({ text });
     await compareWith(name, data, show);
   }
@@ -81,12 +83,12 @@ export async function compareWithTruth(): Promise<void> {
   const url = source.value?.truthUrl;
   if (!url) return;
   const name = `${openClip.value?.name.replace(/\.bvh$/i, "")} truth`;
+  const { signal } = session.value;
   try {
-    const { signal } = session.value;
     const data = await fetchBlob(url, signal, maxReferenceBytes, () => {});
     if (!signal.aborted) await compareWith(name, data);
   } catch (error) {
-    reportOpenFailure(name, failureOf(error));
+    if (!signal.aborted) reportOpenFailure(name, failureOf(error));
   }
 }
 

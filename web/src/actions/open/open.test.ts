@@ -81,6 +81,30 @@ describe("opening", () => {
     expect(openClip.value?.name).toBe("walk.bvh");
   });
 
+  it("shows the progress of an opening next to the failure of another file", async () => {
+    await openFiles({ files: [file("walk.bvh")] });
+    const pending = openFiles({ files: [file("slow.bvh")] });
+    await vi.waitFor(() => expect(opening.value?.fraction).toBe(0.1));
+    await openFiles({ files: [new File(["PK\u0003\u0004"], "broken.zip")] });
+    expect(errorReport.value?.name).toBe("broken.zip");
+    expect(opening.value?.name).toBe("slow.bvh");
+    cancelOpening();
+    await pending;
+    expect(openClip.value?.name).toBe("walk.bvh");
+  });
+
+  it("ends the opening of another file when a file above the size limit is opened", async () => {
+    await openFiles({ files: [file("walk.bvh")] });
+    const pending = openFiles({ files: [file("slow.bvh")] });
+    await vi.waitFor(() => expect(opening.value?.fraction).toBe(0.1));
+    const data = new Blob();
+    Object.defineProperty(data, "size", { value: maxFileBytes + 1 });
+    await openSource({ name: "huge.bvh", data });
+    await pending;
+    expect(opening.value).toBeNull();
+    expect(errorReport.value?.name).toBe("huge.bvh");
+  });
+
   it("reports an unknown sample", async () => {
     expect(await openSample("nobody")).toBe(false);
     expect(errorReport.value?.failure.message).toContain("nobody");

@@ -49,22 +49,30 @@ export function cancelOpening() {
   opening.value = null;
 }
 
+/** Ends the opening, and reports why the clip could not be opened. */
+function endOpening(...failure: Parameters<typeof reportOpenFailure>) {
+  batch(() => {
+    opening.value = null;
+    reportOpenFailure(...failure);
+  });
+}
+
 interface ReadOptions {
   lenient?: boolean;
 }
 
-/** Opens a clip and labels it. Returns false if that failed or was cancelled. */
+/** Opens a clip and labels it. Returns true if it is the open one at the end. */
 export async function openSource(
   source: Source,
   { lenient = source.view?.lenient === "yes" }: ReadOptions = {},
 ): Promise<boolean> {
   const { name, data } = source;
-  if (data.size > maxFileBytes) {
-    reportOpenFailure(name, fileTooLarge(data.size), { source });
-    return false;
-  }
   const retry = () => void openSource(source, { lenient });
   const signal = beginOpening(name, "read");
+  if (data.size > maxFileBytes) {
+    endOpening(name, fileTooLarge(data.size), { source });
+    return false;
+  }
   // The worker would otherwise finish the pending calls first.
   stopClipJobs();
   try {
@@ -79,7 +87,7 @@ export async function openSource(
     ]);
     if (signal.aborted) return false;
     if (!opened.ok) {
-      reportOpenFailure(name, opened.failure, { source, retry });
+      endOpening(name, opened.failure, { source, retry });
       return false;
     }
     source.lenient = lenient;
@@ -87,15 +95,15 @@ export async function openSource(
     showClip(opened.clip, source);
     opening.value = { name, stage: "detect" };
     await Promise.race([runDetection(), rejectOnAbort(signal)]);
-    if (signal.aborted) return true;
+    if (signal.aborted) return source === session.value.source;
     // Requested before the segmentation, so that edits are shown first.
     const restored = restorePersisted();
     const segmented = runSegmentation();
     opening.value = null;
     await Promise.all([restored, segmented]);
-    return true;
+    return source === session.value.source;
   } catch (error) {
-    if (!signal.aborted) reportOpenFailure(name, failureOf(error), { source, retry });
+    if (!signal.aborted) endOpening(name, failureOf(error), { source, retry });
     return false;
   }
 }
@@ -158,7 +166,7 @@ async function openRemote(
         canRetry: error instanceof Error,
         ...failureOf(error),
       };
-      reportOpenFailure(name, failure, { retry: () => void openRemote(url, name, stage, more) });
+      endOpening(name, failure, { retry: () => void openRemote(url, name, stage, more) });
     }
     return false;
   }
@@ -181,7 +189,7 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
     if (opened && !more.view) addHistoryEntry(formatHash({ origin, view: "" }));
     return opened;
   }
-  reportOpenFailure(name, {
+  endOpening(name, {
     message: `There is no sample called "${name}".`,
     hint: "Choose one of the samples on the start page.",
   });
