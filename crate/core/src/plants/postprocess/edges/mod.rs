@@ -29,6 +29,8 @@ const STRIKE_SEARCH: [f64; 2] = [0.06, 0.09];
 /// Maximum time by which an impact precedes the boundary of the clustering, in seconds. A foot that moves
 /// longer after it was not stopped by the ground: it comes softly to rest.
 const MAX_STRIKE_LEAD: f64 = 0.02;
+/// Maximum time before and after the middle of a plant in which the foot is taken to rest, in seconds.
+const MAX_REST: f64 = 0.15;
 /// Time searched for a foot off, before and after the boundary of the clustering, likewise.
 const OFF_SEARCH: f64 = 0.075;
 /// Maximum time after foot off at which the peak speed of the swing is searched, in seconds.
@@ -135,10 +137,12 @@ impl Refiner<'_> {
         let [before, after] = STRIKE_SEARCH.map(|reach| reach + self.feet.frame_time / 2.0);
         let bounds = self.middle(&(previous_end..plant.start))..self.middle(plant);
         let search = (estimate - before).max(bounds.start)..(estimate + after).min(bounds.end);
+        let rest = self.quarter(plant).min(MAX_REST);
+        let stance = bounds.end - rest..bounds.end + rest;
         let parts = [&self.tracks.ankle, &self.tracks.toe].map(|track| self.track_span(track));
         // Without the fall before it, an impact cannot be told.
         let is_cut_off = estimate - before < self.span.start as f64 * self.feet.frame_time;
-        let cues = (!is_cut_off).then(|| strike::cues(&parts, self.feet.up, &search));
+        let cues = (!is_cut_off).then(|| strike::cues(&parts, self.feet.up, &search, &stance));
         let is_impact = |cues: &Cues| cues.median().is_some_and(|median| estimate - median < MAX_STRIKE_LEAD);
         self.edge(cues.filter(is_impact), estimate, &bounds)
     }
@@ -147,7 +151,7 @@ impl Refiner<'_> {
     fn off(&self, plant: &Range<usize>, next_start: usize) -> Edge {
         let estimate = self.boundary_time(plant.end);
         let bounds = self.middle(plant)..self.middle(&(plant.end..next_start));
-        let quarter = (plant.end - plant.start) as f64 * self.feet.frame_time / 4.0;
+        let quarter = self.quarter(plant);
         let reach = OFF_SEARCH + self.feet.frame_time / 2.0;
         let periods = OffPeriods {
             stance: bounds.start - quarter..bounds.start + quarter,
@@ -188,6 +192,11 @@ impl Refiner<'_> {
     /// Returns the time of the boundary before a frame, in seconds.
     fn boundary_time(&self, frame: usize) -> f64 {
         (frame as f64 - 0.5) * self.feet.frame_time
+    }
+
+    /// Returns a quarter of the duration of a plant, in seconds.
+    fn quarter(&self, plant: &Range<usize>) -> f64 {
+        (plant.end - plant.start) as f64 * self.feet.frame_time / 4.0
     }
 
     /// Returns the time in the middle of a run of frames, in seconds.

@@ -191,6 +191,11 @@ impl Series {
         self.values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// Returns the median of the absolute values; 0 if there are none.
+    pub fn median_magnitude(&self) -> f64 {
+        stats::median_high(self.values.iter().map(|value| value.abs())).unwrap_or(0.0)
+    }
+
     /// Returns the negated values.
     pub fn negated(mut self) -> Series {
         self.values.iter_mut().for_each(|value| *value = -*value);
