@@ -29,7 +29,8 @@ pub(super) fn cues(parts: &[TrackSpan], up: Up, period: &Range<f64>, stance: &Ra
     let mut is_stopped = true;
     for part in parts {
         let depth = |position: &_| -up.height(position);
-        let [fall, acceleration, jerk] = part.derivatives(period, [1, 2, 3], depth);
+        let derivatives = |period| part.derivatives(period, [1, 2, 3], depth);
+        let [fall, acceleration, jerk] = derivatives(period);
         let jerk = jerk.negated();
         // Blur moves the peak of the jerk to earlier times.
         let delay = SMOOTHING.hypot(INTERPOLATION_BLUR * part.frame_time) - SMOOTHING;
@@ -41,7 +42,7 @@ pub(super) fn cues(parts: &[TrackSpan], up: Up, period: &Range<f64>, stance: &Ra
         is_stopped &= deceleration > 0.0;
         duration = duration.min(fall.maximum().max(0.0) / deceleration);
         // The time in which the jerk exceeds the acceleration of a foot at rest.
-        let [rest] = part.derivatives(stance, [2], depth);
+        let [_, rest, _] = derivatives(stance);
         noise = noise.min(rest.median_magnitude() / jerk.maximum().max(0.0));
     }
     // Smoothing alone gives this duration to an instantaneous impact.
