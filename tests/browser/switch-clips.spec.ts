@@ -6,7 +6,7 @@ import { bad, type Payload, repeated, sample } from "./clips";
 /** A clip that takes longer to read than the others of these tests, and minutes to segment by MVU. */
 const large = { ...repeated(sample("limp-to-run"), 20), name: "large.bvh" };
 /** A clip that takes so long to read that another file can be dropped meanwhile. */
-const huge = { ...repeated(sample("limp-to-run"), 60), name: "huge.bvh" };
+const huge = { ...repeated(sample("limp-to-run"), 150), name: "huge.bvh" };
 const small = sample("one-leg-hop");
 
 /** Number of plants of both feet. */
