@@ -11,8 +11,8 @@ use crate::skeleton::Up;
 /// peak of the jerk of ideal impacts sampled at 24 to 300 Hz.
 const INTERPOLATION_BLUR: f64 = 0.6;
 /// Standard deviation of the error per half range of the cues, per duration of the impact, and per time by
-/// which noise moves a cue; fitted on generated motion (seeds 0 to 9). The three terms were chosen with
-/// knowledge of foot strikes over force plates.
+/// which noise moves a cue; fitted on generated motion (seeds 0 to 9). That there are three terms was decided
+/// with knowledge of foot strikes over force plates.
 const ERROR_PER_RANGE: f64 = 0.28;
 const ERROR_PER_DURATION: f64 = 0.33;
 const ERROR_PER_NOISE: f64 = 3.8;
@@ -41,7 +41,7 @@ pub(super) fn cues(parts: &[TrackSpan], up: Up, period: &Range<f64>, stance: &Ra
         // Without a deceleration, the period ends before the ground stops the part.
         is_stopped &= deceleration > 0.0;
         duration = duration.min(fall.maximum().max(0.0) / deceleration);
-        // The time in which the jerk exceeds the acceleration of a foot at rest.
+        // Noise, which alone accelerates a foot at rest, moves a cue by its acceleration divided by the jerk.
         let [_, rest, _] = derivatives(stance);
         noise = noise.min(rest.median_magnitude() / jerk.maximum().max(0.0));
     }
