@@ -90,3 +90,31 @@ test("a clip stays open if a file is dropped that cannot be read while another o
   const { frames } = JSON.parse((await app.save("Labels")).text);
   expect(frames).toBe((await app.lastFrame()) + 1);
 });
+
+for (const viewport of [
+  { width: 1440, height: 900 },
+  { width: 390, height: 844 },
+]) {
+  test(`an error does not cover the progress of an opening, ${viewport.width} pixels wide`, async ({
+    app,
+    page,
+  }) => {
+    await page.setViewportSize(viewport);
+    await app.openFile(small);
+    await dropWhileReading(app, huge, {
+      name: "broken.zip",
+      mimeType: "application/zip",
+      buffer: Buffer.from("PK\u0003\u0004"),
+    });
+    const bounds = await page.waitForFunction(() => {
+      const cards = [".error-card", ".progress"].map((name) => document.querySelector(name));
+      return (
+        cards.every((card) => card) && cards.map((card) => card?.getBoundingClientRect().toJSON())
+      );
+    });
+    const [error, progress] = (await bounds.jsonValue()) as DOMRect[];
+    expect(progress?.top).toBeGreaterThan(error?.bottom ?? Number.POSITIVE_INFINITY);
+    expect(progress?.bottom).toBeLessThan(viewport.height);
+    await expect(app.alert).not.toContainText("still open");
+  });
+}

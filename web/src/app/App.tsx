@@ -107,9 +107,11 @@ export function App() {
           multiple
           onChange={(event) => openPickedFiles(event.currentTarget)}
         />
-        <ErrorCard />
-        {/* An open dialog contains it, because only the dialog can be clicked then. */}
-        {!dialog.value && <Progress />}
+        <div class="status-cards">
+          <ErrorCard />
+          {/* An open dialog contains it, because only the dialog can be clicked then. */}
+          {!dialog.value && <Progress />}
+        </div>
       </main>
       {clip && <SidePanel />}
       {hintTarget.value && <Tour />}

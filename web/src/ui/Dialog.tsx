@@ -39,7 +39,9 @@ export function Dialog({ title, children }: { title: string; children: Component
         </div>
         {children}
       </div>
-      <Progress />
+      <div class="status-cards">
+        <Progress />
+      </div>
     </dialog>
   );
 }
