@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -16,6 +16,7 @@ use plantigrade::segments::{self, Residual, Template};
 use plantigrade::skeleton::{Role, UNITS, Up};
 
 use crate::error::UsageError;
+use crate::file::is_stream;
 
 /// Detects foot plants and actions in motion capture, without tuning.
 ///
@@ -67,7 +68,7 @@ pub struct ReadArgs {
     #[arg(long = "joint", value_name = "ROLE=NAME", value_parser = parse_joint)]
     pub joints: Vec<(Role, String)>,
     /// Metres per file unit, from 0.000001 to 1000000 [default: detected from the length of the legs]
-    #[arg(long, value_name = "METRES", value_parser = parse_unit)]
+    #[arg(long, value_name = "METRES", value_parser = parse_unit, allow_negative_numbers = true)]
     pub unit: Option<f64>,
     /// Replace invalid numbers by the value of the previous frame
     #[arg(long)]
@@ -77,15 +78,22 @@ pub struct ReadArgs {
 /// Output options.
 #[derive(ClapArgs)]
 pub struct WriteArgs {
-    /// Folder for the results, one file per input [default: standard output, for a single input]
+    /// Folder for the results, one file per input [default: -, standard output, for a single input]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Recompute results that are up to date
     #[arg(long, requires = "out")]
     pub force: bool,
     /// Number of clips processed in parallel [default: one per processor]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub jobs: Option<NonZeroUsize>,
+}
+
+impl WriteArgs {
+    /// Returns the folder for the results; `None` for standard output.
+    pub fn folder(&self) -> Option<&Path> {
+        self.out.as_deref().filter(|out| !is_stream(out))
+    }
 }
 
 /// Arguments of `detect`.
@@ -125,8 +133,8 @@ pub struct GaitArgs {
     /// Detection method and parameters.
     #[command(flatten)]
     pub detection: DetectionArgs,
-    /// Labels to use: a document or table of detect, for a single clip [default: detected]
-    #[arg(long, value_name = "LABELS")]
+    /// Labels to use: a document or table of detect, or a truth file, for a single clip [default: detected]
+    #[arg(long, value_name = "LABELS", conflicts_with_all = ["plants", "method"])]
     pub labels: Option<PathBuf>,
     /// Measure each action separately; actions are those of segment
     #[arg(long)]
@@ -140,7 +148,7 @@ pub struct GaitArgs {
     /// Write a printable report with figures, plots, steps and definitions
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "format")]
     pub report: Option<ReportFormat>,
-    /// File, or folder with one file per input, for reports, steps and angles [default: standard
+    /// File, or folder with one file per input, for reports, steps and angles [default: -, standard
     /// output, for a single input]
     #[arg(short, long, value_name = "FILE|DIR")]
     pub out: Option<PathBuf>,
@@ -148,7 +156,7 @@ pub struct GaitArgs {
     #[arg(long, requires = "out")]
     pub force: bool,
     /// Number of clips processed in parallel [default: one per processor]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub jobs: Option<NonZeroUsize>,
 }
 
@@ -196,19 +204,19 @@ impl DetectionArgs {
 #[group(id = "plants")]
 pub struct DetectionParamArgs {
     /// Threshold on the running variance of the sorted norms
-    #[arg(long, value_name = "R", default_value_t = plants::Params::default().tolerance)]
+    #[arg(long, value_name = "R", default_value_t = plants::Params::default().tolerance, allow_negative_numbers = true)]
     pub r: f64,
     /// Half-width of the smoothing window, in frames
-    #[arg(long, value_name = "W", default_value_t = plants::Params::default().window)]
+    #[arg(long, value_name = "W", default_value_t = plants::Params::default().window, allow_negative_numbers = true)]
     pub w: usize,
     /// Kernel bandwidth [default: at the knee of the norms]
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub sigma: Option<f64>,
     /// Height threshold of the methods height and dual, in metres
-    #[arg(long, value_name = "M", default_value_t = plants::Params::default().height)]
+    #[arg(long, value_name = "M", default_value_t = plants::Params::default().height, allow_negative_numbers = true)]
     pub height: f64,
     /// Speed threshold of the methods speed, dual and min-speed, in metres per second
-    #[arg(long, value_name = "M/S", default_value_t = plants::Params::default().speed)]
+    #[arg(long, value_name = "M/S", default_value_t = plants::Params::default().speed, allow_negative_numbers = true)]
     pub speed: f64,
     /// Compare all pairs of frames in long clips too; slow, and labels rarely change
     #[arg(long)]
@@ -236,13 +244,13 @@ impl DetectionParamArgs {
 #[group(id = "segments")]
 pub struct SegmentationParamArgs {
     /// Number of dimensions excluded from the residual [default: 1 for mvu, 2 for pca-tail]
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
     pub dims: Option<usize>,
     /// Residual of mvu: sum over the remaining dimensions (absolute), or its ratio to the total
     #[arg(long, value_name = "absolute|ratio", default_value_t)]
     pub residual: Residual,
     /// Template pose of lsd: the mean pose, the T-pose, or a frame number (from 0)
-    #[arg(long, value_name = "mean|tpose|FRAME", default_value_t)]
+    #[arg(long, value_name = "mean|tpose|FRAME", default_value_t, allow_negative_numbers = true)]
     pub template: Template,
     /// Follow the publication exactly (lsd, mvu and ppca)
     #[arg(long)]
@@ -311,7 +319,7 @@ pub struct CleanArgs {
     /// Input.
     #[command(flatten)]
     pub read: ReadArgs,
-    /// BVH file to write; its hierarchy equals that of the input
+    /// BVH file to write, or - for standard output; its hierarchy equals that of the input
     #[arg(short, long, value_name = "OUT.bvh")]
     pub out: PathBuf,
     /// Labels to use: a document or table of detect, or a truth file [default: detected]

@@ -31,7 +31,7 @@ impl Batch<'_> {
         compute: impl Fn(&Input, &LoadedClip) -> Result<R, InputError> + Sync,
     ) -> Result<usize, UsageError> {
         let inputs = input::collect(self.read)?;
-        match &self.write.out {
+        match self.write.folder() {
             None if inputs.len() > 1 => Err(UsageError::MissingOut(inputs.len())),
             None => {
                 let (_, failures) = parallel::map(&inputs, self.write.jobs, |input| {
@@ -62,7 +62,7 @@ impl Batch<'_> {
             let loaded = input::load(input, self.read)?;
             Ok(Analysis { input: input.clone(), content: analyse(input, &loaded)?, sha256: loaded.sha256 })
         };
-        let Some(folder) = &self.write.out else {
+        let Some(folder) = self.write.folder() else {
             if inputs.len() > 1 {
                 return Err(UsageError::MissingOut(inputs.len()));
             }

@@ -23,12 +23,6 @@ pub enum UsageError {
     /// A folder has no BVH files.
     #[error("no .bvh files in {folder}", folder = display_name(.0))]
     EmptyFolder(PathBuf),
-    /// The clip named by `--still` cannot be used.
-    #[error(transparent)]
-    Still(InputError),
-    /// The constraints, or their clip, cannot be used.
-    #[error(transparent)]
-    Constraints(InputError),
     /// Constraints without their clip are given for several inputs.
     #[error("--constraints belong to one clip: name it with --constraints-clip to label {0} clips")]
     ConstraintsClip(usize),
@@ -50,6 +44,9 @@ pub enum UsageError {
     /// `--out` names a file that is read and differs from the result.
     #[error("--out would replace {path}, which is read: name another file", path = display_name(.0))]
     OutIsInput(PathBuf),
+    /// The folder of `score` does not exist.
+    #[error("{folder} does not exist: name a folder of clips with truth files", folder = display_name(.0))]
+    NoFolder(PathBuf),
     /// No clip of a folder has truth.
     #[error("no clip in {folder} has a truth file ({expected})", folder = display_name(.folder))]
     NoTruth {
@@ -107,6 +104,17 @@ pub enum InputError {
         path: PathBuf,
         /// Cause.
         error: ReadError,
+    },
+    /// Corrections are of a part of the foot that the method does not label.
+    #[error("{name}: error: it has corrections of the part {part}, which the method {method} does not \
+        label: use --method robust", name = display_name(.path))]
+    UnlabelledPart {
+        /// The corrected labels.
+        path: PathBuf,
+        /// Name of the part.
+        part: &'static str,
+        /// Name of the method.
+        method: &'static str,
     },
     /// Plants cannot be detected.
     #[error("{name}: error: {error}", name = display_name(.path))]

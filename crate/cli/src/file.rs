@@ -15,6 +15,11 @@ const TEMPORARY_SUFFIX: &str = ".tmp";
 /// Symbolic links that are followed; more are a loop.
 const MAX_LINKS: usize = 40;
 
+/// True for `-`, which stands for standard input or standard output.
+pub fn is_stream(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 /// Writes a file atomically: to a temporary file in the same folder that then replaces it. An existing file
 /// retains its permissions, and a symbolic link its place: the file that it refers to is replaced. Pipes and
 /// devices are written directly.

@@ -13,6 +13,7 @@ use walkdir::WalkDir;
 
 use crate::args::ReadArgs;
 use crate::error::{InputError, UsageError};
+use crate::file::is_stream;
 
 /// Number of bytes read at a time.
 const CHUNK_BYTES: usize = 1 << 16;
@@ -79,7 +80,7 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
         if path.is_dir() {
             collect_folder(path, &mut inputs)?;
         } else {
-            let stem = if path == Path::new("-") { "stdin".into() } else { path.with_extension("") };
+            let stem = if is_stream(path) { "stdin".into() } else { path.with_extension("") };
             let stem = stem.file_name().map_or_else(|| stem.clone(), PathBuf::from);
             inputs.push(Input { path: path.clone(), stem, problem: None });
         }
@@ -90,11 +91,7 @@ pub fn collect(args: &ReadArgs) -> Result<Vec<Input>, UsageError> {
 /// Checks that standard input is read only once, for a clip or for one of the other files.
 pub fn check_stdin(read: &ReadArgs, files: &[&Option<PathBuf>]) -> Result<(), UsageError> {
     let paths = read.paths.iter().chain(files.iter().copied().flatten());
-    if paths.filter(|path| *path == Path::new("-")).count() > 1 {
-        Err(UsageError::StdinTwice)
-    } else {
-        Ok(())
-    }
+    if paths.filter(|path| is_stream(path)).count() > 1 { Err(UsageError::StdinTwice) } else { Ok(()) }
 }
 
 fn collect_folder(folder: &Path, inputs: &mut Vec<Input>) -> Result<(), UsageError> {
@@ -172,7 +169,7 @@ fn find_joint(path: &Path, clip: &Clip, name: &str) -> Result<usize, InputError>
 
 /// Returns the SHA-256 of a file in hexadecimal; `None` for standard input and files that cannot be read.
 pub fn sha256(input: &Input) -> Option<String> {
-    if input.path == Path::new("-") {
+    if is_stream(&input.path) {
         return None;
     }
     let mut hash = Sha256::new();
@@ -200,11 +197,8 @@ pub fn load(input: &Input, args: &ReadArgs) -> Result<LoadedClip, InputError> {
 /// Reads a file, or standard input for `-`.
 pub fn read_file(path: &Path) -> Result<Vec<u8>, InputError> {
     let mut bytes = Vec::new();
-    let read = if path == Path::new("-") {
-        io::stdin().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        fs::read(path)
-    };
+    let read =
+        if is_stream(path) { io::stdin().read_to_end(&mut bytes).map(|_| bytes) } else { fs::read(path) };
     read.map_err(|error| InputError::Read { path: path.into(), error })
 }
 
@@ -234,7 +228,7 @@ fn load_chunks(
     let path = &input.path;
     let read_error = |error| InputError::Read { path: path.clone(), error };
     let parse_error = |error: bvh::Error| InputError::Parse { path: path.clone(), error: error.into() };
-    let (mut file, expected_bytes): (Box<dyn Read>, u64) = if path == Path::new("-") {
+    let (mut file, expected_bytes): (Box<dyn Read>, u64) = if is_stream(path) {
         (Box::new(io::stdin()), 0)
     } else {
         let file = File::open(path).map_err(read_error)?;

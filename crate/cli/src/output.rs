@@ -4,11 +4,13 @@ use std::fmt::Arguments;
 use std::io::{self, IsTerminal, Write};
 #[cfg(unix)]
 use std::os::fd::AsFd;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Serialize;
 
 use crate::error::InputError;
+use crate::file;
 use crate::text::escape;
 
 /// Name of standard output in messages.
@@ -53,6 +55,17 @@ pub fn print_bytes(bytes: &[u8]) -> io::Result<()> {
         let lines: Vec<String> = String::from_utf8_lossy(bytes).split('\n').map(escape).collect();
         stdout.write_all(lines.join("\n").as_bytes())
     })
+}
+
+/// Writes a result to a file, whole or not at all, or to standard output for `-`.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
+    let (path, written) = if file::is_stream(path) {
+        (Path::new(STDOUT), print_bytes(bytes))
+    } else {
+        file::remove_temporary_files([path]);
+        (path, file::write(path, bytes))
+    };
+    written.map_err(|error| InputError::Write { path: path.into(), error })
 }
 
 /// Writes the help, the version or an error of the command line. Returns the exit code.

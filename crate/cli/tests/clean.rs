@@ -80,6 +80,17 @@ fn clean_writes_nothing_if_it_fails() {
     assert!(!folder.path().join("out.bvh").exists());
 }
 
+#[test]
+fn the_slide_of_no_plants_is_zero() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sample = project("samples/curved-walk.bvh").canonicalize().expect("a sample");
+    let labels = serde_json::json!({ "left": vec![0; 245], "right": vec![0; 245] });
+    let args = ["clean", sample.to_str().expect("a path"), "-o", "out.bvh", "--labels", "-"];
+    let (code, _, stderr) = run(folder.path(), &args, labels.to_string().as_bytes());
+    assert_eq!(code, 0, "{stderr}");
+    assert!(stderr.contains("0 plants, 0 corrected; slide: mean 0.0 → 0.0 mm"), "{stderr}");
+}
+
 /// Returns a walk in a file with names in Shift-JIS, named end sites, comments, CRLF and unusual spacing.
 fn unusual_file() -> Vec<u8> {
     let text = fs::read_to_string(project("samples/curved-walk.bvh")).expect("a sample");

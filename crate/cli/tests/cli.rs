@@ -555,6 +555,10 @@ fn invalid_command_lines_exit_with_2_and_failed_inputs_with_1() {
         &["score", "../../samples", "--cuts", "--part", "toe"],
         &["score", "../../samples", "--cuts", "--method", "robust"],
         &["score", "../../samples", "--method", "lsd"],
+        &["score", "nowhere"],
+        &["score", "-"],
+        &["gait", "good/plain.bvh", "--labels", "labels.json", "--method", "paper"],
+        &["gait", "good/plain.bvh", "--labels", "labels.json", "--r", "0.001"],
     ] {
         let output = plantigrade(args);
         assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{args:?}");
@@ -570,6 +574,22 @@ fn invalid_command_lines_exit_with_2_and_failed_inputs_with_1() {
             assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{rate}");
             assert!(stderr(&output).contains(message), "{rate}: {}", stderr(&output));
         }
+    }
+    for args in [
+        &["detect", "--r", "-1"][..],
+        &["detect", "--w", "-1"],
+        &["detect", "--sigma", "-1"],
+        &["detect", "--height", "-0.1"],
+        &["detect", "--speed", "-0.1"],
+        &["detect", "--unit", "-1"],
+        &["detect", "--jobs", "-1"],
+        &["segment", "--dims", "-1"],
+        &["segment", "--template", "-1"],
+        &["gait", "--jobs", "-1"],
+    ] {
+        let output = plantigrade(&[args, &["good/plain.bvh"]].concat());
+        assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{args:?}");
+        assert!(!stderr(&output).contains("unexpected argument"), "{args:?}: {}", stderr(&output));
     }
     let output = plantigrade(&["info", "nowhere.bvh"]);
     assert_eq!(code(&output), 1);

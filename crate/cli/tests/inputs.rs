@@ -92,3 +92,24 @@ fn files_that_are_read_are_not_replaced_by_other_results() {
     // A clip may be cleaned in place.
     assert_eq!(run(folder.path(), &["clean", "curved-walk.bvh", "-o", "curved-walk.bvh"], b"").0, 0);
 }
+
+#[test]
+fn results_are_written_to_standard_output() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let clip = sample("curved-walk.bvh");
+    for (args, start) in [
+        (&["clean", &clip, "-o", "-"][..], "HIERARCHY"),
+        (&["gait", &clip, "--format", "steps", "-o", "-"], "foot,"),
+        (&["gait", &clip, "--report", "html", "-o", "-"], "<!doctype html>"),
+        (&["detect", &clip, "--format", "json", "--out", "-"], "{"),
+        (&["segment", &clip, "--out", "-"], "{"),
+    ] {
+        let (code, out, stderr) = run(folder.path(), args, b"");
+        assert_eq!(code, 0, "{args:?}: {stderr}");
+        assert!(out.to_lowercase().starts_with(&start.to_lowercase()), "{args:?}: {}", &out[..80]);
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0, "{args:?}");
+    }
+    let several = ["gait", &clip, &sample("ballet.bvh"), "--report", "html", "-o", "-"];
+    let (code, out, stderr) = run(folder.path(), &several, b"");
+    assert_eq!((code, out.as_str()), (2, ""), "{stderr}");
+}

@@ -59,9 +59,7 @@ fn clean(
     let summary = summary(&cleaned);
     let cleaned_clip = Arc::new(cleaned.clip);
     let text = bvh::rewrite(bytes, &loaded.parsed.layout, &cleaned_clip, 0..clip.frame_count());
-    file::remove_temporary_files([&*args.out]);
-    let written = file::write(&args.out, &text);
-    written.map_err(|error| InputError::Write { path: args.out.clone(), error })?;
+    output::write(&args.out, &text)?;
     let name = display_name(&input.path);
     output::report(format_args!("{name}: {summary}"));
     let notices = loaded.parsed.notices.iter().chain(&skeleton.notices).chain(&cleaned.notices);
@@ -75,7 +73,8 @@ fn clean(
 fn summary(cleaned: &Cleaned) -> String {
     let mean_and_max = |slide: fn(&skate::CleanedPlant) -> f64| {
         let slides = || cleaned.plants.iter().map(slide);
-        let mean = slides().sum::<f64>() / cleaned.plants.len().max(1) as f64;
+        // The empty sum of the library is −0.
+        let mean = slides().fold(0.0, |sum, slide| sum + slide) / cleaned.plants.len().max(1) as f64;
         [mean, slides().fold(0.0, f64::max)].map(|metres| 1e3 * metres)
     };
     let [mean, max] = mean_and_max(|plant| plant.before);

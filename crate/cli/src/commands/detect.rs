@@ -11,16 +11,22 @@ use crate::args::DetectArgs;
 use crate::batch::Batch;
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input, LoadedClip};
+use crate::output;
 use crate::output_folder::hex_digest;
 
 /// Detects plants in all inputs. Returns the number of inputs that failed.
 pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
     input::check_stdin(&args.read, &[&args.still, &args.constraints, &args.constraints_clip])?;
-    let standing = args.still.as_deref().map(|path| load_standing(path, args)).transpose();
-    let (standing, standing_sha256) = standing.map_err(UsageError::Still)?.unzip();
-    let constraints = args.constraints.as_deref().map(|path| Constraints::load(path, args)).transpose();
-    let constraints = constraints.map_err(UsageError::Constraints)?;
+    let loaded = load_standing(args).and_then(|standing| Ok((standing, Constraints::load(args)?)));
+    let (standing, constraints) = match loaded {
+        Ok(loaded) => loaded,
+        Err(error) => {
+            output::report(format_args!("{error}"));
+            return Ok(1);
+        }
+    };
+    let (standing, standing_sha256) = standing.unzip();
     if let Some(Constraints { clip: None, .. }) = constraints {
         let inputs = input::collect(&args.read)?.len();
         if inputs > 1 {
@@ -51,21 +57,25 @@ struct Constraints {
 }
 
 impl Constraints {
-    fn load(path: &Path, args: &DetectArgs) -> Result<Constraints, InputError> {
+    /// Loads the corrections named on the command line, if any.
+    fn load(args: &DetectArgs) -> Result<Option<Constraints>, InputError> {
+        let Some(path) = args.constraints.as_deref() else { return Ok(None) };
         let params = args.detection.params().expect("parameters were checked before");
         let bytes = input::read_file(path)?;
         let hash = hex_digest(&bytes);
         let Some(clip_path) = &args.constraints_clip else {
-            return Ok(Constraints { path: path.into(), bytes, clip: None, sha256: [hash, String::new()] });
+            let sha256 = [hash, String::new()];
+            return Ok(Some(Constraints { path: path.into(), bytes, clip: None, sha256 }));
         };
         let input = Input { path: clip_path.clone(), stem: PathBuf::new(), problem: None };
         let loaded = input::load(&input, &args.read)?;
-        let edits = read_edits(path, &bytes, &loaded)?;
         let detected = detect_all(&input, &loaded, params, None)?;
         let (_, feet, detection) = &detected[0];
+        let edits = read_edits(path, &bytes, &loaded, detection)?;
         let corrections = Corrections::learn(feet, detection, &edits);
         let sha256 = [hash, loaded.sha256.clone()];
-        Ok(Constraints { path: path.into(), bytes, clip: Some((loaded.sha256, corrections, edits)), sha256 })
+        let clip = Some((loaded.sha256, corrections, edits));
+        Ok(Some(Constraints { path: path.into(), bytes, clip, sha256 }))
     }
 
     /// Applies the corrections to a clip.
@@ -81,7 +91,7 @@ impl Constraints {
                 corrections.apply(feet, detection, own)
             }
             None => {
-                let edits = read_edits(&self.path, &self.bytes, loaded)?;
+                let edits = read_edits(&self.path, &self.bytes, loaded, detection)?;
                 Corrections::learn(feet, detection, &edits).apply(feet, detection, &edits)
             }
         };
@@ -90,20 +100,35 @@ impl Constraints {
     }
 }
 
-fn read_edits(path: &Path, bytes: &[u8], loaded: &LoadedClip) -> Result<Vec<Edit>, InputError> {
-    let edits = formats::read_edits(bytes, loaded.parsed.clip.frame_count());
-    edits.map_err(|error| InputError::Labels { path: path.into(), error })
+/// Reads corrections of a detection.
+fn read_edits(
+    path: &Path,
+    bytes: &[u8],
+    loaded: &LoadedClip,
+    detection: &Detection,
+) -> Result<Vec<Edit>, InputError> {
+    let edits = formats::read_edits(bytes, loaded.parsed.clip.frame_count())
+        .map_err(|error| InputError::Labels { path: path.into(), error })?;
+    match edits.iter().find(|edit| detection.part(edit.part).is_none()) {
+        Some(Edit { part, .. }) => Err(InputError::UnlabelledPart {
+            path: path.into(),
+            part: part.name(),
+            method: detection.params.method().name(),
+        }),
+        None => Ok(edits),
+    }
 }
 
-/// Loads the feet of the standing clip that is clustered together with the inputs. Returns them with the
-/// SHA-256 of the file.
-fn load_standing(path: &Path, args: &DetectArgs) -> Result<(Feet, String), InputError> {
+/// Loads the feet of the standing clip that is clustered together with the inputs, if any. Returns them with
+/// the SHA-256 of the file.
+fn load_standing(args: &DetectArgs) -> Result<Option<(Feet, String)>, InputError> {
+    let Some(path) = args.still.as_deref() else { return Ok(None) };
     let input = Input { path: path.into(), stem: PathBuf::new(), problem: None };
     let loaded = input::load(&input, &args.read)?;
     let clip = &loaded.parsed.clip;
     let feet = Feet::new(clip, &loaded.main_skeleton());
     let feet = feet.map_err(|error| InputError::Detect { path: path.into(), error })?;
-    Ok((feet, loaded.sha256))
+    Ok(Some((feet, loaded.sha256)))
 }
 
 /// A skeleton with its feet and its detection.

@@ -129,22 +129,20 @@ fn write_files(
         let reads_folder = args.read.paths.iter().any(|path| path.is_dir());
         out.is_dir() || has_separator || reads_folder || inputs.len() > 1
     };
-    if let (Some(out), [input]) = (args.out.as_deref().filter(|out| !is_folder(out)), inputs) {
+    let write_args = WriteArgs { out: args.out.clone(), force: args.force, jobs: args.jobs };
+    if let (Some(out), [input]) = (write_args.folder().filter(|out| !is_folder(out)), inputs) {
         let mut read =
             [Some(&input.path), args.labels.as_ref(), args.segments.as_ref()].into_iter().flatten();
         if read.any(|path| file::is_same(path, out)) {
             return Err(UsageError::OutIsInput(out.into()));
         }
-        file::remove_temporary_files([out]);
         let (_, failures) = parallel::map(std::slice::from_ref(input), args.jobs, |input| {
             let text = write(input, &input::load(input, &args.read)?)?;
-            let written = file::write(out, text.as_bytes());
-            written.map_err(|error| InputError::Write { path: out.into(), error })
+            output::write(out, text.as_bytes())
         });
         return Ok(failures);
     }
     let contents = [&files.labels, &files.segments].map(|bytes| bytes.as_deref().map(hex_digest));
-    let write_args = WriteArgs { out: args.out.clone(), force: args.force, jobs: args.jobs };
     let batch = Batch {
         read: &args.read,
         write: &write_args,

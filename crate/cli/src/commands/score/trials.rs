@@ -15,6 +15,9 @@ pub fn trials<T: Send>(
     expected: &'static str,
     trial: impl Fn(&Input, &ReadArgs) -> Result<Option<T>, InputError> + Sync,
 ) -> Result<(Vec<T>, usize), UsageError> {
+    if !args.folder.exists() {
+        return Err(UsageError::NoFolder(args.folder.clone()));
+    }
     let read = ReadArgs { paths: vec![args.folder.clone()], ..ReadArgs::default() };
     let one_by_one = NonZeroUsize::new(1);
     let (trials, failures) = parallel::map(&input::collect(&read)?, one_by_one, |input| trial(input, &read));
