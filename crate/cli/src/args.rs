@@ -136,7 +136,7 @@ pub struct GaitArgs {
     /// Labels to use: a document or table of detect, or a truth file, for a single clip [default: detected]
     #[arg(long, value_name = "LABELS", conflicts_with_all = ["plants", "method"])]
     pub labels: Option<PathBuf>,
-    /// Measure each action separately; actions are those of segment
+    /// Measure each action separately; actions are segmented and named clip by clip
     #[arg(long)]
     pub per_action: bool,
     /// Measure each action of a segments file separately, for a single clip
@@ -360,7 +360,7 @@ pub enum GaitFormat {
     Text,
     /// An object for one clip, an array for several
     Json,
-    /// One row per clip; column names include units
+    /// One row per clip, skeleton and action; column names include units
     Csv,
     /// Table with one row per step, of one clip
     Steps,
