@@ -36,8 +36,7 @@ impl Batch<'_> {
             None => {
                 let (_, failures) = parallel::map(&inputs, self.write.jobs, |input| {
                     let result = compute(input, &input::load(input, self.read)?)?;
-                    let written = output::print_bytes(result.as_ref());
-                    written.map_err(|error| InputError::Write { path: output::STDOUT.into(), error })
+                    output::write(Path::new("-"), result.as_ref())
                 });
                 Ok(failures)
             }

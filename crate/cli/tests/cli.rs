@@ -555,8 +555,6 @@ fn invalid_command_lines_exit_with_2_and_failed_inputs_with_1() {
         &["score", "../../samples", "--cuts", "--part", "toe"],
         &["score", "../../samples", "--cuts", "--method", "robust"],
         &["score", "../../samples", "--method", "lsd"],
-        &["score", "nowhere"],
-        &["score", "-"],
         &["gait", "good/plain.bvh", "--labels", "labels.json", "--method", "paper"],
         &["gait", "good/plain.bvh", "--labels", "labels.json", "--r", "0.001"],
     ] {
@@ -590,6 +588,11 @@ fn invalid_command_lines_exit_with_2_and_failed_inputs_with_1() {
         let output = plantigrade(&[args, &["good/plain.bvh"]].concat());
         assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{args:?}");
         assert!(!stderr(&output).contains("unexpected argument"), "{args:?}: {}", stderr(&output));
+    }
+    for folder in ["nowhere", "-"] {
+        let output = plantigrade(&["score", folder]);
+        assert_eq!((code(&output), stdout(&output)), (2, String::new()), "{folder}");
+        assert!(stderr(&output).contains("does not exist: name a folder of clips"), "{}", stderr(&output));
     }
     let output = plantigrade(&["info", "nowhere.bvh"]);
     assert_eq!(code(&output), 1);

@@ -106,7 +106,7 @@ fn results_are_written_to_standard_output() {
     ] {
         let (code, out, stderr) = run(folder.path(), args, b"");
         assert_eq!(code, 0, "{args:?}: {stderr}");
-        assert!(out.to_lowercase().starts_with(&start.to_lowercase()), "{args:?}: {}", &out[..80]);
+        assert!(out.to_lowercase().starts_with(&start.to_lowercase()), "{args:?}: {out:.80}");
         assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0, "{args:?}");
     }
     let several = ["gait", &clip, &sample("ballet.bvh"), "--report", "html", "-o", "-"];

@@ -73,7 +73,7 @@ fn clean(
 fn summary(cleaned: &Cleaned) -> String {
     let mean_and_max = |slide: fn(&skate::CleanedPlant) -> f64| {
         let slides = || cleaned.plants.iter().map(slide);
-        // The empty sum of the library is −0.
+        // The standard library returns −0 as the sum of no numbers.
         let mean = slides().fold(0.0, |sum, slide| sum + slide) / cleaned.plants.len().max(1) as f64;
         [mean, slides().fold(0.0, f64::max)].map(|metres| 1e3 * metres)
     };
