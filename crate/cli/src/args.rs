@@ -81,7 +81,7 @@ pub struct WriteArgs {
     /// Folder for the results, one file per input [default: -, standard output, for a single input]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Recompute results that are up to date
+    /// Recompute results that are up to date, and replace results that a person changed
     #[arg(long, requires = "out")]
     pub force: bool,
     /// Number of clips processed in parallel [default: one per processor]
@@ -152,7 +152,7 @@ pub struct GaitArgs {
     /// output, for a single input]
     #[arg(short, long, value_name = "FILE|DIR")]
     pub out: Option<PathBuf>,
-    /// Recompute results that are up to date
+    /// Recompute results that are up to date, and replace results that a person changed
     #[arg(long, requires = "out")]
     pub force: bool,
     /// Number of clips processed in parallel [default: one per processor]

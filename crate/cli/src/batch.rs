@@ -79,7 +79,7 @@ impl Batch<'_> {
         };
         let hashes: Vec<Option<String>> = inputs.iter().map(input::sha256).collect();
         let options = format!("{} {}", self.all_options(), joint_digest(&inputs, &hashes));
-        let is_reusable = !self.write.force && hashes.iter().all(Option::is_some);
+        let is_reusable = hashes.iter().all(Option::is_some);
         let is_done: Vec<bool> = inputs
             .iter()
             .zip(&hashes)
@@ -128,7 +128,7 @@ impl Batch<'_> {
     /// if the folder cannot be used.
     fn open_folder(&self, folder: &Path, inputs: &mut [Input]) -> Result<OutputFolder, usize> {
         let names: Vec<PathBuf> = inputs.iter().map(|input| self.output_name(input)).collect();
-        let output = OutputFolder::open(folder, names.iter().map(PathBuf::as_path))
+        let output = OutputFolder::open(folder, names.iter().map(PathBuf::as_path), self.write.force)
             .map_err(|error| report_folder_error(folder, error))?;
         mark_conflicts(inputs, &names, output.ignores_case());
         Ok(output)
@@ -156,7 +156,7 @@ impl Batch<'_> {
             let name = self.output_name(input);
             let loaded = input::load(input, self.read)?;
             let origin = Origin { sha256: &loaded.sha256, options: options.clone() };
-            if !self.write.force && output.is_up_to_date(&name, &origin) {
+            if output.is_up_to_date(&name, &origin) {
                 return Ok(());
             }
             let result = compute(input, &loaded)?;

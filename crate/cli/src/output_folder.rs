@@ -4,14 +4,17 @@ use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::slice;
 
+use plantigrade::formats::MethodUsed;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::file;
 use crate::input::hexadecimal;
 
-/// Name of the record: one line of JSON per result. Lines are appended when results are finished, the last
+/// Name of the record: one line of JSON per result. Lines are appended before results are written, the last
 /// line about a result holds, and damaged lines are ignored. The last process that uses a folder sorts the
 /// record when it finishes.
 const RECORD_FILE: &str = ".plantigrade.jsonl";
@@ -29,6 +32,8 @@ pub const RESERVED_NAMES: [&str; 2] = [RECORD_FILE, LOCK_FILE];
 /// A folder of results.
 pub struct OutputFolder {
     folder: PathBuf,
+    /// True if all results are computed again and all files are replaced.
+    force: bool,
     /// Record at the time when the folder was opened.
     entries: BTreeMap<String, Entry>,
     record: File,
@@ -48,8 +53,12 @@ struct Entry {
 
 impl OutputFolder {
     /// Opens a folder for results of the given names, creating it if necessary. Removes the temporary files
-    /// of killed processes.
-    pub fn open<'a>(folder: &Path, names: impl IntoIterator<Item = &'a Path>) -> io::Result<OutputFolder> {
+    /// of killed processes. With `force`, no result is up to date and every file is replaced.
+    pub fn open<'a>(
+        folder: &Path,
+        names: impl IntoIterator<Item = &'a Path>,
+        force: bool,
+    ) -> io::Result<OutputFolder> {
         fs::create_dir_all(folder)?;
         let lock = appendable(&folder.join(LOCK_FILE))?;
         match lock.lock_shared() {
@@ -65,7 +74,7 @@ impl OutputFolder {
             // Ends the line of a killed process.
             record.write_all(b"\n")?;
         }
-        Ok(OutputFolder { folder: folder.into(), entries: entries(&bytes), record, lock })
+        Ok(OutputFolder { folder: folder.into(), force, entries: entries(&bytes), record, lock })
     }
 
     /// Returns the path of a result.
@@ -82,29 +91,56 @@ impl OutputFolder {
     pub fn is_up_to_date(&self, name: &Path, origin: &Origin) -> bool {
         // Reading a pipe would wait for its writer.
         let path = self.path(name);
-        self.entries.get(&key(name)).is_some_and(|entry| {
-            entry.origin == origin.digest()
-                && path.is_file()
-                && fs::read(&path).is_ok_and(|bytes| entry.sha256 == hex_digest(&bytes))
-        })
+        !self.force
+            && self.entries.get(&key(name)).is_some_and(|entry| {
+                entry.origin == origin.digest()
+                    && path.is_file()
+                    && fs::read(&path).is_ok_and(|bytes| entry.sha256 == hex_digest(&bytes))
+            })
     }
 
-    /// Writes a result atomically and records its origin.
+    /// Records the origin of a result, and writes the result atomically.
     ///
     /// # Errors
-    /// Those of writing, and if something other than a file has the name of the result.
+    /// Those of writing, if something other than a file has the name of the result, and if the work of a
+    /// person would be lost.
     pub fn write(&self, name: &Path, result: &[u8], origin: &Origin) -> io::Result<()> {
         let path = self.path(name);
-        if fs::metadata(&path).is_ok_and(|existing| !existing.is_file()) {
-            return Err(io::Error::new(
-                io::ErrorKind::AlreadyExists,
-                "a folder, pipe or device has this name",
-            ));
+        let exists = |message| io::Error::new(io::ErrorKind::AlreadyExists, message);
+        if let Ok(existing) = fs::metadata(&path) {
+            if !existing.is_file() {
+                return Err(exists("a folder, pipe or device has this name"));
+            }
+            if !self.force && !self.is_replaceable(name, &fs::read(&path)?, result)? {
+                return Err(exists(
+                    "it was changed after it was written, or has edits. Move it, or replace it with \
+                     --force",
+                ));
+            }
         }
-        file::write(&path, result)?;
         let entry = Entry { result: key(name), origin: origin.digest(), sha256: hex_digest(result) };
-        // One write, so that lines of several processes do not mix.
-        (&self.record).write_all(&line(&entry))
+        // Before the result, so that the record contains every result. One write, so that lines of several
+        // processes do not mix.
+        (&self.record).write_all(&line(&entry))?;
+        file::write(&path, result)
+    }
+
+    /// True if an existing file is not the work of a person: it has been written as a result, is the beginning
+    /// of the new result, or is not in the record and not edited.
+    fn is_replaceable(&self, name: &Path, existing: &[u8], result: &[u8]) -> io::Result<bool> {
+        let key = key(name);
+        let sha256 = hex_digest(existing);
+        if result.starts_with(existing) || self.entries.get(&key).is_some_and(|entry| entry.sha256 == sha256)
+        {
+            return Ok(true);
+        }
+        // Another process may have written it since, or a killed process may have recorded a newer result.
+        let record = fs::read(self.folder.join(RECORD_FILE))?;
+        let written: Vec<Entry> = lines(&record).filter(|entry| entry.result == key).collect();
+        Ok(match written.is_empty() {
+            true => !is_edited(existing),
+            false => written.iter().any(|entry| entry.sha256 == sha256),
+        })
     }
 
     /// Sorts the record and leaves out lines that no longer hold, unless another process uses the folder.
@@ -125,17 +161,35 @@ impl OutputFolder {
     }
 }
 
+/// True for JSON that is not an unedited document of this program, as edited and measured labels. A file has
+/// several documents if the clip has several skeletons.
+fn is_edited(file: &[u8]) -> bool {
+    let Ok(file) = serde_json::from_slice::<Value>(file) else { return false };
+    let documents = file.as_array().map_or(slice::from_ref(&file), Vec::as_slice);
+    let is_unedited = |document: &Value| {
+        let is_automatic = |segment: &Value| segment["source"] != "edited";
+        document["format"].as_str().is_some_and(|format| format.starts_with("plantigrade-"))
+            && document["method"]["name"] != MethodUsed::TRUTH
+            && document["edits"].as_array().is_none_or(Vec::is_empty)
+            && document["segments"].as_array().is_none_or(|segments| segments.iter().all(is_automatic))
+    };
+    !documents.iter().all(is_unedited)
+}
+
 /// Opens a file for appending, creating it if necessary.
 fn appendable(path: &Path) -> io::Result<File> {
     // Windows locks files only if they can be read, too.
     OpenOptions::new().create(true).read(true).append(true).open(path)
 }
 
-/// Returns the valid entries of a record by the names of their results.
+/// Returns the valid lines of a record.
+fn lines(record: &[u8]) -> impl Iterator<Item = Entry> {
+    record.split(|&byte| byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok())
+}
+
+/// Returns the last entries of a record by the names of their results.
 fn entries(record: &[u8]) -> BTreeMap<String, Entry> {
-    let lines = record.split(|&byte| byte == b'\n');
-    let entries = lines.filter_map(|line| serde_json::from_slice(line).ok());
-    entries.map(|entry: Entry| (entry.result.clone(), entry)).collect()
+    lines(record).map(|entry| (entry.result.clone(), entry)).collect()
 }
 
 /// Returns the line of an entry.

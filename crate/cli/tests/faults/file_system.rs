@@ -54,7 +54,7 @@ fn existing_files_keep_their_mode() {
             write(&folder.join(path), b"earlier");
             set_mode(&folder.join(path), expected);
         }
-        assert_eq!(run(folder, &["detect", "walk.bvh", "--out", "out"]).0, 0);
+        assert_eq!(run(folder, &["detect", "walk.bvh", "--out", "out", "--force"]).0, 0);
         assert_eq!(run(folder, &["clean", &sample(), "-o", "clean.bvh"]).0, 0);
         for path in ["clean.bvh", "out/walk.plants.json"] {
             assert_eq!(mode(&folder.join(path)), expected, "{path}");

@@ -13,6 +13,10 @@ const JOBS: usize = 2;
 
 const BATCH: [&str; 8] = ["detect", "clips", "--format", "json", "--jobs", "2", "--out", "OUT"];
 
+/// Beginning of a plants document with an edit.
+const EDITED: &str =
+    r#"{"edits": [{"side": "left", "part": "contact", "start": 0, "end": 1, "planted": true}], "#;
+
 /// Returns the arguments of a batch with a folder for the results.
 fn batch(out: &'static str) -> Vec<&'static str> {
     BATCH.iter().map(|&arg| if arg == "OUT" { out } else { arg }).collect()
@@ -154,17 +158,102 @@ fn results_of_other_options_or_other_authors_are_not_taken_for_up_to_date() {
     assert_eq!(run(folder, &first).0, 0);
     let expected = relative_snapshot(&folder.join("out"));
     let result = folder.join("out/0000.plants.json");
-    // As if a process with other options had been killed between a result and its line of the record.
-    let record = fs::read(folder.join("out/.plantigrade.jsonl")).expect("a record");
+    let record = || fs::read(folder.join("out/.plantigrade.jsonl")).expect("a record");
+    let first_record = record();
     assert_eq!(run(folder, &other).0, 0);
-    assert!(relative_snapshot(&folder.join("out")) != expected);
-    fs::write(folder.join("out/.plantigrade.jsonl"), record).expect("a record");
+    let of_other = relative_snapshot(&folder.join("out"));
+    assert!(of_other != expected);
+    // As if the process with other options had been killed between its line of the record and the result.
+    let both = [first_record, record()].concat();
+    for (args, snapshot) in [(&first, &expected), (&other, &of_other)] {
+        write(&result, expected[Path::new("0000.plants.json")].as_ref().expect("a result"));
+        fs::write(folder.join("out/.plantigrade.jsonl"), &both).expect("a record");
+        assert_eq!(run(folder, args).0, 0);
+        assert!(relative_snapshot(&folder.join("out")) == *snapshot);
+    }
     assert_eq!(run(folder, &first).0, 0);
-    assert!(relative_snapshot(&folder.join("out")) == expected);
-    // An incomplete or changed result is written again.
+    // An incomplete result is written again.
     fs::write(&result, "{").expect("a result");
     assert_eq!(run(folder, &first).0, 0);
     assert!(relative_snapshot(&folder.join("out")) == expected);
+}
+
+#[test]
+fn files_that_a_person_changed_are_not_replaced() {
+    let folder = empty_folder();
+    let folder = folder.path();
+    write_clips(folder, 3, 0);
+    let first = batch("out");
+    let other = [&first[..], &["--r", "0.002"]].concat();
+    assert_eq!(run(folder, &first).0, 0);
+    let path = |number: usize| folder.join(format!("out/{number:04}.plants.json"));
+    let result = fs::read_to_string(path(0)).expect("a result");
+    let edited = result.replacen('{', EDITED, 1);
+    for args in [&first, &other] {
+        write(&path(0), edited.as_bytes());
+        write(&path(1), b"not a result");
+        let (code, _, messages) = run(folder, args);
+        assert_eq!((code, messages.lines().count()), (1, 2), "{messages}");
+        assert!(messages.lines().all(|line| line.contains("was changed") && line.contains("--force")));
+        assert_eq!(fs::read_to_string(path(0)).expect("a file"), edited);
+        assert_eq!(fs::read_to_string(path(1)).expect("a file"), "not a result");
+    }
+    assert_eq!(run(folder, &[&first[..], &["--force"]].concat()).0, 0);
+    assert_eq!(fs::read_to_string(path(0)).expect("a result"), result);
+    assert_eq!(run(folder, &other).0, 0, "results are replaced");
+}
+
+#[test]
+fn edited_files_that_are_not_in_the_record_are_not_replaced() {
+    let folder = empty_folder();
+    let folder = folder.path();
+    write_clips(folder, 1, 0);
+    assert_eq!(run(folder, &["segment", "clips", "--out", "out"]).0, 0);
+    assert_eq!(run(folder, &batch("out")).0, 0);
+    let read = |name: &str| fs::read_to_string(folder.join("out").join(name)).expect("a file");
+    let [plants, segments] = ["0000.plants.json", "0000.segments.json"].map(read);
+    let cases = [
+        ("0000.plants.json", plants.clone(), false),
+        ("0000.plants.json", plants.replacen('{', EDITED, 1), true),
+        ("0000.plants.json", plants.replacen("\"robust\"", "\"truth\"", 1), true),
+        ("0000.plants.json", r#"{"left": [0, 1], "right": [1, 1]}"#.into(), true),
+        ("0000.plants.json", "from elsewhere".into(), false),
+        ("0000.segments.json", segments.clone(), false),
+        ("0000.segments.json", segments.replace("\"source\": \"auto\"", "\"source\": \"edited\""), true),
+        ("0000.segments.json", r#"{"0000": [{"start": 1, "end": 4, "label": "walk"}]}"#.into(), true),
+    ];
+    for (name, content, is_work) in cases {
+        fs::remove_file(folder.join("out/.plantigrade.jsonl")).expect("a record");
+        fs::write(folder.join("out").join(name), &content).expect("a file");
+        let command = if name.contains("plants") { "detect" } else { "segment" };
+        let (code, _, messages) = run(folder, &[command, "clips", "--out", "out", "--fps", "20"]);
+        assert_eq!(code, i32::from(is_work), "{content}: {messages}");
+        assert_eq!(read(name) == content, is_work, "{content}");
+    }
+}
+
+#[test]
+fn corrected_results_of_a_killed_batch_are_replaced() {
+    let folder = empty_folder();
+    let folder = folder.path();
+    write(&folder.join("walk.bvh"), &fs::read(project("samples/curved-walk.bvh")).expect("a sample"));
+    let detect = ["detect", "walk.bvh", "--format", "json", "--out", "out"];
+    let corrected = [&detect[..], &["--constraints", "edited.json"]].concat();
+    let result = || fs::read(folder.join("out/walk.plants.json")).expect("a result");
+    let record = || fs::read(folder.join("out/.plantigrade.jsonl")).expect("a record");
+    let (_, automatic, _) = run(folder, &["detect", "walk.bvh", "--format", "json"]);
+    write(&folder.join("edited.json"), automatic.replacen('{', EDITED, 1).as_bytes());
+    let (code, _, messages) = run(folder, &corrected);
+    assert_eq!(code, 0, "{messages}");
+    let (first, line) = (result(), record());
+    assert_eq!(run(folder, &detect).0, 0);
+    let (second, newer_line) = (result(), record());
+    assert!(first != second);
+    // As if the second process had been killed before the result was written.
+    fs::write(folder.join("out/walk.plants.json"), &first).expect("a result");
+    fs::write(folder.join("out/.plantigrade.jsonl"), [line, newer_line].concat()).expect("a record");
+    assert_eq!(run(folder, &detect).0, 0);
+    assert!(result() == second);
 }
 
 #[test]
