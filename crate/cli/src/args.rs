@@ -133,7 +133,8 @@ pub struct GaitArgs {
     /// Detection method and parameters.
     #[command(flatten)]
     pub detection: DetectionArgs,
-    /// Labels to use: a document or table of detect, or a truth file, for a single clip [default: detected]
+    /// Labels to use, for a single clip: a truth file, or json, csv, intervals or npz of detect [default:
+    /// detected]
     #[arg(long, value_name = "LABELS", conflicts_with_all = ["plants", "method"])]
     pub labels: Option<PathBuf>,
     /// Measure each action separately; actions are segmented and named clip by clip
@@ -322,7 +323,7 @@ pub struct CleanArgs {
     /// BVH file to write, or - for standard output; its hierarchy equals that of the input
     #[arg(short, long, value_name = "OUT.bvh")]
     pub out: PathBuf,
-    /// Labels to use: a document or table of detect, or a truth file [default: detected]
+    /// Labels to use: a truth file, or json, csv, intervals or npz of detect [default: detected]
     #[arg(long, value_name = "LABELS", conflicts_with_all = ["plants", "method"])]
     pub labels: Option<PathBuf>,
     /// Leave spikes of the hips, short jumps away and back, which are otherwise interpolated

@@ -36,6 +36,32 @@ fn gait_reads_labels_and_segments_from_standard_input() {
 }
 
 #[test]
+fn labels_are_read_in_every_format_that_has_plants() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let clip = sample("straight-jog.bvh");
+    let labels = |format: &str, extension: &str| {
+        let (code, _, stderr) = run(folder, &["detect", &clip, "--format", format, "--out", "."], b"");
+        assert_eq!(code, 0, "{stderr}");
+        format!("straight-jog.{extension}")
+    };
+    let clean = |labels: &str| {
+        let (code, cleaned, stderr) = run(folder, &["clean", &clip, "--labels", labels, "-o", "-"], b"");
+        (code, cleaned, stderr.replace(labels, "LABELS"))
+    };
+    let document = clean(&labels("json", "plants.json"));
+    assert_eq!(document.0, 0, "{}", document.2);
+    for (format, extension) in
+        [("csv", "frames.csv"), ("intervals", "intervals.csv"), ("npz", "contacts.npz")]
+    {
+        assert!(clean(&labels(format, extension)) == document, "{format}");
+    }
+    let (code, _, stderr) = clean(&labels("events", "events.csv"));
+    assert_eq!(code, 1);
+    assert!(stderr.starts_with("LABELS: error: the file has no plants: expected"), "{stderr}");
+}
+
+#[test]
 fn standard_input_is_read_only_once() {
     let folder = tempfile::tempdir().expect("a folder");
     for args in [

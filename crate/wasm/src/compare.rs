@@ -17,8 +17,8 @@ pub struct WasmAnnotation(Annotation);
 
 #[wasm_bindgen]
 impl WasmAnnotation {
-    /// Reads a labels document, a truth file, a table per frame or an NPZ archive, for a clip of
-    /// `frames` frames.
+    /// Reads a labels document, a truth file, a table of frames or plants, or an NPZ archive, for a clip
+    /// of `frames` frames.
     ///
     /// # Errors
     /// If the file has none of these formats, or belongs to another clip.

@@ -181,10 +181,15 @@ fn write_labels(clip: &Clip, skeleton: &Skeleton, detection: &Detection) {
     };
     for &format in PlantFormat::ALL {
         let file = format.write(&export);
-        if matches!(format, PlantFormat::Json | PlantFormat::Csv | PlantFormat::Npz) {
+        let without_plants = format == PlantFormat::Intervals;
+        if without_plants || matches!(format, PlantFormat::Json | PlantFormat::Csv | PlantFormat::Npz) {
             let read = formats::read_plants(&file, clip.frame_count()).expect("a written file is read");
             for labels in &detection.parts {
-                let Some(feet) = read.part(labels.part) else { panic!("{} is missing", labels.part.name()) };
+                let Some(feet) = read.part(labels.part) else {
+                    let planted = Side::BOTH.map(|side| labels.foot(side).planted.contains(&true));
+                    assert!(without_plants && planted == [false; 2], "{} is missing", labels.part.name());
+                    continue;
+                };
                 for side in Side::BOTH {
                     let planted = labels.foot(side).planted.iter().map(|&planted| Some(planted));
                     assert!(feet[side as usize].iter().copied().eq(planted));

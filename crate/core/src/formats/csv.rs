@@ -37,7 +37,7 @@ pub(crate) struct Row {
 }
 
 /// Returns the rows of a table without blank lines.
-pub(crate) fn rows(text: &str) -> Vec<Row> {
+fn rows(text: &str) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut row = Row { line: 1, fields: Vec::new() };
     let (mut line, mut field, mut is_quoted) = (1, String::new(), false);
@@ -61,6 +61,21 @@ pub(crate) fn rows(text: &str) -> Vec<Row> {
         }
     }
     rows
+}
+
+/// Returns the header and the rows of a table of one skeleton.
+///
+/// # Errors
+/// If a column `root` has several names.
+pub(crate) fn table(text: &str) -> Result<(Row, Vec<Row>), ReadError> {
+    let mut rows = rows(text);
+    let header = if rows.is_empty() { Row::default() } else { rows.remove(0) };
+    if let (Some(root), Some(first)) = (column(&header, "root"), rows.first())
+        && rows.iter().any(|row| row.field(root) != first.field(root))
+    {
+        return Err(ReadError::SeveralSkeletons);
+    }
+    Ok((header, rows))
 }
 
 /// Returns the index of the column with a name.

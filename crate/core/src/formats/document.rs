@@ -97,9 +97,12 @@ pub enum Origin {
 pub enum ReadError {
     /// The file has no plants.
     #[error(
-        "the file has no plants: expected a plants document, annotated contacts, a table with one row per frame, or a NumPy archive"
+        "the file has no plants: expected a plants document, annotated contacts, a table with one row per frame or plant, or a NumPy archive"
     )]
     NoPlants,
+    /// The file has the labels of several skeletons.
+    #[error("the file has the labels of several skeletons: use a file with those of one skeleton")]
+    SeveralSkeletons,
     /// The file has no segments.
     #[error(
         "the file has no segments: expected a segments document, a BABEL file, annotated segments, or a table"
@@ -132,6 +135,20 @@ pub enum ReadError {
 impl From<serde_json::Error> for ReadError {
     fn from(error: serde_json::Error) -> ReadError {
         ReadError::Invalid(error.to_string())
+    }
+}
+
+/// Returns the document of an array that has one; other values are returned unchanged.
+///
+/// # Errors
+/// If the array has several documents.
+pub(crate) fn only_document(value: Value) -> Result<Value, ReadError> {
+    match value {
+        Value::Array(mut documents) if documents.first().is_some_and(|first| first["format"].is_string()) => {
+            let last = documents.swap_remove(0);
+            if documents.is_empty() { Ok(last) } else { Err(ReadError::SeveralSkeletons) }
+        }
+        value => Ok(value),
     }
 }
 

@@ -33,6 +33,15 @@ pub(crate) fn sort_by_frames<T>(items: Vec<T>, frames: impl Fn(&T) -> (usize, us
     in_order(items, order.into_iter().map(|(_, index)| index))
 }
 
+/// Truncates pairs of a number and an index to the `max` smallest, in no particular order; of equal numbers, those
+/// with smaller indices are smaller.
+pub(crate) fn truncate_to_smallest(pairs: &mut Vec<(f64, usize)>, max: usize) {
+    if max < pairs.len() {
+        pairs.select_nth_unstable_by(max, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        pairs.truncate(max);
+    }
+}
+
 /// Returns the items in the order of the indices, each of which occurs once.
 fn in_order<T>(items: Vec<T>, order: impl Iterator<Item = usize>) -> Vec<T> {
     let mut items: Vec<Option<T>> = items.into_iter().map(Some).collect();

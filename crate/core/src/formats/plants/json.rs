@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use crate::foot::{Part, Side};
-use crate::formats::document::{FrameRange, ReadError, from_json, to_json};
+use crate::formats::document::{FrameRange, ReadError, from_json, only_document, to_json};
 use crate::formats::format_info::{FormatInfo, text_of};
 use crate::formats::plants::document::{Plant, PlantsDocument};
 use crate::formats::plants::export::{PlantExport, Reader, Writer};
@@ -33,11 +33,11 @@ fn write(export: &PlantExport) -> Vec<u8> {
 }
 
 fn recognises(bytes: &[u8]) -> bool {
-    text_of(bytes).is_some_and(|text| text.trim_start().starts_with('{'))
+    text_of(bytes).is_some_and(|text| text.trim_start().starts_with(['{', '[']))
 }
 
 fn read(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
-    let value: Value = serde_json::from_str(text_of(bytes).unwrap_or_default())?;
+    let value = only_document(serde_json::from_str(text_of(bytes).unwrap_or_default())?)?;
     if value["format"] == PlantsDocument::FORMAT {
         let document: PlantsDocument = from_json(value)?;
         // Checked first, as memory is used for the stated number of frames.
@@ -46,7 +46,13 @@ fn read(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
             found => Err(ReadError::Length { found, frames }),
         };
     }
-    let ContactFile { left, right } = serde_json::from_value(value).map_err(|_| ReadError::NoPlants)?;
+    if value["left"].is_null() || value["right"].is_null() {
+        return Err(ReadError::NoPlants);
+    }
+    let ContactFile { left, right } = serde_json::from_value(value)?;
+    if let Some(label) = left.iter().chain(&right).find(|label| !(-1..=1).contains(*label)) {
+        return Err(ReadError::Invalid(format!("expected 0, 1 or -1, found {label}")));
+    }
     let known = |labels: Vec<i8>| labels.into_iter().map(|label| (label >= 0).then_some(label > 0)).collect();
     Ok(Annotation { parts: vec![(Part::Contact, [known(left), known(right)])] })
 }

@@ -114,9 +114,11 @@ pub fn read_edits(bytes: &[u8], frames: usize) -> Result<Vec<Edit>, ReadError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bvh;
     use crate::foot::{Part, Side};
-    use crate::formats::PlantsDocument;
-    use crate::plants::Edit;
+    use crate::formats::document::Source;
+    use crate::plants::{Feet, Params, detect};
+    use crate::skeleton::{Overrides, Skeleton};
 
     fn read(text: &str, frames: usize) -> Result<Annotation, ReadError> {
         read_plants(text.as_bytes(), frames)
@@ -177,12 +179,79 @@ mod tests {
     }
 
     #[test]
+    fn tables_of_plants_are_read() {
+        let header = "foot,part,start_frame,end_frame,start_s,end_s\n";
+        let table = |rows: &str| read(&format!("{header}{rows}"), 4);
+        let read = table("left,toe,1,3,0.1,0.3\nright,heel,0,1,0,0.1\nleft,toe,3,4,0,0\n").unwrap();
+        let known = |labels: [u8; 4]| labels.map(|label| Some(label == 1)).to_vec();
+        assert_eq!(read.part(Part::Toe), Some(&[known([0, 1, 1, 1]), known([0; 4])]));
+        assert_eq!(read.part(Part::Heel), Some(&[known([0; 4]), known([1, 0, 0, 0])]));
+        assert_eq!(read.part(Part::Contact), None);
+        assert_eq!(table("").unwrap().parts, [(Part::Contact, [known([0; 4]), known([0; 4])])]);
+        for (row, expected) in [
+            ("left,toe,2,2,0,0", "start_frame before end_frame"),
+            ("left,toe,1,5,0,0", "end_frame at most 4"),
+            ("left,toe,-1,3,0,0", "start_frame before"),
+            ("left,toe", "found \"nothing\""),
+            ("both,toe,1,3,0,0", "expected left or right, found \"both\""),
+            ("left,sole,1,3,0,0", "expected contact, toe or heel, found \"sole\""),
+        ] {
+            let error = table(&format!("left,toe,0,1,0,0\n{row}\n")).unwrap_err().to_string();
+            assert!(error.contains(" row 3: ") && error.contains(expected), "{row}: {error}");
+        }
+        // Tables of gait events and of segments have no plants.
+        assert_eq!(self::read("time,frame,context,event,uncertainty_ms\n", 4), Err(ReadError::NoPlants));
+        assert_eq!(self::read("start_frame,end_frame,label\n0,4,walk\n", 4), Err(ReadError::NoPlants));
+    }
+
+    #[test]
+    fn labels_of_one_skeleton_of_several_are_read() {
+        let file = include_bytes!("../../../../../tests/files/good/two-skeletons.bvh");
+        let clip = bvh::parse(file, bvh::Options::default()).unwrap().clip;
+        let skeletons = Skeleton::all(&clip, &Overrides::default()).into_iter();
+        let params = Params::default().check().unwrap();
+        let detected: Vec<_> = skeletons
+            .map(|skeleton| {
+                let detection = detect(&Feet::new(&clip, &skeleton).unwrap(), params);
+                (skeleton, detection)
+            })
+            .collect();
+        let file = |count: usize, as_array: bool, format: PlantFormat| {
+            let skeletons = detected.iter().map(|(skeleton, detection)| (skeleton, detection));
+            format.write(&PlantExport {
+                source: Source { name: "two.bvh".into(), ..Source::default() },
+                clip: &clip,
+                notices: &[],
+                skeletons: skeletons.take(count).collect(),
+                as_array,
+            })
+        };
+        assert_eq!(detected.len(), 2);
+        let expected = read_plants(&file(1, false, PlantFormat::Json), clip.frame_count()).unwrap();
+        for format in [PlantFormat::Json, PlantFormat::Csv, PlantFormat::Npz, PlantFormat::Intervals] {
+            let read = |count: usize| read_plants(&file(count, true, format), clip.frame_count());
+            assert_eq!(read(2), Err(ReadError::SeveralSkeletons), "{format}");
+            let read = read(1).unwrap();
+            for (part, labels) in &read.parts {
+                assert_eq!(expected.part(*part), Some(labels), "{format}");
+            }
+            assert!(!read.parts.is_empty(), "{format}");
+        }
+    }
+
+    #[test]
     fn errors_state_the_reason() {
         assert_eq!(read("hello", 3), Err(ReadError::NoPlants));
         assert_eq!(read("", 3), Err(ReadError::NoPlants));
         assert_eq!(read("{\"a\": 1}", 3), Err(ReadError::NoPlants));
         let text = format!("{{\"format\": \"{}\", \"version\": 99}}", PlantsDocument::FORMAT);
         assert_eq!(read(&text, 3), Err(ReadError::Version(99)));
+        for (label, reason) in [("true", "boolean"), ("2", "found 2"), ("-7", "found -7"), ("0.5", "0.5")] {
+            let text = format!(r#"{{"left": [0, {label}, 1], "right": [1, 1, 1]}}"#);
+            let error = read(&text, 3).unwrap_err().to_string();
+            assert!(error.contains(reason), "{error}");
+        }
+        assert_eq!(read("[{\"format\": 3}]", 3), Err(ReadError::NoPlants));
         let annotation = r#"{"left": [0], "right": [1]}"#;
         assert_eq!(read(annotation, 3), Err(ReadError::Length { found: 1, frames: 3 }));
         for (start, end) in [(2, 1), (1, 1), (0, 4), (0, usize::MAX)] {

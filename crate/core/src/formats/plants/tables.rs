@@ -30,7 +30,7 @@ pub(super) const INTERVALS: FormatInfo<Writer, Reader> = FormatInfo {
     extension: "intervals.csv",
     media_type: "text/csv",
     write: |export| intervals_csv(export).into_bytes(),
-    read: None,
+    read: Some(Reader { recognises: is_intervals_csv, read: read_intervals_csv }),
 };
 
 pub(super) const EVENTS: FormatInfo<Writer, Reader> = FormatInfo {
@@ -137,16 +137,54 @@ pub(super) fn columns(detection: &Detection) -> impl Iterator<Item = (Side, Part
 }
 
 fn is_frames_csv(bytes: &[u8]) -> bool {
-    let header = text_of(bytes).and_then(|text| text.lines().next());
-    header.is_some_and(|header| header.contains("left_"))
+    header_has(bytes, &["left_"])
 }
 
-fn read_frames_csv(bytes: &[u8], _frames: usize) -> Result<Annotation, ReadError> {
-    let mut rows = csv::rows(text_of(bytes).unwrap_or_default()).into_iter();
-    let header = rows.next().unwrap_or_default();
-    if csv::column(&header, "root").is_some() {
-        return Err(ReadError::Invalid("tables of several skeletons cannot be compared".into()));
+fn is_intervals_csv(bytes: &[u8]) -> bool {
+    header_has(bytes, &["foot", "part", "start_frame"])
+}
+
+/// True if the first line of a file contains the names.
+fn header_has(bytes: &[u8], names: &[&str]) -> bool {
+    let header = text_of(bytes).and_then(|text| text.lines().next());
+    header.is_some_and(|header| names.iter().all(|name| header.contains(name)))
+}
+
+/// Reads plants; a part that occurs is not planted in the other frames. A table without rows states that no
+/// foot is in contact.
+fn read_intervals_csv(bytes: &[u8], frames: usize) -> Result<Annotation, ReadError> {
+    let (header, rows) = csv::table(text_of(bytes).unwrap_or_default())?;
+    let columns = ["foot", "part", "start_frame", "end_frame"].map(|name| csv::column(&header, name));
+    let mut labels = Part::ALL.map(|part| (part, Side::BOTH.map(|_| vec![Some(false); frames])));
+    let mut occurs = Part::ALL.map(|_| false);
+    for row in rows {
+        let fields = columns.map(|column| row.field(column?));
+        let [foot, part, start, end] = fields;
+        let side = Side::BOTH.iter().position(|side| Some(side.name()) == foot);
+        let side = side.ok_or_else(|| row.unexpected("left or right", foot))?;
+        let part_index = Part::ALL.iter().position(|other| Some(other.name()) == part);
+        let part = part_index.ok_or_else(|| row.unexpected("contact, toe or heel", part))?;
+        let [start, end] = [start, end].map(|field| field.and_then(|text| text.parse::<usize>().ok()));
+        match (start, end) {
+            (Some(start), Some(end)) if start < end && end <= frames => {
+                labels[part].1[side][start..end].fill(Some(true));
+            }
+            _ => {
+                let expected = format!("start_frame before end_frame, and end_frame at most {frames}");
+                return Err(row.unexpected(&expected, fields[3]));
+            }
+        }
+        occurs[part] = true;
     }
+    occurs[0] |= occurs == [false; 3];
+    Ok(Annotation {
+        parts: labels.into_iter().zip(occurs).filter_map(|(part, occurs)| occurs.then_some(part)).collect(),
+    })
+}
+
+/// Reads a table with one row per frame.
+fn read_frames_csv(bytes: &[u8], _frames: usize) -> Result<Annotation, ReadError> {
+    let (header, rows) = csv::table(text_of(bytes).unwrap_or_default())?;
     let column = |side: Side, part: Part| csv::column(&header, &format!("{}_{}", side.name(), part.name()));
     let columns: Vec<(Part, [usize; 2])> = Part::ALL
         .into_iter()
@@ -154,7 +192,7 @@ fn read_frames_csv(bytes: &[u8], _frames: usize) -> Result<Annotation, ReadError
         .collect();
     let frame_column = csv::column(&header, "frame");
     let mut parts: Vec<_> = columns.iter().map(|(part, _)| (*part, [Vec::new(), Vec::new()])).collect();
-    for (frame, row) in rows.enumerate() {
+    for (frame, row) in rows.into_iter().enumerate() {
         if let Some(column) = frame_column {
             let found = row.field(column);
             if found.and_then(|text| text.parse().ok()) != Some(frame) {

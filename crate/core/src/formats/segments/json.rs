@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use crate::formats::document::{ReadError, from_json, to_json};
+use crate::formats::document::{ReadError, from_json, only_document, to_json};
 use crate::formats::format_info::FormatInfo;
 use crate::formats::segments::babel;
 use crate::formats::segments::document::SegmentsDocument;
@@ -24,15 +24,9 @@ fn write(export: &SegmentExport) -> Vec<u8> {
 }
 
 fn read(text: &str, clip: &str) -> Result<SegmentFile, ReadError> {
-    let mut value: Value = serde_json::from_str(text)?;
-    let first = value.get(0).unwrap_or(&value);
-    if first["format"] == SegmentsDocument::FORMAT {
-        return match value {
-            Value::Array(_) => {
-                Err(ReadError::Invalid("documents of several skeletons cannot be compared".into()))
-            }
-            value => Ok(SegmentFile::Document(Box::new(from_json(value)?))),
-        };
+    let mut value = only_document(serde_json::from_str(text)?)?;
+    if value["format"] == SegmentsDocument::FORMAT {
+        return Ok(SegmentFile::Document(Box::new(from_json(value)?)));
     }
     let is_bare = value.get_mut("segments").is_some_and(is_annotation);
     let clips = value.as_object_mut().ok_or(ReadError::NoSegments)?;

@@ -52,16 +52,12 @@ fn segments_csv(documents: &[SegmentsDocument]) -> String {
 }
 
 fn read(text: &str, _clip: &str) -> Result<SegmentFile, ReadError> {
-    let mut rows = csv::rows(text).into_iter();
-    let header = rows.next().unwrap_or_default();
+    let (header, rows) = csv::table(text)?;
     let column = |name| csv::column(&header, name);
     let (Some(start), Some(end), Some(label)) = (column("start_frame"), column("end_frame"), column("label"))
     else {
         return Err(ReadError::NoSegments);
     };
-    if column("root").is_some() {
-        return Err(ReadError::Invalid("tables of several skeletons cannot be compared".into()));
-    }
     let kinds = column("kind");
     let [action, period, cycles] = ["action", "period_s", "cycles"].map(column);
     let part = |row: csv::Row| {
@@ -89,5 +85,5 @@ fn read(text: &str, _clip: &str) -> Result<SegmentFile, ReadError> {
         part.segment.cycles = document::cycles(number(period)?, number(cycles)?);
         Ok(part)
     };
-    Ok(SegmentFile::Table(rows.map(part).collect::<Result<_, ReadError>>()?))
+    Ok(SegmentFile::Table(rows.into_iter().map(part).collect::<Result<_, ReadError>>()?))
 }

@@ -7,6 +7,7 @@
 use std::cell::OnceCell;
 use std::ops::RangeInclusive;
 
+use crate::numeric::sort;
 use crate::numeric::stats::mean;
 use crate::plants::signal::samples::Samples;
 use crate::plants::spectral::affinity::{AffinityGraph, Kernel};
@@ -209,24 +210,17 @@ impl SqrtDegrees<'_> {
     }
 }
 
-/// Returns at most `max` samples within `reach`, the nearest first, given pairs of distance and
-/// sample.
+/// Returns the nearest samples within `reach`, at most `max`, given pairs of distance and sample.
 fn nearest(samples: impl Iterator<Item = (f64, usize)>, reach: f64, max: usize) -> Vec<usize> {
-    let truncate = |near: &mut Vec<(f64, usize)>| {
-        if max < near.len() {
-            near.select_nth_unstable_by(max, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            near.truncate(max);
-        }
-    };
     let mut near = Vec::new();
     for sample in samples.filter(|(distance, _)| *distance <= reach) {
         near.push(sample);
         // Truncating in between bounds the memory.
         if near.len() == 2 * max {
-            truncate(&mut near);
+            sort::truncate_to_smallest(&mut near, max);
         }
     }
-    truncate(&mut near);
+    sort::truncate_to_smallest(&mut near, max);
     near.into_iter().map(|(_, sample)| sample).collect()
 }
 
@@ -241,8 +235,8 @@ impl ApproxDegrees<'_> {
     /// means of many values determine the threshold.
     fn correct_bias(&self, values: &mut [f64]) {
         let step = values.len().div_ceil(CALIBRATION_BINS * SAMPLES_PER_BIN);
-        let mut calibration: Vec<usize> = (0..values.len()).step_by(step).collect();
-        calibration.sort_unstable_by(|&a, &b| values[a].total_cmp(&values[b]));
+        let every: Vec<f64> = values.iter().step_by(step).copied().collect();
+        let calibration: Vec<usize> = sort::argsort(&every).into_iter().map(|n| n * step).collect();
         let point_to_cell = self.evaluate(&calibration, Accuracy::PointToCell);
         // `PointToCell` values are so accurate that one sample per bin determines their error.
         let middles: Vec<usize> = calibration.chunks(SAMPLES_PER_BIN).map(|bin| bin[bin.len() / 2]).collect();

@@ -51,10 +51,8 @@ fn columns(
         .texts()
         .ok_or_else(|| ReadError::Invalid(format!("{names} is not an array of texts")))?;
     let [rows, count] = match array.shape[..] {
-        [rows, count] => [rows, count],
-        [_, _, _] => {
-            return Err(ReadError::Invalid("archives of several skeletons cannot be compared".into()));
-        }
+        [rows, count] | [1, rows, count] => [rows, count],
+        [_, _, _] => return Err(ReadError::SeveralSkeletons),
         _ => return Err(ReadError::Invalid(format!("{table} must have rows and columns"))),
     };
     if count != names.len() {

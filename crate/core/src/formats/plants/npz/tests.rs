@@ -104,7 +104,7 @@ fn errors_state_the_reason() {
     assert_error(&table("|b1", &[2, 2], &[1; 3], &names), "does not match its shape");
     assert_error(&table("|b1", &[usize::MAX, 2], &[1; 4], &names), "does not match its shape");
     assert_error(&table("|b1", &[2, 3], &[1; 6], &names), "3 columns but 2 names");
-    assert_error(&table("|b1", &[1, 2, 2], &[1; 4], &names), "several skeletons");
+    assert_error(&table("|b1", &[2, 2, 1], &[1; 4], &names), "several skeletons");
     assert_error(&table("|u1", &[2, 2], &[7; 4], &names), "expected 0, 1 or -1, found 7");
     assert_error(&table(">i2", &[2, 2], &[0; 8], &names), "type >i2");
     assert_error(&table("|O", &[2, 2], &[0; 4], &names), "type |O");

@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DMatrixView};
 
+use crate::numeric::sort;
+
 /// Pair of poses whose distance is preserved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
@@ -29,17 +31,14 @@ pub(crate) fn squared_distances(poses: DMatrixView<f64>) -> DMatrix<f64> {
 pub(crate) fn edges(distances: &DMatrix<f64>, k: usize) -> Vec<Edge> {
     let count = distances.nrows();
     let mut is_edge = DMatrix::from_element(count, count, false);
-    let mut others: Vec<usize> = Vec::with_capacity(count);
+    let mut nearest: Vec<(f64, usize)> = Vec::with_capacity(count);
     for pose in 0..count {
-        others.clear();
-        others.extend((0..count).filter(|&other| other != pose));
-        let row = distances.column(pose);
-        let nearer = |a: &usize, b: &usize| row[*a].total_cmp(&row[*b]).then(a.cmp(b));
-        if k < others.len() {
-            others.select_nth_unstable_by(k, nearer);
-            others.truncate(k);
-        }
-        for &other in others.iter().chain((pose + 1 < count).then_some(&(pose + 1))) {
+        nearest.clear();
+        nearest
+            .extend((0..count).filter(|&other| other != pose).map(|other| (distances[(other, pose)], other)));
+        sort::truncate_to_smallest(&mut nearest, k);
+        let nearest = nearest.iter().map(|(_, other)| *other);
+        for other in nearest.chain((pose + 1 < count).then_some(pose + 1)) {
             is_edge[(pose.max(other), pose.min(other))] = true;
         }
     }

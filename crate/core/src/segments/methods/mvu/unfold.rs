@@ -14,7 +14,6 @@
 //! kernel, and J is added for factorisation. Search directions are those of Helmberg, Kojima and
 //! Monteiro with Mehrotra's predictor–corrector method.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
@@ -71,7 +70,8 @@ impl Unfolded {
 #[derive(Debug, Default)]
 pub(crate) struct InteriorPoint {
     products: DMatrix<f64>,
-    weights: BTreeMap<(usize, usize), f64>,
+    /// Weights of the edges, in the order of their ends.
+    weights: Vec<((usize, usize), f64)>,
 }
 
 impl InteriorPoint {
@@ -177,8 +177,12 @@ impl Problem<'_> {
         }
         let k = &self.centring * k * &self.centring;
 
-        let mean_weight = start.weights.values().sum::<f64>() / start.weights.len() as f64;
-        let weight = |edge: &Edge| *start.weights.get(&(edge.from, edge.to)).unwrap_or(&mean_weight);
+        let known = &start.weights;
+        let mean_weight = known.iter().map(|(_, weight)| weight).sum::<f64>() / known.len() as f64;
+        let weight = |edge: &Edge| {
+            let place = known.binary_search_by_key(&(edge.from, edge.to), |(ends, _)| *ends);
+            place.map_or(mean_weight, |place| known[place].1)
+        };
         let weights = self.springs.edges.iter().map(weight);
         let y = DVector::from_iterator(self.squared_distances.len(), weights);
         let candidates =
