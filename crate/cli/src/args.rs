@@ -11,12 +11,13 @@ use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use plantigrade::bvh::FRAME_RATES;
 use plantigrade::foot::Part;
 use plantigrade::formats::{PlantFormat, SegmentFormat};
-use plantigrade::plants;
-use plantigrade::segments::{self, Residual, Template};
+use plantigrade::plants::{self, Family};
+use plantigrade::segments::{self, MethodOption, Residual, Template};
 use plantigrade::skeleton::{Role, UNITS, Up};
 
 use crate::error::UsageError;
 use crate::file::is_stream;
+use crate::output;
 
 /// Detects foot plants and actions in motion capture, without tuning.
 ///
@@ -194,6 +195,11 @@ pub struct DetectionArgs {
 }
 
 impl DetectionArgs {
+    /// Warns of the parameters that are not those of the method.
+    pub fn warn_of_unused(&self) {
+        self.params.warn_of_unused(self.method);
+    }
+
     /// Checks and returns the parameters.
     pub fn params(&self) -> Result<plants::ValidParams, UsageError> {
         self.params.check(self.method)
@@ -225,6 +231,21 @@ pub struct DetectionParamArgs {
 }
 
 impl DetectionParamArgs {
+    /// Warns of the parameters that differ from their defaults but are not those of the method.
+    pub fn warn_of_unused(&self, method: plants::Method) {
+        let Ok(params) = self.check(method) else { return };
+        let (default, thresholds) = (plants::Params::default(), params.thresholds());
+        let is_spectral = method.family() == Family::Spectral;
+        let unused = [
+            ("--r", !is_spectral && self.r != default.tolerance),
+            ("--sigma", !is_spectral && self.sigma.is_some()),
+            ("--exact", !is_spectral && self.exact),
+            ("--height", self.height != default.height && thresholds.height != Some(self.height)),
+            ("--speed", self.speed != default.speed && thresholds.speed != Some(self.speed)),
+        ];
+        warn_of_unused(&unused, method.name());
+    }
+
     /// Checks and returns the parameters of a method.
     pub fn check(&self, method: plants::Method) -> Result<plants::ValidParams, UsageError> {
         let params = plants::Params {
@@ -259,6 +280,20 @@ pub struct SegmentationParamArgs {
 }
 
 impl SegmentationParamArgs {
+    /// Warns of the parameters that differ from their defaults but are not those of the method.
+    pub fn warn_of_unused(&self, method: segments::Method) {
+        let (default, options) = (segments::Params::default(), method.options());
+        let has_dims = options.iter().any(|option| matches!(option, MethodOption::Dims(_)));
+        let is_unused = |option, is_given: bool| is_given && !options.contains(&option);
+        let unused = [
+            ("--dims", self.dims.is_some() && !has_dims),
+            ("--residual", is_unused(MethodOption::Residual, self.residual != default.residual)),
+            ("--template", is_unused(MethodOption::Template, self.template != default.template)),
+            ("--published", is_unused(MethodOption::Published, self.published)),
+        ];
+        warn_of_unused(&unused, method.name());
+    }
+
     /// Checks and returns the parameters of a method.
     pub fn check(&self, method: segments::Method) -> Result<segments::ValidParams, UsageError> {
         let params = segments::Params {
@@ -269,6 +304,13 @@ impl SegmentationParamArgs {
             published: self.published,
         };
         params.check().map_err(|error| UsageError::InvalidParameter(error.to_string()))
+    }
+}
+
+/// Warns of options without effect, given the names of options and whether they are unused.
+pub fn warn_of_unused(options: &[(&str, bool)], method: &str) {
+    for (option, _) in options.iter().filter(|(_, is_unused)| *is_unused) {
+        output::report(format_args!("warning: {option} has no effect with the method {method}"));
     }
 }
 

@@ -62,6 +62,37 @@ fn labels_are_read_in_every_format_that_has_plants() {
 }
 
 #[test]
+fn options_without_effect_have_a_warning() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let clip = sample("curved-walk.bvh");
+    let warnings = |args: &[&str]| {
+        let (code, _, stderr) = run(folder.path(), &[&args[..1], &[&*clip], &args[1..]].concat(), b"");
+        assert_eq!(code, 0, "{stderr}");
+        let option = |line: &str| line.split(' ').nth(1).expect("an option").to_owned();
+        let is_warning = |line: &&str| line.contains(" has no effect with the method ");
+        stderr.lines().filter(is_warning).map(option).collect::<Vec<_>>()
+    };
+    for (args, expected) in [
+        (&["detect", "--r", "0.002", "--w", "2", "--sigma", "0.5", "--exact"][..], &[][..]),
+        (&["detect", "--height", "0.1", "--still", &clip], &["--height", "--still"]),
+        (&["detect", "--method", "paper", "--still", &clip, "--speed", "1"], &["--speed"]),
+        (&["detect", "--method", "dual", "--height", "0.1", "--speed", "1", "--r", "0.1"], &["--r"]),
+        (
+            &["detect", "--method", "height-speed", "--height", "0.1", "--still", &clip],
+            &["--height", "--still"],
+        ),
+        (&["gait", "--height", "0.1"], &["--height"]),
+        (&["clean", "-o", "-", "--method", "speed", "--exact"], &["--exact"]),
+        (&["segment", "--dims", "3", "--residual", "ratio"], &["--dims", "--residual"]),
+        (&["segment", "--method", "pca-tail", "--dims", "3", "--published"], &["--published"]),
+        (&["segment", "--method", "lsd", "--published", "--template", "tpose"], &[]),
+        (&["segment", "--method", "lsd", "--dims", "2"], &["--dims"]),
+    ] {
+        assert_eq!(warnings(args), expected, "{args:?}");
+    }
+}
+
+#[test]
 fn standard_input_is_read_only_once() {
     let folder = tempfile::tempdir().expect("a folder");
     for args in [

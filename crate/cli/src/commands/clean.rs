@@ -19,6 +19,7 @@ use crate::text::display_name;
 /// Removes foot skate from one clip. Returns the number of inputs that failed (0 or 1).
 pub fn run(args: &CleanArgs) -> Result<usize, UsageError> {
     let params = args.detection.params()?;
+    args.detection.warn_of_unused();
     let inputs = input::collect(&args.read)?;
     let [_] = &inputs[..] else { return Err(UsageError::NotOneClip(inputs.len())) };
     input::check_stdin(&args.read, &[&args.labels])?;

@@ -4,10 +4,12 @@ use std::path::{Path, PathBuf};
 
 use plantigrade::bvh::Parsed;
 use plantigrade::formats::{self, PlantExport};
-use plantigrade::plants::{self, Corrections, DetectError, Detection, Edit, Feet, ValidParams};
+use plantigrade::plants::{
+    self, Corrections, DetectError, Detection, Edit, Family, Feet, Method, ValidParams,
+};
 use plantigrade::skeleton::Skeleton;
 
-use crate::args::DetectArgs;
+use crate::args::{DetectArgs, warn_of_unused};
 use crate::batch::Batch;
 use crate::error::{InputError, UsageError};
 use crate::input::{self, Input, LoadedClip};
@@ -26,6 +28,9 @@ pub fn run(args: &DetectArgs) -> Result<usize, UsageError> {
             return Ok(1);
         }
     };
+    args.detection.warn_of_unused();
+    let uses_still = params.method() != Method::Robust && params.method().family() == Family::Spectral;
+    warn_of_unused(&[("--still", args.still.is_some() && !uses_still)], params.method().name());
     let (standing, standing_sha256) = standing.unzip();
     if let Some(Constraints { clip: None, .. }) = constraints {
         let inputs = input::collect(&args.read)?.len();

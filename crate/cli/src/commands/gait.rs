@@ -58,6 +58,7 @@ impl ClipFiles {
 /// Measures the gait of all inputs. Returns the number of inputs that failed.
 pub fn run(args: &GaitArgs) -> Result<usize, UsageError> {
     args.detection.params()?;
+    args.detection.warn_of_unused();
     let inputs = input::collect(&args.read)?;
     input::check_stdin(&args.read, &[&args.labels, &args.segments])?;
     if (args.labels.is_some() || args.segments.is_some()) && inputs.len() > 1 {

@@ -22,6 +22,7 @@ struct Segmented {
 /// failed.
 pub fn run(args: &SegmentArgs) -> Result<usize, UsageError> {
     let params = args.params.check(args.method)?;
+    args.params.warn_of_unused(args.method);
     let batch = Batch {
         read: &args.read,
         write: &args.write,

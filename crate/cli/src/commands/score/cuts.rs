@@ -30,6 +30,7 @@ struct Trial {
 /// Scores all clips of a folder that have truth. Returns the number of inputs that failed.
 pub fn run(args: &ScoreArgs) -> Result<usize, UsageError> {
     let params = args.segments.check(trials::method(args)?)?;
+    args.segments.warn_of_unused(params.method());
     let expected = "NAME.segments.json, NAME.json or segmentation*.json";
     let (trials, failures) = trials::trials(args, expected, |input, read| trial(input, params, read))?;
     if !trials.is_empty() {

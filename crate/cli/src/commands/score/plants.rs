@@ -27,6 +27,7 @@ struct Trial {
 /// Scores all clips of a folder that have truth. Returns the number of inputs that failed.
 pub fn run(args: &ScoreArgs) -> Result<usize, UsageError> {
     let params = args.plants.check(trials::method(args)?)?;
+    args.plants.warn_of_unused(params.method());
     let (trials, failures) = trials::trials(args, "NAME.json", |input, read| trial(input, params, read))?;
     let is_requested = |part: &Part| args.part.as_deref().is_none_or(|name| name == part.name());
     for part in Part::ALL.into_iter().filter(is_requested) {
