@@ -1,4 +1,5 @@
 import { expect, test } from "./app";
+import { sample } from "./clips";
 
 test("opens and closes the list of keyboard shortcuts", async ({ app, page }) => {
   await app.openSample("curved-walk");
@@ -58,4 +59,40 @@ test("cycles and stores the theme", async ({ app, page }) => {
   await (await picture).finished();
   await page.reload();
   await expect(app.head.getByRole("button", { name: "Theme: dark" })).toBeVisible();
+});
+
+test("keys do not change a clip that the table covers", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("one-leg-hop"), sample("curved-walk"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  await page.getByRole("button", { name: "curved-walk.bvh", exact: true }).click();
+  await app.waitForClip("curved-walk.bvh");
+  await page.keyboard.press("e");
+  await page.keyboard.press("Delete");
+  await expect(page.locator(".message")).toHaveText("Plant deleted");
+  const before = (await app.result("Left")).plants;
+  await page.keyboard.press("e");
+  const table = app.head.getByRole("button", { name: "2 clips" });
+  await table.click();
+  await expect(page.getByRole("region", { name: "2 clips" })).toBeFocused();
+  for (const key of ["Delete", "x", "Control+z", " "]) await page.keyboard.press(key);
+  const filter = page.getByRole("searchbox");
+  await filter.fill("walk");
+  await filter.press("Control+z");
+  await expect(filter).not.toHaveValue("walk");
+  await filter.fill("");
+  // The clip is not in the order of the focus either.
+  for (let i = 0; i < 40; i++) {
+    await page.keyboard.press("Tab");
+    expect(
+      await page.evaluate(() => document.activeElement?.closest(".views, .timeline, .panel")),
+    ).toBeNull();
+  }
+  await table.click();
+  await expect(app.panel).toBeVisible();
+  expect((await app.result("Left")).plants).toBe(before);
+  await app.tab("Segment");
+  await expect(app.panel).not.toContainText("Remove cut");
+  await page.keyboard.press("Control+z");
+  await expect.poll(async () => (await app.result("Left")).plants).toBe(before + 1);
 });

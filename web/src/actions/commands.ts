@@ -4,7 +4,7 @@
  */
 
 import type { NamedSegment } from "../model/segments/segments";
-import { batchRows, openBatchRow } from "../store/batch";
+import { batchRows, openBatchRow, tableVisible } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected, selectedCut, similar } from "../store/session";
@@ -72,7 +72,8 @@ export interface Command {
   run: () => unknown;
 }
 
-const hasClip = () => openClip.value !== null;
+/** True if a clip is open and not covered by the table. */
+const hasClip = () => openClip.value !== null && !tableVisible.value;
 const zoomFactor = 0.7;
 
 /** Moves the selected cut, or else an edge, by a number of frames. */
@@ -494,7 +495,7 @@ const list = [
     label: "Video next to the view",
     help: "Choose a video to show next to the view",
     keys: [{ key: "v" }],
-    enabled: () => Boolean(openClip.value?.frames),
+    enabled: () => hasClip() && Boolean(openClip.value?.frames),
     run: pickVideo,
   },
   {
@@ -563,6 +564,7 @@ const list = [
     label: "Save labels as JSON",
     help: "Save labels as JSON",
     keys: [{ key: "s", mod: true }],
+    enabled: () => openClip.value !== null,
     isGlobal: true,
     run: () => exportLabels(),
   },

@@ -94,12 +94,15 @@ export function App() {
     >
       <Head />
       <main>
-        <div class="views">
-          <Viewer />
-          {clip && video.value && <VideoPane />}
+        {/* The table covers them. */}
+        <div class="covered" inert={tableVisible.value}>
+          <div class="views">
+            <Viewer />
+            {clip && video.value && <VideoPane />}
+          </div>
+          {clip ? <Timeline /> : !isHosted && <StartPage />}
+          <TouchEdits />
         </div>
-        {clip ? <Timeline /> : !isHosted && <StartPage />}
-        <TouchEdits />
         <input
           ref={setFileInput}
           hidden
@@ -113,7 +116,11 @@ export function App() {
           {!dialog.value && <Progress />}
         </div>
       </main>
-      {clip && <SidePanel />}
+      {clip && (
+        <div class="covered" inert={tableVisible.value}>
+          <SidePanel />
+        </div>
+      )}
       {hintTarget.value && <Tour />}
       {tableVisible.value && <Batch />}
       <Dialogs />

@@ -26,7 +26,10 @@ const isPress = (target: HTMLElement, key: string) =>
 
 /** True if the key is typed into a text field, which has its own undo. */
 function isTyping(event: KeyboardEvent): boolean {
-  return event.target instanceof Element && event.target.matches("input[type=text], textarea");
+  return (
+    event.target instanceof Element &&
+    event.target.matches("input[type=text], input[type=search], textarea")
+  );
 }
 
 export function onKey(event: KeyboardEvent) {

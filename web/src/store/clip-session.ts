@@ -155,6 +155,8 @@ export class ClipSession {
   private readonly newest = new Map<string, symbol>();
   /** Fulfilled when the edits so far are in the labels. */
   private edited: Promise<unknown> = Promise.resolve();
+  /** Number of edits that have not begun or ended. */
+  private pending = 0;
 
   constructor(clip: Clip | null, source: Source | null, start: Start = {}) {
     const { isPreview = false, overrides = {}, playhead = 0, loop = "clip" } = start;
@@ -204,11 +206,19 @@ export class ClipSession {
 
   /** Runs an edit after those before it, unless another clip is open by then. Rejects if the edit does. */
   inOrder(edit: () => unknown): Promise<void> {
-    const done = this.edited.then(async () => {
-      if (!this.signal.aborted) await edit();
-    });
+    this.pending++;
+    const done = this.edited
+      .then(async () => {
+        if (!this.signal.aborted) await edit();
+      })
+      .finally(() => this.pending--);
     this.delayEdits(done);
     return done;
+  }
+
+  /** Number of edits that are lost if another clip replaces this one now. */
+  get pendingEdits(): number {
+    return this.pending;
   }
 
   /** Resolves when all edits so far are applied or have failed. */

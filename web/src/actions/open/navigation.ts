@@ -4,7 +4,7 @@ import { batch } from "@preact/signals";
 import { engine } from "../../engine";
 import type { Source } from "../../model/sources/source";
 import { batchRows, tableVisible } from "../../store/batch";
-import { ClipSession, openSession } from "../../store/clip-session";
+import { ClipSession, openSession, session } from "../../store/clip-session";
 import { errorReport } from "../../store/errors";
 import { source } from "../../store/session";
 import { dialog } from "../../store/view";
@@ -12,19 +12,23 @@ import { showTable } from "../analyse/batch";
 import { compareQuietly } from "../analyse/compare";
 import { pause } from "../view/playback";
 import { clipOfEntry, isTableEntry } from "./history";
-import { cancelOpening, openSource } from "./open";
+import { cancelOpening, openingSignal, openSource } from "./open";
 import { openFromAddress, startPreview } from "./open-address";
 
 /** Shows the start page. */
 export function goHome() {
-  showStartPage();
   history.pushState(null, "", location.pathname + location.search);
+  void showStartPage();
 }
 
-function showStartPage() {
+/** Shows the start page when the edits of the open clip are applied. */
+async function showStartPage(): Promise<void> {
+  cancelOpening();
+  const [clipSession, signal] = [session.value, openingSignal()];
+  await clipSession.editsDone();
+  if (clipSession.signal.aborted || signal.aborted) return;
   batch(() => {
     pause();
-    cancelOpening();
     errorReport.value = null;
     dialog.value = null;
     tableVisible.value = false;
@@ -49,7 +53,7 @@ export function followHistory(signal: AbortSignal) {
         tableVisible.value = false;
         if (clip !== source.peek()) void reopen(clip);
       } else if (isTableEntry(state) && batchRows.peek().length) showTable();
-      else if (!location.hash) showStartPage();
+      else if (!location.hash) void showStartPage();
     },
     { signal },
   );

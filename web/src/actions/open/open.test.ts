@@ -11,6 +11,7 @@ const { errorReport } = await import("../../store/errors");
 const { jobs, opening } = await import("../../store/jobs");
 const { phase } = await import("../../store/phase");
 const { session } = await import("../../store/clip-session");
+const { toasts } = await import("../../store/toasts");
 const { message, notify } = await import("../../store/view");
 const { cancelOpening, openSample, openSource } = await import("./open");
 const { openFiles } = await import("./open-files");
@@ -38,6 +39,25 @@ describe("opening", () => {
     notify("Plant deleted");
     await openFiles({ files: [file("second.bvh")] });
     expect(message.value).toBe("");
+  });
+
+  it("waits for the edits of the clip before, and reports those that come later", async () => {
+    await openFiles({ files: [file("walk.bvh")] });
+    const walk = session.value;
+    let apply = () => {};
+    const early = walk.inOrder(() => new Promise<void>((resolve) => (apply = resolve)));
+    const opened = openFiles({ files: [file("second.bvh")] });
+    await vi.waitFor(() => expect(opening.value?.name).toBe("second.bvh"));
+    void walk.inOrder(() => new Promise(() => {}));
+    expect(openClip.value?.name).toBe("walk.bvh");
+    apply();
+    await early;
+    await opened;
+    expect(openClip.value?.name).toBe("second.bvh");
+    expect(toasts.value.map(({ text }) => text)).toEqual([
+      "1 edit of walk.bvh came too late: another clip was being opened.",
+    ]);
+    toasts.value = [];
   });
 
   it("reports the failure and leaves the clip open", async () => {

@@ -14,6 +14,7 @@ import { type Opening, opening, stopClipJobs } from "../../store/jobs";
 import { segmentOptions } from "../../store/settings";
 import { showToast } from "../../store/toasts";
 import { dialog, message } from "../../store/view";
+import { plural } from "../../util/format";
 import { runDetection } from "../analyse/detect";
 import { runSegmentation } from "../analyse/segment";
 import { restorePersisted } from "../stored/persist";
@@ -76,6 +77,8 @@ export async function openSource(
   // The worker would otherwise finish the pending calls first.
   stopClipJobs();
   try {
+    // Edits of the previous clip that are not in its labels yet would be lost.
+    await Promise.race([session.value.editsDone(), rejectOnAbort(signal)]);
     const onProgress = (fraction: number) => {
       if (!signal.aborted) opening.value = { name, stage: "read", fraction };
     };
@@ -123,6 +126,7 @@ export function showClip(clip: Clip, source: Source, isPreview = false) {
     pause();
     // It is about the clip before.
     message.value = "";
+    reportLostEdits(session.value);
     forgetTemplateFrame();
     if (view) applyViewState(view);
     openSession(
@@ -136,6 +140,13 @@ export function showClip(clip: Clip, source: Source, isPreview = false) {
   });
   // A shared moment is shown as it is. A document may have many frames with clips.
   if (!prefersReducedMotion() && !view?.t && !isFramed) play();
+}
+
+/** Reports the edits that the user made while the next clip was read. */
+function reportLostEdits({ pendingEdits, source }: ClipSession) {
+  if (!pendingEdits || !source) return;
+  const edits = plural(pendingEdits, "edit");
+  showToast({ text: `${edits} of ${source.name} came too late: another clip was being opened.` });
 }
 
 /** Resets a segmentation template that is a frame of the previous clip. */

@@ -1,5 +1,5 @@
 import { beforeEach, expect, it, vi } from "vitest";
-import { session } from "../../store/clip-session";
+import { ClipSession, openSession, session } from "../../store/clip-session";
 import { namedSegments } from "../../store/session";
 import { segmentOptions } from "../../store/settings";
 
@@ -47,7 +47,7 @@ it.each([
     }),
   );
   const pending = save();
-  await open("second.bvh");
+  openSession(new ClipSession(null, null));
   apply();
   await pending;
   expect(saved).toEqual([]);

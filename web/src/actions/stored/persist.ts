@@ -300,6 +300,7 @@ export function discardUnreadable() {
 /** Asks before the page is closed if that loses edits. */
 export function warnBeforeLoss() {
   addEventListener("beforeunload", (event) => {
-    if (hasUnsaved() || session.value.persistError.value) event.preventDefault();
+    const { pendingEdits, persistError } = session.value;
+    if (hasUnsaved() || persistError.value || pendingEdits > 0) event.preventDefault();
   });
 }
