@@ -62,6 +62,21 @@ fn labels_are_read_in_every_format_that_has_plants() {
 }
 
 #[test]
+fn feet_that_share_a_joint_have_a_notice() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let clip = sample("curved-walk.bvh");
+    let info = |joints: &[&str]| {
+        let joints = joints.iter().flat_map(|joint| ["--joint", joint]);
+        let args: Vec<&str> = ["info", &clip].into_iter().chain(joints).collect();
+        run(folder.path(), &args, b"").1
+    };
+    let shared = info(&["left_ankle=Bip01 R Foot", "left_toe=Bip01 R Toe0"]);
+    assert!(shared.contains("Both ankles are Bip01 R Foot. Set another joint"), "{shared}");
+    assert!(shared.contains("Both toes are Bip01 R Toe0."), "{shared}");
+    assert!(!info(&[]).contains("Both"));
+}
+
+#[test]
 fn options_without_effect_have_a_warning() {
     let folder = tempfile::tempdir().expect("a folder");
     let clip = sample("curved-walk.bvh");

@@ -173,6 +173,15 @@ fn role_notices(clip: &Clip, root: usize, roles: &Roles) -> Vec<Notice> {
         notices.push(Notice::new(Code::NoToe, text));
     }
     let ankles = legs.map(|leg| roles.assignment(leg.ankle));
+    for (part, [left, right]) in [("ankles", legs.map(|leg| leg.ankle)), ("toes", legs.map(|leg| leg.toe))] {
+        if let Some(joint) = roles.get(left)
+            && roles.get(right) == Some(joint)
+        {
+            let name = shortened(&clip.joints()[joint].name);
+            let text = format!("Both {part} are {name}. Set another joint for one foot.");
+            notices.push(Notice::new(Code::DoubtfulRole, text));
+        }
+    }
     if let [Some(left), Some(right)] = ankles
         && (left.is_doubtful() || right.is_doubtful())
     {
