@@ -173,6 +173,7 @@ fn results_are_written_to_standard_output() {
         (&["clean", &clip, "-o", "-"][..], "HIERARCHY"),
         (&["gait", &clip, "--format", "steps", "-o", "-"], "foot,"),
         (&["gait", &clip, "--report", "html", "-o", "-"], "<!doctype html>"),
+        (&["gait", &clip, "--format", "csv", "-o", "-"], "clip,"),
         (&["detect", &clip, "--format", "json", "--out", "-"], "{"),
         (&["segment", &clip, "--out", "-"], "{"),
     ] {

@@ -70,7 +70,7 @@ pub fn run(args: &GaitArgs) -> Result<usize, UsageError> {
         (None, GaitFormat::Angles) => Some(formats::GaitFormat::Angles),
         (None, GaitFormat::Text | GaitFormat::Csv | GaitFormat::Json) => None,
     };
-    if file_format.is_none() && args.out.is_some() {
+    if file_format.is_none() && args.out.as_ref().is_some_and(|out| !file::is_stream(out)) {
         return Err(UsageError::OutOfPrinted);
     }
     let files = match ClipFiles::read(args) {
