@@ -267,11 +267,12 @@ function CutEditor() {
               min={1}
               step={1}
               value={cut}
-              onChange={(event) => {
+              onChange={async (event) => {
                 const field = event.currentTarget;
                 const to = field.valueAsNumber;
-                if (Number.isInteger(to)) void moveCutTo(cut, to);
-                else field.value = String(cut);
+                if (Number.isInteger(to)) await moveCutTo(cut, to);
+                // Invalid input is replaced by the frame of the cut.
+                field.value = String(selectedCut.value ?? cut);
               }}
             />
           </CutStepper>
