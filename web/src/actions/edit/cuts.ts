@@ -19,7 +19,7 @@ export async function applyCutEdits(clipSession: ClipSession): Promise<void> {
   const segments = await clipSession.run("edit cuts", () => engine.editCuts(edits));
   const current = clipSession.segmentation.value;
   if (!segments || !current) return;
-  const after = { ...current, segments };
+  const after = { ...current, segments, detected: current.detected ?? current.segments };
   applied.set(after, key);
   batch(() => {
     clipSession.segmentation.value = after;

@@ -58,6 +58,43 @@ it("gives the name of an action to all its segments, except those with a name of
   expect(namesOf(segments, names)).toEqual(["stroll", "", "stroll", "march"]);
 });
 
+it("gives the pieces of a cut segment its name", () => {
+  const detected = segmentsEndingAt(300, 500, 800);
+  const names = [{ start: 0, end: 300, name: "walk" }];
+  const namesAfter = (...ends: number[]) =>
+    nameSegments(segmentsEndingAt(...ends), names, undefined, detected).map(({ name }) => name);
+  expect(namesAfter(150, 300, 500, 800)).toEqual(["walk", "walk", "", ""]);
+  expect(namesAfter(100, 200, 300, 500, 800)).toEqual(["walk", "walk", "walk", "", ""]);
+  expect(namesAfter(500, 800)).toEqual(["walk", ""]);
+  expect(namesAfter(310, 500, 800)).toEqual(["walk", "", ""]);
+  names.push({ start: 100, end: 200, name: "run" });
+  expect(namesAfter(100, 200, 300, 500, 800)).toEqual(["walk", "run", "walk", "", ""]);
+});
+
+it("names an action by its detected segments, however they are cut", () => {
+  const withActions = (segments: Segment[], actions: string) =>
+    segments.map((segment, i) => ({ ...segment, action: actions[i] ?? "" }));
+  const detected = withActions(segmentsEndingAt(300, 500, 680), "ABA");
+  const namesAfter = (names: readonly SegmentName[], actions: string, ...ends: number[]) => {
+    const segments = withActions(segmentsEndingAt(...ends), actions);
+    return nameSegments(segments, names, undefined, detected).map(({ name }) => name);
+  };
+  const first = [{ start: 0, end: 300, name: "walk" }];
+  expect(namesAfter(first, "AABA", 150, 300, 500, 680)).toEqual(["walk", "walk", "", "walk"]);
+  expect(namesAfter(first, "AAABA", 100, 200, 300, 500, 680)).toEqual([
+    "walk",
+    "walk",
+    "walk",
+    "",
+    "walk",
+  ]);
+  const last = [{ start: 500, end: 680, name: "walk" }];
+  expect(namesAfter(last, "AB", 300, 680)).toEqual(["walk", ""]);
+  // The name of a new piece is that of its action, if the action has none yet.
+  const piece = [{ start: 0, end: 100, name: "walk" }];
+  expect(namesAfter(piece, "AABA", 100, 300, 500, 680)).toEqual(["walk", "walk", "", "walk"]);
+});
+
 it("finds the segment that contains a frame", () => {
   const named = nameSegments(segmentsEndingAt(10, 25, 40), []);
   expect([0, 9, 10, 24, 39, 99].map((frame) => segmentIndexAt(named, frame))).toEqual([
