@@ -113,6 +113,17 @@ it("makes file names that are valid on any system", () => {
   ]);
 });
 
+it("makes file names of at most 255 bytes, with the number of the segment", () => {
+  const names = [{ start: 0, end: 10, name: "歩".repeat(200) }];
+  const named = nameSegments(segmentsEndingAt(10, 25), names);
+  for (const clip of ["walk", "走".repeat(200), "a".repeat(300)]) {
+    const [first = "", second = ""] = segmentFileNames(named, clip);
+    expect(new TextEncoder().encode(first).length).toBeLessThanOrEqual(255);
+    expect(first).toMatch(/-01-歩+\.bvh$/);
+    expect(second).toMatch(/-02\.bvh$/);
+  }
+});
+
 it("joins the segments of an action and names actions apart", () => {
   const segments = segmentsEndingAt(100, 180, 300, 400, 500).map((segment, i) => ({
     ...segment,

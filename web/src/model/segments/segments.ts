@@ -1,5 +1,5 @@
 import { firstIndexWhere } from "../../util/binary-search";
-import { safeFileName } from "../../util/file-names";
+import { safeFileName, startOf } from "../../util/file-names";
 import type { FrameRange } from "../plants/edits";
 import type { GaitAction, Segment } from "../types";
 
@@ -163,7 +163,8 @@ export function segmentFileNames(segments: readonly NamedSegment[], clip: string
       .replace(/[^\p{L}\p{N}]+/gu, "-")
       .replace(/^-|-$/g, "");
     const parts = [safeFileName(clip), String(segment.number).padStart(digits, "0"), suffix];
-    return `${parts.filter(Boolean).join("-")}.bvh`;
+    // File systems allow 255 bytes.
+    return `${startOf(parts.filter(Boolean).join("-"), 251)}.bvh`;
   });
 }
 
