@@ -4,7 +4,7 @@ import { removeReferenceSegments } from "../actions/analyse/compare";
 import { runSegmentation, setSegmentName, setSegmentOptions } from "../actions/analyse/segment";
 import { commandOf, tooltip } from "../actions/commands";
 import { moveCutTo } from "../actions/edit/edit-cuts";
-import { exportClips, exportSegments } from "../actions/save/export";
+import { exportClips, exportSegments } from "../actions/save/export-segments";
 import { loopSegment } from "../actions/view/playback";
 import { toSentence } from "../model/batch/report";
 import {

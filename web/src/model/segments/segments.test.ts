@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
 import type { Segment } from "../types";
+import { segmentFileNames } from "./file-names";
 import {
   actionsOf,
   cutsOf,
@@ -7,7 +8,6 @@ import {
   renameSegment,
   type SegmentName,
   segmentAt,
-  segmentFileNames,
   segmentIndexAt,
 } from "./segments";
 

@@ -1,5 +1,4 @@
 import { firstIndexWhere } from "../../util/binary-search";
-import { safeFileName, startOf } from "../../util/file-names";
 import type { FrameRange } from "../plants/edits";
 import type { GaitAction, Segment } from "../types";
 
@@ -152,21 +151,6 @@ export function segmentIndexAt(segments: readonly FrameRange[], frame: number): 
 /** Returns the first frame of every segment except the first. */
 export const cutsOf = (segments: readonly NamedSegment[]) =>
   segments.slice(1).map(({ start }) => start);
-
-/** Returns a file name for each segment, in order: `walk-03-turn.bvh`. */
-export function segmentFileNames(segments: readonly NamedSegment[], clip: string): string[] {
-  const digits = Math.max(2, String(segments.length).length);
-  return segments.map((segment) => {
-    // Names may contain characters that file systems do not allow.
-    const suffix = segment.name
-      .trim()
-      .replace(/[^\p{L}\p{N}]+/gu, "-")
-      .replace(/^-|-$/g, "");
-    const parts = [safeFileName(clip), String(segment.number).padStart(digits, "0"), suffix];
-    // File systems allow 255 bytes.
-    return `${startOf(parts.filter(Boolean).join("-"), 251)}.bvh`;
-  });
-}
 
 /**
  * Returns the actions of segments in order of first appearance. Segments with the same action are one action;
