@@ -164,3 +164,41 @@ async function expectAccessible(page: Page) {
     expect(found, `${colorScheme} theme`).toEqual([]);
   }
 }
+
+test("forced colours show borders, and what is pressed, selected and current", async ({
+  app,
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await app.openSample("curved-walk");
+  await app.tab("Labels");
+  await page.keyboard.press("e");
+  const selectedColours = await page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement("i"));
+    probe.style.cssText = "background: Highlight; color: HighlightText; forced-color-adjust: none";
+    const { backgroundColor, color } = getComputedStyle(probe);
+    probe.remove();
+    return { backgroundColor, color };
+  });
+  const button = (name: string) => app.view.getByRole("button", { name });
+  const plants = app.panel.getByRole("button", { name: /^\d+\s*(Left|Right)/ });
+  for (const [active, other] of [
+    [button("Follow"), button("Trails")],
+    [page.getByRole("tab", { selected: true }), page.getByRole("tab", { selected: false }).first()],
+    [plants.nth(0), plants.nth(1)],
+    [plants.nth(0).locator(".confidence"), plants.nth(1).locator(".confidence")],
+  ] as const) {
+    await expect(active).toHaveCSS("color", selectedColours.color);
+    await expect(other).not.toHaveCSS("color", selectedColours.color);
+  }
+  for (const active of [button("Follow"), page.getByRole("tab", { selected: true }), plants.nth(0)])
+    await expect(active).toHaveCSS("background-color", selectedColours.backgroundColor);
+  for (const bordered of [
+    button("Trails"),
+    app.panel.getByRole("button", { name: "Undo" }),
+    app.panel.getByRole("button", { name: "Add plant" }),
+    app.head.getByRole("button", { name: "Share" }),
+  ]) {
+    await expect(bordered).not.toHaveCSS("border-top-width", "0px");
+  }
+});

@@ -126,6 +126,53 @@ test("a name applies to all segments of the action, except named ones", async ({
   expect(segments.map(({ label }: { label: string }) => label)).toEqual(["limp", "", "slow limp"]);
 });
 
+test("an action retains its name when its segments are cut or joined", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
+  const [first = 0, second = 0] = await cutsOf(app);
+  const name = (i: number) => app.panel.getByRole("textbox", { name: `Name of segment ${i}` });
+  const names = async () => (await app.segments()).map((segment) => segment.name);
+  await name(3).fill("limp");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("x");
+  const half = Math.round(first / 2);
+  await field(app).fill(String(half));
+  await page.keyboard.press("Enter");
+  await expectCuts(app, [half, first, second]);
+  expect(await names()).toEqual(["limp", "limp", "", "limp"]);
+  const { segments } = JSON.parse((await app.saveSegments("Segments")).text);
+  expect(segments.map(({ label }: { label: string }) => label)).toEqual([
+    "limp",
+    "limp",
+    "",
+    "limp",
+  ]);
+  await page.keyboard.press("End");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Shift+X");
+  await expectCuts(app, [half, first]);
+  expect((await names()).slice(0, 2)).toEqual(["limp", "limp"]);
+});
+
+test("Escape restores the name as it was, and names nothing", async ({ app, page }) => {
+  await app.openSample("limp-to-run");
+  await app.segments();
+  const name = (i: number) => app.panel.getByRole("textbox", { name: `Name of segment ${i}` });
+  await name(1).fill("limp");
+  await name(3).focus();
+  await page.keyboard.press("Escape");
+  await expect(name(3)).not.toBeFocused();
+  await name(3).fill("slow limp");
+  await page.keyboard.press("Escape");
+  await expect(name(3)).toHaveValue("limp");
+  await name(1).fill("walk");
+  await expect(name(3)).toHaveValue("walk");
+  await name(1).fill("");
+  await page.keyboard.press("Escape");
+  await expect(name(1)).toHaveValue("limp");
+  await expect(name(3)).toHaveValue("limp");
+});
+
 test("naming by a double click leaves the loop as it was", async ({ app, page }) => {
   await app.openSample("limp-to-run");
   const [first = 0] = await cutsOf(app);

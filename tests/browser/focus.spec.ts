@@ -1,6 +1,7 @@
 /** Keys belong to the timeline, whichever control was used last. */
 
 import { expect, test } from "./app";
+import { bad, sample } from "./clips";
 import { atEachSize } from "./viewports";
 
 atEachSize(() => {
@@ -123,4 +124,70 @@ test("plays backwards and faster by J and L", async ({ app, page }) => {
   await page.keyboard.press("l");
   await expect(speed).toHaveValue("1");
   await expect.poll(() => app.frame()).toBeGreaterThan(paused);
+});
+
+test("a pressed button that disappears or is disabled gives the focus to its neighbour", async ({
+  app,
+  page,
+}) => {
+  await app.openSample("curved-walk");
+  await app.tab("Labels");
+  await page.keyboard.press("e");
+  const button = (name: string) => app.panel.getByRole("button", { name, exact: true });
+  const undo = button("Undo");
+  await button("Delete").focus();
+  await page.keyboard.press("Enter");
+  await expect(undo).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(undo).toBeDisabled();
+  await expect(button("Redo")).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(undo).toBeFocused();
+});
+
+test("closing a table, a card or a dialog by keyboard gives the focus to the page", async ({
+  app,
+  page,
+}) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("curved-walk"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  await test.step("opening a row focuses the playhead", async () => {
+    await page.getByRole("button", { name: "bowling.bvh", exact: true }).focus();
+    await page.keyboard.press("Enter");
+    await app.waitForClip("bowling.bvh");
+    await expect(app.playhead).toBeFocused();
+  });
+  const table = page.getByRole("region", { name: /clips$/ });
+  await test.step("closing the share dialog leaves the focus in the table", async () => {
+    await app.head.getByRole("button", { name: "2 clips" }).focus();
+    await page.keyboard.press("Enter");
+    await expect(table).toBeFocused();
+    await app.head.getByRole("button", { name: "Share" }).click();
+    await expect(app.dialog).toBeVisible();
+    await page.keyboard.press("Escape");
+    await expect(app.dialog).toBeHidden();
+    await expect(table).toBeFocused();
+  });
+  await test.step("closing the table focuses the playhead", async () => {
+    await table.getByRole("button", { name: /^Back to/ }).focus();
+    await page.keyboard.press("Enter");
+    await expect(table).toBeHidden();
+    await expect(app.playhead).toBeFocused();
+  });
+  await test.step("dismissing an error focuses the playhead", async () => {
+    await app.drop(bad("not-a-number"));
+    await app.alert.getByRole("button", { name: "Dismiss" }).focus();
+    await page.keyboard.press("Enter");
+    await expect(app.alert).toBeHidden();
+    await expect(app.playhead).toBeFocused();
+  });
+  await test.step("on the start page, the focus stays on the page", async () => {
+    await app.head.getByRole("button", { name: "Plantigrade, start page" }).click();
+    await app.drop(bad("not-a-number"));
+    await app.alert.getByRole("button", { name: "Dismiss" }).focus();
+    await page.keyboard.press("Enter");
+    await expect(app.alert).toBeHidden();
+    await expect(page.locator(":focus")).toBeVisible();
+  });
 });

@@ -1,7 +1,7 @@
 /** Space for the view, the timeline and the panel on pages of every size. */
 
 import { type App, expect, test } from "./app";
-import { clip, sample } from "./clips";
+import { bad, clip, good, sample } from "./clips";
 import { atEachSize, viewports } from "./viewports";
 
 const container = (app: App) => app.tracks.locator("xpath=..");
@@ -279,4 +279,25 @@ test("a comparison makes a timeline higher whose height the user has set", async
   await expect.poll(height).toBe(own + 96);
   await app.panel.getByRole("button", { name: "Remove" }).click();
   await expect.poll(height).toBe(own + 24);
+});
+
+test("the error card fits on the page, also after a clip with a long name", async ({
+  app,
+  page,
+}) => {
+  const name = `${"walk_".repeat(26)}.bvh`;
+  await app.openFile({ ...good("plain"), name });
+  await app.drop({ ...bad("not-a-number"), name: `bad_${name}` });
+  for (const viewport of [viewports.desktop, viewports.phone]) {
+    await page.setViewportSize(viewport);
+    await expect(app.alert).toContainText("is still open");
+    const card = await app.alert.boundingBox();
+    expect(card?.x).toBeGreaterThanOrEqual(0);
+    expect((card?.x ?? 0) + (card?.width ?? 0)).toBeLessThanOrEqual(viewport.width);
+    expect(await app.alert.evaluate((card) => card.scrollWidth - card.clientWidth)).toBe(0);
+    const dismiss = app.alert.getByRole("button", { name: "Dismiss" });
+    await expect(dismiss).toBeInViewport({ ratio: 1 });
+  }
+  await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  await expect(app.alert).toBeHidden();
 });

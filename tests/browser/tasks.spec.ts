@@ -153,7 +153,7 @@ atEachSize((size) => {
     await page.keyboard.press("Enter");
     await expect(message).toHaveText("Frames 0 to 244, joined with 2 plants");
     await page.keyboard.press("Control+z");
-    await expect(message).toHaveText("Undone");
+    await expect(message).toHaveText("Undone: Frames 0 to 244, joined with 2 plants");
     await expect(message).toBeHidden();
   });
 

@@ -21,6 +21,7 @@ import "./styles/evidence.css";
 import "./styles/gait.css";
 import "./styles/video.css";
 import "./styles/touch.css";
+import "./styles/forced-colors.css";
 
 start();
 const root = document.getElementById("app");

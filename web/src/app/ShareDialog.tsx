@@ -5,7 +5,7 @@ import { currentLink, savePage, savePicture } from "../actions/save/share";
 import { embedded, isHosted } from "../store/embedded";
 import { playhead } from "../store/playback";
 import { clip, edits, segmentNames } from "../store/session";
-import { announcement, stageHandle } from "../store/view";
+import { announce, stageHandle } from "../store/view";
 import { Dialog } from "../ui/Dialog";
 import { formatClock } from "../util/format";
 import { MadeWith } from "./MadeWith";
@@ -69,7 +69,7 @@ function ShareLink({ link }: { link: string }) {
       // The page may not write to the clipboard; the link is already selected.
       copyLabel.value = `Press ${keyText({ key: "c", mod: true })}`;
     }
-    announcement.value = copyLabel.value;
+    announce(copyLabel.value);
   };
   const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
   return (

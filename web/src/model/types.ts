@@ -188,6 +188,8 @@ export interface Segmentation {
   options: SegmentOptions;
   /** In order; they cover the clip without gaps. */
   segments: readonly SegmentInfo[];
+  /** The segments before cuts were edited; absent if none were. */
+  detected?: readonly SegmentInfo[];
   /** Transitions between actions: start, end, start, end, …. */
   transitions: Uint32Array;
   /** Motifs, the intervals between turning points: start, end, start, end, …. */

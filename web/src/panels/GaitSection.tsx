@@ -1,5 +1,5 @@
 import { useComputed } from "@preact/signals";
-import { exportGait, printGaitReport } from "../actions/save/export";
+import { exportGait, printGaitReport } from "../actions/save/export-gait";
 import { jumpTo } from "../actions/view/playback";
 import type { Gait, GaitAction, Step } from "../model/types";
 import { frame } from "../store/playback";

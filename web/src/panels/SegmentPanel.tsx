@@ -4,10 +4,15 @@ import { removeReferenceSegments } from "../actions/analyse/compare";
 import { runSegmentation, setSegmentName, setSegmentOptions } from "../actions/analyse/segment";
 import { commandOf, tooltip } from "../actions/commands";
 import { moveCutTo } from "../actions/edit/edit-cuts";
-import { exportClips, exportSegments } from "../actions/save/export";
+import { exportClips, exportSegments } from "../actions/save/export-segments";
 import { loopSegment } from "../actions/view/playback";
 import { toSentence } from "../model/batch/report";
-import { actionText, type NamedSegment, segmentKind } from "../model/segments/segments";
+import {
+  actionText,
+  type NamedSegment,
+  type SegmentName,
+  segmentKind,
+} from "../model/segments/segments";
 import type { SegmentOptions } from "../model/types";
 import { openVocabulary } from "../store/batch";
 import { frame, loopedSegment } from "../store/playback";
@@ -19,6 +24,7 @@ import {
   renamedSegment,
   segmentation,
   segmentFailure,
+  segmentNames,
   selectedCut,
 } from "../store/session";
 import { segmentFormats, segmentMethods, segmentOptions } from "../store/settings";
@@ -267,11 +273,12 @@ function CutEditor() {
               min={1}
               step={1}
               value={cut}
-              onChange={(event) => {
+              onChange={async (event) => {
                 const field = event.currentTarget;
                 const to = field.valueAsNumber;
-                if (Number.isInteger(to)) void moveCutTo(cut, to);
-                else field.value = String(cut);
+                if (Number.isInteger(to)) await moveCutTo(cut, to);
+                // Invalid input is replaced by the frame of the cut.
+                field.value = String(selectedCut.value ?? cut);
               }}
             />
           </CutStepper>
@@ -346,7 +353,8 @@ function SaveButtons() {
 function Row({ segment, rate }: { segment: NamedSegment; rate: number }) {
   const { number, start, end, kind, label, name, action } = segment;
   const field = useRef<HTMLInputElement>(null);
-  const previousName = useRef(name);
+  /** The names before the user typed one; null until then. */
+  const previousNames = useRef<readonly SegmentName[] | null>(null);
   const isCurrent = useComputed(() => frame.value >= start && frame.value < end);
   const isRenamed = renamedSegment.value?.start === start;
   useEffect(() => {
@@ -393,12 +401,16 @@ function Row({ segment, rate }: { segment: NamedSegment; rate: number }) {
         value={name}
         maxLength={200}
         autocomplete="off"
-        onInput={(event) => setSegmentName(segment, event.currentTarget.value)}
-        onFocus={() => {
-          previousName.current = name;
+        onInput={(event) => {
+          previousNames.current ??= segmentNames.value;
+          setSegmentName(segment, event.currentTarget.value);
+        }}
+        onBlur={() => {
+          previousNames.current = null;
         }}
         onKeyDown={(event) => {
-          if (event.key === "Escape") setSegmentName(segment, previousName.current);
+          if (event.key === "Escape" && previousNames.current)
+            segmentNames.value = previousNames.current;
           if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
         }}
       />

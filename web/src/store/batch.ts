@@ -66,7 +66,11 @@ const batchNames = computed(() => {
     const { segmentation, segmentNames } = session.value;
     const given =
       row === openRowOfTable.value
-        ? namesOfActions(segmentation.value?.segments ?? [], segmentNames.value)
+        ? namesOfActions(
+            segmentation.value?.segments ?? [],
+            segmentNames.value,
+            segmentation.value?.detected,
+          )
         : (summary?.actions?.names ?? []);
     for (const [letter, name] of given) {
       const common = actions.get(letter);

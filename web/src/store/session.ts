@@ -56,7 +56,12 @@ export const plants = computed(() => (detection.value ? plantsOf(detection.value
 
 /** The segments with the names that the user gave them. */
 export const namedSegments = computed(() =>
-  nameSegments(segmentation.value?.segments ?? [], segmentNames.value, openVocabulary.value),
+  nameSegments(
+    segmentation.value?.segments ?? [],
+    segmentNames.value,
+    openVocabulary.value,
+    segmentation.value?.detected,
+  ),
 );
 
 /** The actions whose gait can be measured separately; empty if all of the clip is one action. */

@@ -1,6 +1,6 @@
 /** View state of the page: camera, tabs, dialogs and announcements. */
 
-import { batch, signal } from "@preact/signals";
+import { batch, type Signal, signal } from "@preact/signals";
 import type { CameraPose, CameraView } from "../model/stored/view-state";
 import { panelCollapsed } from "./preferences";
 
@@ -79,8 +79,16 @@ export const announcement = signal("");
 /** What the last edit did, or why it did nothing; shown for a short time. */
 export const message = signal("");
 
+/** Replaces a text; if it is the same, by one that looks the same, because only changes are announced. */
+function replaceText(field: Signal<string>, text: string) {
+  field.value = field.peek() === text ? `${text}\u00a0` : text;
+}
+
+/** Announces a text to screen readers. */
+export const announce = (text: string) => replaceText(announcement, text);
+
 /** Reports what an edit did, on the page and to screen readers. */
 export function notify(text: string) {
-  message.value = text;
-  announcement.value = text;
+  replaceText(message, text);
+  announce(text);
 }

@@ -39,11 +39,14 @@ export function safeFileName(name: string): string {
 
 /** Shortens a name in its middle, so that its extension remains. */
 function shorten(name: string): string {
-  const start = new Uint8Array(maxNameBytes - 100);
-  if (new TextEncoder().encode(name).length <= maxNameBytes) return name;
-  const { read } = new TextEncoder().encodeInto(name, start);
-  return `${name.slice(0, read)}…${name.slice(-24)}`.toWellFormed();
+  return startOf(name, maxNameBytes) === name
+    ? name
+    : `${startOf(name, maxNameBytes - 100)}…${name.slice(-24)}`.toWellFormed();
 }
+
+/** Returns the start of a text that is at most a number of bytes long in UTF-8. */
+export const startOf = (text: string, bytes: number) =>
+  text.slice(0, new TextEncoder().encodeInto(text, new Uint8Array(bytes)).read);
 
 /** True for the companion files and folders that macOS adds to archives. */
 export const isMacCompanion = (path: string) => /(^|\/)(__MACOSX(\/|$)|\._)/.test(path);

@@ -172,7 +172,8 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
   if (segmented.ok) {
     const { value } = segmented;
     owned.push(value);
-    const letters = new Set(value.segments().map(({ action }) => action ?? ""));
+    const detected = value.segments();
+    const letters = new Set(detected.map(({ action }) => action ?? ""));
     letters.delete("");
     value.editCuts(cutEditsOf(changes.edits));
     const segments = value.segments();
@@ -180,9 +181,9 @@ async function summarizeClip(task: SummaryTask): Promise<{ summary: Summary; fil
     summary.actions = {
       letters: [...letters],
       movements: value.actionMovements(),
-      names: namesOfActions(segments, changes.names),
+      names: namesOfActions(segments, changes.names, detected),
     };
-    const named = nameSegments(segments, changes.names, request.vocabulary);
+    const named = nameSegments(segments, changes.names, request.vocabulary, detected);
     const names = named.map(segmentTitle);
     const actions = named.map(({ action = "" }) => action);
     for (const { name: format, extension } of request.save ? segmentFormats() : []) {

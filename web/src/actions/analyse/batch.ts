@@ -20,7 +20,7 @@ import { type ErrorReport, errorReport } from "../../store/errors";
 import { runJob } from "../../store/jobs";
 import { edits, plants, segmentNames } from "../../store/session";
 import { detectOptions, segmentOptions } from "../../store/settings";
-import { announcement, notify } from "../../store/view";
+import { announce, notify } from "../../store/view";
 import { safeFileName, stemOf, uniqueNames } from "../../util/file-names";
 import { addHistoryEntry, addTableEntry, leaveTableEntry } from "../open/history";
 import { openSource } from "../open/open";
@@ -65,7 +65,9 @@ export async function resumeBatch() {
   await nameActions(signal);
   if (signal.aborted) return;
   const failed = batchRows.value.filter(({ status }) => status === "failed").length;
-  announcement.value = `${batchRows.value.length} files processed${failed ? `, ${failed} could not be read` : ""}`;
+  announce(
+    `${batchRows.value.length} files processed${failed ? `, ${failed} could not be read` : ""}`,
+  );
 }
 
 /** Gives equal actions of all clips equal letters. */

@@ -10,7 +10,7 @@ import { reportOpenFailure } from "../../store/errors";
 import { frame } from "../../store/playback";
 import { openClip, score, source } from "../../store/session";
 import { showToast } from "../../store/toasts";
-import { activeTab, announcement, showTab } from "../../store/view";
+import { activeTab, announce, showTab } from "../../store/view";
 import { formatBytes, spokenRange } from "../../util/format";
 import { fetchBlob } from "../open/fetch-blob";
 import { pause, seek } from "../view/playback";
@@ -51,7 +51,7 @@ export async function compareWith(name: string, data: Blob, show = showTab): Pro
         clipSession.reference.value = compared.annotation;
         show("score");
       }
-      announcement.value = `Compared with ${name}`;
+      announce(`Compared with ${name}`);
     });
     await ("segments" in compared ? updateCutScores(clipSession) : updateScores(clipSession));
   } catch (error) {
@@ -136,5 +136,7 @@ export function stepDisagreement(direction: 1 | -1) {
   if (!next) return;
   pause();
   seek(next.start);
-  announcement.value = `${next.side} ${next.part} ${next.kind === "missed" ? "false negative" : "false positive"}, ${spokenRange(next)}`;
+  announce(
+    `${next.side} ${next.part} ${next.kind === "missed" ? "false negative" : "false positive"}, ${spokenRange(next)}`,
+  );
 }

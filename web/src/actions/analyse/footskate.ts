@@ -7,7 +7,7 @@ import { type CleanedView, session } from "../../store/clip-session";
 import { reportFailure } from "../../store/errors";
 import { runJob } from "../../store/jobs";
 import { clip } from "../../store/session";
-import { announcement } from "../../store/view";
+import { announce } from "../../store/view";
 import { stemOf } from "../../util/file-names";
 import { download, ofOpenClip } from "../save/download";
 
@@ -45,7 +45,7 @@ export async function cleanClip({
         cleaned,
         view: "both",
       };
-      announcement.value = "Foot skate fixed; the original is shown in red";
+      announce("Foot skate fixed; the original is shown in red");
     });
   } catch (error) {
     reportFailure("cleaned", before.name, error, () => void cleanClip({ keepSpikes, only }));

@@ -3,7 +3,7 @@
 import { addCut, moveCut, nearestCut, removeCut } from "../../model/segments/cut-edits";
 import type { CutEdit } from "../../model/types";
 import { frame } from "../../store/playback";
-import { clip, cuts, edits, selectedCut } from "../../store/session";
+import { clip, cuts, edits, segmentation, selectedCut } from "../../store/session";
 import { notify } from "../../store/view";
 import { pause, seek } from "../view/playback";
 import { commitEdits, inOrder, select } from "./edit";
@@ -46,7 +46,8 @@ export function addCutAtPlayhead(): Promise<void> {
   const at = frame.value;
   return inOrder(async () => {
     const added = addCut(cuts.value, at, frames());
-    if (added.length) await commit(added, `Cut added at frame ${at}`, at);
+    if (!segmentation.value) notify("There are no segments to cut");
+    else if (added.length) await commit(added, `Cut added at frame ${at}`, at);
     else notify("No cut was added: the playhead is at a cut or at an end of the clip");
   });
 }
@@ -56,7 +57,7 @@ export function removeNearestCut(): Promise<void> {
   const at = frame.value;
   return inOrder(async () => {
     const cut = selectedCut.value ?? nearestCut(cuts.value, at);
-    if (cut === undefined) notify("There is no cut to remove");
+    if (cut === undefined || !cuts.value.includes(cut)) notify("There is no cut to remove");
     else await commit(removeCut(cut), `Cut at frame ${cut} removed`, null);
   });
 }

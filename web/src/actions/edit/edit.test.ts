@@ -2,15 +2,23 @@ import { expect, test, vi } from "vitest";
 import type { EditedParts } from "../../model/types";
 import { ClipSession, openSession, session } from "../../store/clip-session";
 import { edits } from "../../store/session";
-import { message } from "../../store/view";
+import { announcement, message } from "../../store/view";
 import { edit } from "../../testing/edit";
 import { engine } from "../../testing/fake-engine";
 import { createWalkingClip } from "../../testing/walking-clip";
 
 vi.mock("../../engine", () => import("../../testing/fake-engine"));
 
-const { addToTarget, commitEdits, inOrder, nudgeEdge, removeSelected, startAtPlayhead } =
-  await import("./edit");
+const {
+  addToTarget,
+  commitEdits,
+  inOrder,
+  nudgeEdge,
+  redo,
+  removeSelected,
+  startAtPlayhead,
+  undo,
+} = await import("./edit");
 const { openFiles } = await import("../open/open-files");
 
 test("reports why there is no plant to edit", async () => {
@@ -58,4 +66,21 @@ test("does edits in order, also after one that failed, but not in the next clip"
   await late;
   expect(results).toHaveLength(1);
   expect(session.value.edits.value).toEqual([]);
+});
+
+test("announces every undone and redone edit, and which it was", async () => {
+  await openFiles({ files: [new File(["HIERARCHY"], "walk.bvh")] });
+  const spoken: string[] = [];
+  const stop = announcement.subscribe((text) => void spoken.push(text.trim()));
+  spoken.length = 0;
+  for (const start of [0, 20, 40]) await commitEdits([...edits.value, edit(start)], "Plant added");
+  for (let i = 0; i < 3; i++) await undo();
+  await redo();
+  stop();
+  expect(spoken).toEqual([
+    ...Array(3).fill("Plant added"),
+    ...Array(3).fill("Undone: Plant added"),
+    "Redone: Plant added",
+  ]);
+  expect(message.value.trim()).toBe("Redone: Plant added");
 });

@@ -38,7 +38,7 @@ import {
   selectedCut,
   selectedEdge,
 } from "../../store/session";
-import { announcement, notify, showTab } from "../../store/view";
+import { announce, notify, showTab } from "../../store/view";
 import { capitalize, plural, spokenRange } from "../../util/format";
 import { updateScores } from "../analyse/compare";
 import { pause, seek, stepThrough } from "../view/playback";
@@ -115,6 +115,9 @@ export async function replaceEdits(
   if (before.length || edits.value.length) await applyEdits(clipSession);
 }
 
+/** What the last edit of a list did. */
+const effects = new WeakMap<readonly AnyEdit[], string>();
+
 /** Replaces the edits; this can be undone. */
 export function commitEdits(
   next: readonly AnyEdit[],
@@ -122,6 +125,7 @@ export function commitEdits(
   range?: FrameRange,
 ): Promise<void> {
   const clipSession = session.value;
+  effects.set(next, message);
   batch(() => {
     clipSession.undoStack.value = [...clipSession.undoStack.value, clipSession.edits.value];
     clipSession.redoStack.value = [];
@@ -144,12 +148,14 @@ function swap(from: EditStack, to: EditStack, message: string): Promise<void> {
     const [source, target] = [clipSession[from], clipSession[to]];
     const next = source.value.at(-1);
     if (!next) return;
+    const last = clipSession.edits.value;
     batch(() => {
       source.value = source.value.slice(0, -1);
-      target.value = [...target.value, clipSession.edits.value];
+      target.value = [...target.value, last];
       clipSession.edits.value = next;
-      notify(message);
     });
+    const effect = effects.get(from === "undoStack" ? last : next);
+    notify(effect ? `${message}: ${effect}` : message);
     await applyEdits(clipSession);
   });
 }
@@ -238,13 +244,13 @@ export function selectAtPlayhead() {
   if (next) selectAndAnnounce(next);
   else {
     select(undefined);
-    announcement.value = "No foot is planted at the playhead";
+    announce("No foot is planted at the playhead");
   }
 }
 
 function selectAndAnnounce(plantRef: PlantRef) {
   select(plantRef);
-  announcement.value = `${plantRef.side} ${plantRef.part} selected, ${spokenRange(plantRef)}`;
+  announce(`${plantRef.side} ${plantRef.part} selected, ${spokenRange(plantRef)}`);
 }
 
 /**
@@ -285,7 +291,9 @@ export function stepUncertain(direction: 1 | -1) {
   pause();
   seek(start);
   select({ side, part, start, end });
-  announcement.value = `Plant ${next.number}, ${side} foot, ${spokenRange(next)}, ${Math.floor(100 * next.confidence)} percent`;
+  announce(
+    `Plant ${next.number}, ${side} foot, ${spokenRange(next)}, ${Math.floor(100 * next.confidence)} percent`,
+  );
 }
 
 /** Reports why there is no plant to edit. */

@@ -9,7 +9,7 @@ import { reportFailure, reportOpenFailure } from "../../store/errors";
 import { runJob } from "../../store/jobs";
 import { openClip } from "../../store/session";
 import { detectOptions } from "../../store/settings";
-import { announcement } from "../../store/view";
+import { announce } from "../../store/view";
 import { storedChangesOf } from "../stored/persist";
 
 export async function addCompanion(source: Source): Promise<void> {
@@ -32,7 +32,7 @@ export async function addCompanion(source: Source): Promise<void> {
     const { clip, detection } = loaded;
     batch(() => {
       companions.value = [...companions.value, { source, clip, detection }];
-      announcement.value = `${name} is shown next to ${openClip.value?.name}`;
+      announce(`${name} is shown next to ${openClip.value?.name}`);
     });
   } catch (error) {
     if (!(error instanceof DOMException && error.name === "AbortError")) {

@@ -7,7 +7,8 @@ vi.mock("../../engine", () => import("../../testing/fake-engine"));
 
 const { errorReport } = await import("../../store/errors");
 const { openFiles } = await import("../open/open-files");
-const { exportClips, exportLabels, exportSegments } = await import("./export");
+const { exportLabels } = await import("./export");
+const { exportClips, exportSegments } = await import("./export-segments");
 
 const open = (name: string) => openFiles({ files: [new File(["HIERARCHY"], name)] });
 const format = { name: "json", title: "", description: "", extension: "json", mediaType: "" };

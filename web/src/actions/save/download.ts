@@ -2,7 +2,7 @@ import { Cancelled, Superseded } from "../../engine";
 import { failureOf } from "../../model/failure";
 import { session } from "../../store/clip-session";
 import { reportFailure } from "../../store/errors";
-import { announcement } from "../../store/view";
+import { announce } from "../../store/view";
 import { safeFileName } from "../../util/file-names";
 
 /**
@@ -19,7 +19,7 @@ export async function download(name: string, make: () => Promise<Blob>): Promise
     link.download = fileName;
     link.click();
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
-    announcement.value = `Saved ${fileName}`;
+    announce(`Saved ${fileName}`);
   } catch (error) {
     const isAborted = error instanceof Error && error.name === "AbortError";
     const isCancelled = error instanceof Cancelled && !(error instanceof Superseded);

@@ -24,7 +24,7 @@ import {
 import { type ClipSession, session } from "../../store/clip-session";
 import { isHosted } from "../../store/embedded";
 import { dismissToast, showToast, type Toast } from "../../store/toasts";
-import { announcement, showTab } from "../../store/view";
+import { announce, showTab } from "../../store/view";
 import { stemOf } from "../../util/file-names";
 import { commitEdits, replaceEdits } from "../edit/edit";
 import { shareWithHost } from "../host";
@@ -206,7 +206,7 @@ class StoredSession {
         clipSession.changedElsewhere.value = isConflict(base, local, record)
           ? { remote: record }
           : {};
-        announcement.value = "Edits of this clip were changed in another tab";
+        announce("Edits of this clip were changed in another tab");
       }
       return this.takeRecord(record, base);
     });
@@ -294,7 +294,7 @@ export function discardUnreadable() {
   const { storageKey, unreadable } = session.value;
   if (storageKey.value) deleteUnreadable(storageKey.value);
   unreadable.value = [];
-  announcement.value = "Unreadable edits deleted";
+  announce("Unreadable edits deleted");
 }
 
 /** Asks before the page is closed if that loses edits. */

@@ -19,7 +19,7 @@ import {
 } from "../../store/playback";
 import { clip, cuts, isPreview, namedSegments, plants, selected } from "../../store/session";
 import { mediaClock } from "../../store/video";
-import { announcement } from "../../store/view";
+import { announce } from "../../store/view";
 import { spokenRange } from "../../util/format";
 
 export const speeds = [0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 4] as const;
@@ -133,7 +133,7 @@ export function seekPlant(plant: Plant) {
   batch(() => {
     seek(plant.start);
     if (loop.value === "plant") loopRegion.value = plant;
-    announcement.value = `Plant ${plant.number}, ${plant.side} foot, ${spokenRange(plant)}`;
+    announce(`Plant ${plant.number}, ${plant.side} foot, ${spokenRange(plant)}`);
   });
 }
 
@@ -147,7 +147,7 @@ export function loopSegment(segment: NamedSegment) {
     loop.value = "segment";
     seek(segment.start);
     const details = [segment.name, segmentKind(segment)].filter(Boolean).join(", ");
-    announcement.value = `Segment ${segment.number}${details && `, ${details}`}, ${spokenRange(segment)}`;
+    announce(`Segment ${segment.number}${details && `, ${details}`}, ${spokenRange(segment)}`);
   });
 }
 
@@ -179,7 +179,7 @@ export function loopRange(range: FrameRange) {
   batch(() => {
     loopRegion.value = range;
     loop.value = "range";
-    announcement.value = `Loop ${spokenRange(range)}`;
+    announce(`Loop ${spokenRange(range)}`);
   });
 }
 

@@ -14,7 +14,7 @@ import { type ClipSession, session } from "../../store/clip-session";
 import { openClip } from "../../store/session";
 import { showToast } from "../../store/toasts";
 import { video } from "../../store/video";
-import { announcement } from "../../store/view";
+import { announce } from "../../store/view";
 
 /** Shows a video file next to the open clip. A file that was shown before retains its alignment. */
 export function openVideo(file: File) {
@@ -30,7 +30,7 @@ export function openVideo(file: File) {
   const url = URL.createObjectURL(file);
   clipSession.video.value = { name: file.name, size: file.size, offset, rate, url };
   clipSession.signal.addEventListener("abort", () => URL.revokeObjectURL(url));
-  announcement.value = `Video ${file.name} next to the view`;
+  announce(`Video ${file.name} next to the view`);
 }
 
 function releaseFile(previous: Video | null) {
@@ -41,7 +41,7 @@ function releaseFile(previous: Video | null) {
 export function removeVideo() {
   releaseFile(video.value);
   video.value = null;
-  announcement.value = "Video removed";
+  announce("Video removed");
 }
 
 /** Sets the time of the clip at which the video begins, in seconds. Ignores invalid values. */

@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
 import type { Segment } from "../types";
+import { segmentFileNames } from "./file-names";
 import {
   actionsOf,
   cutsOf,
@@ -7,7 +8,6 @@ import {
   renameSegment,
   type SegmentName,
   segmentAt,
-  segmentFileNames,
   segmentIndexAt,
 } from "./segments";
 
@@ -58,6 +58,43 @@ it("gives the name of an action to all its segments, except those with a name of
   expect(namesOf(segments, names)).toEqual(["stroll", "", "stroll", "march"]);
 });
 
+it("gives the pieces of a cut segment its name", () => {
+  const detected = segmentsEndingAt(300, 500, 800);
+  const names = [{ start: 0, end: 300, name: "walk" }];
+  const namesAfter = (...ends: number[]) =>
+    nameSegments(segmentsEndingAt(...ends), names, undefined, detected).map(({ name }) => name);
+  expect(namesAfter(150, 300, 500, 800)).toEqual(["walk", "walk", "", ""]);
+  expect(namesAfter(100, 200, 300, 500, 800)).toEqual(["walk", "walk", "walk", "", ""]);
+  expect(namesAfter(500, 800)).toEqual(["walk", ""]);
+  expect(namesAfter(310, 500, 800)).toEqual(["walk", "", ""]);
+  names.push({ start: 100, end: 200, name: "run" });
+  expect(namesAfter(100, 200, 300, 500, 800)).toEqual(["walk", "run", "walk", "", ""]);
+});
+
+it("names an action by its detected segments, however they are cut", () => {
+  const withActions = (segments: Segment[], actions: string) =>
+    segments.map((segment, i) => ({ ...segment, action: actions[i] ?? "" }));
+  const detected = withActions(segmentsEndingAt(300, 500, 680), "ABA");
+  const namesAfter = (names: readonly SegmentName[], actions: string, ...ends: number[]) => {
+    const segments = withActions(segmentsEndingAt(...ends), actions);
+    return nameSegments(segments, names, undefined, detected).map(({ name }) => name);
+  };
+  const first = [{ start: 0, end: 300, name: "walk" }];
+  expect(namesAfter(first, "AABA", 150, 300, 500, 680)).toEqual(["walk", "walk", "", "walk"]);
+  expect(namesAfter(first, "AAABA", 100, 200, 300, 500, 680)).toEqual([
+    "walk",
+    "walk",
+    "walk",
+    "",
+    "walk",
+  ]);
+  const last = [{ start: 500, end: 680, name: "walk" }];
+  expect(namesAfter(last, "AB", 300, 680)).toEqual(["walk", ""]);
+  // The name of a new piece is that of its action, if the action has none yet.
+  const piece = [{ start: 0, end: 100, name: "walk" }];
+  expect(namesAfter(piece, "AABA", 100, 300, 500, 680)).toEqual(["walk", "walk", "", "walk"]);
+});
+
 it("finds the segment that contains a frame", () => {
   const named = nameSegments(segmentsEndingAt(10, 25, 40), []);
   expect([0, 9, 10, 24, 39, 99].map((frame) => segmentIndexAt(named, frame))).toEqual([
@@ -74,6 +111,17 @@ it("makes file names that are valid on any system", () => {
     "walk-01.bvh",
     "walk-02-a-b-turn.bvh",
   ]);
+});
+
+it("makes file names of at most 255 bytes, with the number of the segment", () => {
+  const names = [{ start: 0, end: 10, name: "歩".repeat(200) }];
+  const named = nameSegments(segmentsEndingAt(10, 25), names);
+  for (const clip of ["walk", "走".repeat(200), "a".repeat(300)]) {
+    const [first = "", second = ""] = segmentFileNames(named, clip);
+    expect(new TextEncoder().encode(first).length).toBeLessThanOrEqual(255);
+    expect(first).toMatch(/-01-歩+\.bvh$/);
+    expect(second).toMatch(/-02\.bvh$/);
+  }
 });
 
 it("joins the segments of an action and names actions apart", () => {

@@ -1,5 +1,4 @@
 import { firstIndexWhere } from "../../util/binary-search";
-import { safeFileName } from "../../util/file-names";
 import type { FrameRange } from "../plants/edits";
 import type { GaitAction, Segment } from "../types";
 
@@ -52,39 +51,58 @@ export interface Vocabulary {
 const emptyVocabulary: Vocabulary = { actions: new Map(), names: new Map() };
 
 /**
- * Numbers the segments and names them: by the name given to the segment, or else by the first name given to
- * a segment with the same action, in this clip or else in another one with the same vocabulary.
+ * Numbers the segments and names them: by the name given to the segment, or to the detected one of which it is a
+ * piece, or else by the first name given to a segment with the same action, in this clip or else in another one with
+ * the same vocabulary. `detected` are the segments before cuts were edited.
  */
 export function nameSegments(
   segments: readonly Segment[],
   names: readonly SegmentName[],
   vocabulary = emptyVocabulary,
+  detected = segments,
 ): NamedSegment[] {
-  const renamed = segments.map((segment) => ({
-    ...segment,
-    action: vocabulary.actions.get(segment.action ?? "") ?? segment.action ?? "",
-  }));
-  const nameOf = namesOfActions(renamed, names);
+  const withCommonActions = (list: readonly Segment[]) =>
+    list.map((segment) => ({
+      ...segment,
+      action: vocabulary.actions.get(segment.action ?? "") ?? segment.action ?? "",
+    }));
+  const renamed = withCommonActions(segments);
+  const nameOf = namesOfActions(renamed, names, withCommonActions(detected));
   return renamed.map((segment, i) => ({
     ...segment,
     number: i + 1,
     name:
       matchingRange(names, segment)?.name ??
+      matchingRange(names, originOf(segment, detected))?.name ??
       nameOf.get(segment.action) ??
       vocabulary.names.get(segment.action) ??
       "",
   }));
 }
 
-/** Returns the first name that was given to a segment of each action. */
+/** Returns the detected segment with which a segment has the most frames in common. */
+function originOf(segment: Segment, detected: readonly Segment[]): Segment {
+  let [origin, maxCommon] = [segment, 0];
+  for (const other of detected.slice(segmentIndexAt(detected, segment.start))) {
+    if (other.start >= segment.end) break;
+    const common = Math.min(other.end, segment.end) - Math.max(other.start, segment.start);
+    if (common > maxCommon) [origin, maxCommon] = [other, common];
+  }
+  return origin;
+}
+
+/** Returns the first name that was given to a segment of each action, detected or cut by the user. */
 export function namesOfActions(
   segments: readonly Segment[],
   names: readonly SegmentName[],
+  detected = segments,
 ): Map<string, string> {
-  const own = segments.map((segment) => matchingRange(names, segment));
+  // Detected ones first, since cuts must not take the name of an action.
+  const all = [...detected, ...segments];
+  const own = all.map((segment) => matchingRange(names, segment));
   const nameOf = new Map<string, string>();
   for (const name of names) {
-    const action = segments[own.indexOf(name)]?.action;
+    const action = all[own.indexOf(name)]?.action;
     if (action && !nameOf.has(action)) nameOf.set(action, name.name);
   }
   return nameOf;
@@ -133,20 +151,6 @@ export function segmentIndexAt(segments: readonly FrameRange[], frame: number): 
 /** Returns the first frame of every segment except the first. */
 export const cutsOf = (segments: readonly NamedSegment[]) =>
   segments.slice(1).map(({ start }) => start);
-
-/** Returns a file name for each segment, in order: `walk-03-turn.bvh`. */
-export function segmentFileNames(segments: readonly NamedSegment[], clip: string): string[] {
-  const digits = Math.max(2, String(segments.length).length);
-  return segments.map((segment) => {
-    // Names may contain characters that file systems do not allow.
-    const suffix = segment.name
-      .trim()
-      .replace(/[^\p{L}\p{N}]+/gu, "-")
-      .replace(/^-|-$/g, "");
-    const parts = [safeFileName(clip), String(segment.number).padStart(digits, "0"), suffix];
-    return `${parts.filter(Boolean).join("-")}.bvh`;
-  });
-}
 
 /**
  * Returns the actions of segments in order of first appearance. Segments with the same action are one action;
