@@ -1,7 +1,6 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import {
-  exportAll,
   hideTable,
   rerunBatch,
   resumeBatch,
@@ -10,6 +9,7 @@ import {
   uncheckedCount,
 } from "../actions/analyse/batch";
 import { commandOf, tooltip } from "../actions/commands";
+import { exportAll } from "../actions/save/export-batch";
 import { columns, filterRows, sortRows } from "../model/batch/table";
 import { batchRequest, batchRows, finishedCount } from "../store/batch";
 import { openClip } from "../store/session";

@@ -2,9 +2,8 @@
 
 import { batch, computed } from "@preact/signals";
 import * as Comlink from "comlink";
-import { batchWorkers, type CallOptions, zipWorkers } from "../../engine";
+import { batchWorkers } from "../../engine";
 import type { BatchRequest, ClipSummary } from "../../model/batch/batch";
-import { tableCsv } from "../../model/batch/table";
 import { failureOf } from "../../model/failure";
 import { fileTooLarge, maxFileBytes } from "../../model/limits";
 import type { Source } from "../../model/sources/source";
@@ -14,17 +13,13 @@ import {
   batchRows,
   openBatchRow,
   tableVisible,
-  vocabularyOf,
 } from "../../store/batch";
 import { type ErrorReport, errorReport } from "../../store/errors";
-import { runJob } from "../../store/jobs";
 import { edits, plants, segmentNames } from "../../store/session";
 import { detectOptions, segmentOptions } from "../../store/settings";
 import { announcement, notify } from "../../store/view";
-import { safeFileName, stemOf, uniqueNames } from "../../util/file-names";
 import { addHistoryEntry, addTableEntry, leaveTableEntry } from "../open/history";
 import { openSource } from "../open/open";
-import { download } from "../save/download";
 import { readChecked, writeChecked } from "../stored/clip-storage";
 import { storedChangesOf } from "../stored/persist";
 import { pause, seekPlant } from "../view/playback";
@@ -150,7 +145,8 @@ function updateRow({ number }: BatchRow, update: Partial<BatchRow>) {
   updates.set(number, { ...updates.get(number), ...update });
 }
 
-function flushUpdates() {
+/** Shows the pending updates. */
+export function flushUpdates() {
   if (!updates.size) return;
   batchRows.value = batchRows.value.map((row) => {
     const update = updates.get(row.number);
@@ -239,40 +235,5 @@ export function toggleChecked(row: BatchRow | undefined = openBatchRow.value) {
   if (row.hash) writeChecked(row.hash, row.isChecked ? null : checkedText(request));
   batchRows.value = batchRows.value.map((other) =>
     other.number === row.number ? { ...other, isChecked: !other.isChecked } : other,
-  );
-}
-
-/** Downloads labels and segments of all clips, and the table, in one archive. */
-export async function exportAll(): Promise<void> {
-  await refreshOpenRow();
-  flushUpdates();
-  const done = batchRows.value.filter(({ status }) => status === "done");
-  const request: BatchRequest = {
-    save: true,
-    ...(batchRequest.peek() ?? { detect: detectOptions.value, segment: segmentOptions.value }),
-  };
-  const names = uniqueNames(done.map(({ source }) => safeFileName(stemOf(source.name))));
-  const writeArchive = ({ signal, onProgress }: CallOptions) =>
-    zipWorkers.run(async (zip) => {
-      let count = 0;
-      const addFiles = async (row: BatchRow, i: number) => {
-        const { name, data } = row.source;
-        const vocabulary = vocabularyOf(row);
-        const rowRequest = vocabulary ? { ...request, vocabulary } : request;
-        const result = await batchWorkers.run(
-          (calls) => calls.summarize(data, name, rowRequest, [], Comlink.proxy(storedChangesOf)),
-          signal,
-        );
-        if (!result.ok) throw new Error(`${name}: ${result.failure.message}`);
-        for (const { extension, data } of result.files)
-          await zip.add(`${names[i]}.${extension}`, data);
-        onProgress?.(++count / done.length);
-      };
-      await Promise.all(done.map(addFiles));
-      await zip.add("table.csv", tableCsv(batchRows.value));
-      return zip.finish();
-    }, signal);
-  await download("labels.zip", () =>
-    runJob({ title: "Saving", name: "labels.zip" }, new AbortController(), writeArchive),
   );
 }
