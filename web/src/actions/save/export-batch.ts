@@ -4,6 +4,7 @@ import * as Comlink from "comlink";
 import { batchWorkers, type CallOptions, zipWorkers } from "../../engine";
 import type { BatchRequest } from "../../model/batch/batch";
 import { tableCsv } from "../../model/batch/table";
+import type { Vocabulary } from "../../model/segments/segments";
 import { type BatchRow, batchRequest, batchRows, vocabularyOf } from "../../store/batch";
 import { runJob } from "../../store/jobs";
 import { detectOptions, segmentOptions } from "../../store/settings";
@@ -12,22 +13,42 @@ import { flushUpdates, refreshOpenRow } from "../analyse/batch";
 import { storedChangesOf } from "../stored/persist";
 import { download } from "./download";
 
-/** Downloads labels and segments of all clips, and the table, in one archive. */
-export async function exportAll(): Promise<void> {
+/** What an archive contains: the rows of the table, what was requested for them, and the names of their actions. */
+interface Snapshot {
+  rows: readonly BatchRow[];
+  request: Pick<BatchRequest, "detect" | "segment"> | undefined;
+  /** By the number of the row. */
+  vocabularies: ReadonlyMap<number, Vocabulary | undefined>;
+}
+
+const takeSnapshot = (): Snapshot => ({
+  rows: batchRows.value,
+  request: batchRequest.value,
+  vocabularies: new Map(batchRows.value.map((row) => [row.number, vocabularyOf(row)])),
+});
+
+/** Returns the table with the newest edits of the open clip, or as it is if another one replaces it meanwhile. */
+async function upToDateSnapshot(): Promise<Snapshot> {
+  const before = takeSnapshot();
   await refreshOpenRow();
   flushUpdates();
-  const done = batchRows.value.filter(({ status }) => status === "done");
+  return batchRequest.value === before.request ? takeSnapshot() : before;
+}
+
+/** Downloads labels and segments of all clips, and the table, in one archive. */
+export async function exportAll(): Promise<void> {
+  const { rows, request: options, vocabularies } = await upToDateSnapshot();
+  const done = rows.filter(({ status }) => status === "done");
   const request: BatchRequest = {
     save: true,
-    ...(batchRequest.peek() ?? { detect: detectOptions.value, segment: segmentOptions.value }),
+    ...(options ?? { detect: detectOptions.value, segment: segmentOptions.value }),
   };
   const names = uniqueNames(done.map(({ source }) => safeFileName(stemOf(source.name))));
   const writeArchive = ({ signal, onProgress }: CallOptions) =>
     zipWorkers.run(async (zip) => {
       let count = 0;
-      const addFiles = async (row: BatchRow, i: number) => {
-        const { name, data } = row.source;
-        const vocabulary = vocabularyOf(row);
+      const addFiles = async ({ number, source: { name, data } }: BatchRow, i: number) => {
+        const vocabulary = vocabularies.get(number);
         const rowRequest = vocabulary ? { ...request, vocabulary } : request;
         const result = await batchWorkers.run(
           (calls) => calls.summarize(data, name, rowRequest, [], Comlink.proxy(storedChangesOf)),
@@ -39,7 +60,7 @@ export async function exportAll(): Promise<void> {
         onProgress?.(++count / done.length);
       };
       await Promise.all(done.map(addFiles));
-      await zip.add("table.csv", tableCsv(batchRows.value));
+      await zip.add("table.csv", tableCsv(rows));
       return zip.finish();
     }, signal);
   await download("labels.zip", () =>
