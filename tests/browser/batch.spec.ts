@@ -212,6 +212,24 @@ test("processes a thousand files without blocking the page", async ({ app, page 
   await app.waitForClip("clip-3.bvh");
 });
 
+test("a running batch can be stopped but not resumed", async ({ app, page }) => {
+  await app.openStartPage();
+  const shown = await page.evaluateHandle(() => {
+    const texts = new Set<string>();
+    const addButtons = () => {
+      for (const { innerText } of document.querySelectorAll<HTMLElement>(".batch-head .button"))
+        texts.add(innerText);
+    };
+    new MutationObserver(addButtons).observe(document.body, { childList: true, subtree: true });
+    return texts;
+  });
+  await app.drop(sample("bowling"), sample("curved-walk"), sample("frog-jumps"));
+  await waitForBatch(app);
+  const texts = await shown.evaluate((set) => [...set]);
+  expect(texts).toContain("Stop");
+  expect(texts).not.toContain("Resume");
+});
+
 test("applies stored edits and changed options in the table", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await page.keyboard.press("e");

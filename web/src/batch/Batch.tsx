@@ -11,7 +11,7 @@ import {
 import { commandOf, tooltip } from "../actions/commands";
 import { exportAll } from "../actions/save/export-batch";
 import { columns, filterRows, sortRows } from "../model/batch/table";
-import { batchRequest, batchRows, finishedCount } from "../store/batch";
+import { batchRequest, batchRows, finishedCount, isBatchRunning } from "../store/batch";
 import { openClip } from "../store/session";
 import { detectMethods, detectOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
@@ -46,7 +46,7 @@ export function Batch() {
 function Toolbar() {
   const total = batchRows.value.length;
   const done = finishedCount.value;
-  const isRunning = batchRows.value.some(({ status }) => status === "running");
+  const isRunning = done < total && isBatchRunning.value;
   const failed = batchRows.value.filter(({ status }) => status === "failed").length;
   const shown = visibleRows.value.length;
   const isStopped = done < total && !isRunning;

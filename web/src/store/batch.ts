@@ -29,6 +29,9 @@ export const batchRows = signal<readonly BatchRow[]>([]);
 
 export const tableVisible = signal(false);
 
+/** True while clips are processed, also before the first one is shown as running. */
+export const isBatchRunning = signal(false);
+
 /** Number of rows that are done or failed. */
 export const finishedCount = computed(
   () => batchRows.value.filter(({ status }) => status === "done" || status === "failed").length,

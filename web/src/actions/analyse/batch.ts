@@ -11,6 +11,7 @@ import {
   type BatchRow,
   batchRequest,
   batchRows,
+  isBatchRunning,
   openBatchRow,
   tableVisible,
 } from "../../store/batch";
@@ -25,6 +26,7 @@ import { storedChangesOf } from "../stored/persist";
 import { pause, seekPlant } from "../view/playback";
 import { compareQuietly } from "./compare";
 
+/** Aborted when the batch is stopped. */
 let controller = new AbortController();
 
 /** Processes clips; files that could not be unpacked appear in the table as failed. */
@@ -46,9 +48,10 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
   await resumeBatch();
 }
 
-/** Processes the waiting clips. */
+/** Processes the waiting clips, unless a run does so already. */
 export async function resumeBatch() {
-  controller = new AbortController();
+  if (isBatchRunning.value) return;
+  isBatchRunning.value = true;
   const { signal } = controller;
   const options = { detect: detectOptions.value, segment: segmentOptions.value };
   batchRequest.value = options;
@@ -59,6 +62,7 @@ export async function resumeBatch() {
   flushUpdates();
   await nameActions(signal);
   if (signal.aborted) return;
+  isBatchRunning.value = false;
   const failed = batchRows.value.filter(({ status }) => status === "failed").length;
   announcement.value = `${batchRows.value.length} files processed${failed ? `, ${failed} could not be read` : ""}`;
 }
@@ -158,6 +162,8 @@ export function flushUpdates() {
 /** Stops running rows; they wait until the batch is resumed. */
 export function stopBatch() {
   controller.abort(new Error("stopped"));
+  controller = new AbortController();
+  isBatchRunning.value = false;
   flushUpdates();
   batchRows.value = batchRows.value.map((row) =>
     row.status === "running" ? { ...row, status: "waiting" } : row,
