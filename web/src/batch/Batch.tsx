@@ -79,7 +79,7 @@ function Toolbar() {
           Try failed files again
         </button>
       )}
-      {!isRunning && !isStopped && isStale && (
+      {!isRunning && isStale && (
         <button type="button" class="button" onClick={rerunBatch}>
           Process again
         </button>

@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { ClipSummary } from "../../model/batch/batch";
 import type { Source } from "../../model/sources/source";
-import { batchRows } from "../../store/batch";
+import { batchRequest, batchRows } from "../../store/batch";
 import { ClipSession, openSession } from "../../store/clip-session";
 import { detectOptions } from "../../store/settings";
 import { createWalkingClip } from "../../testing/walking-clip";
@@ -23,7 +23,9 @@ vi.mock("../../engine", async () => ({
   },
 }));
 
-const { refreshOpenRow, resumeBatch, runBatch, stopBatch } = await import("./batch");
+const { refreshOpenRow, rerunBatch, resumeBatch, retryFailed, runBatch, stopBatch } = await import(
+  "./batch"
+);
 
 const source = (name: string): Source => ({ name, data: new Blob() });
 const summary = { frames: 10, notices: 0, missing: [], edited: false } as Partial<ClipSummary>;
@@ -67,4 +69,46 @@ test("a batch is not resumed while it runs, and can be stopped before its first 
   await resumeBatch();
   expect(statuses()).toEqual(["done", "done"]);
   expect(summarize).toHaveBeenCalledTimes(4);
+});
+
+test("a resumed batch and failed files have the options with which the batch was started", async () => {
+  summarize.mockImplementationOnce(succeed);
+  summarize.mockRejectedValueOnce(new Error("crash"));
+  void runBatch([source("walk.bvh"), source("crash.bvh"), source("run.bvh")], []);
+  await vi.runAllTimersAsync();
+  stopBatch();
+  expect(statuses()).toEqual(["done", "failed", "waiting"]);
+  detectOptions.value = { ...detectOptions.value, method: "paper" };
+  summarize.mockImplementation(succeed);
+  await resumeBatch();
+  batchRows.value = batchRows.value.map(({ failure, ...row }) => ({
+    ...row,
+    ...(failure && { failure: { ...failure, canRetry: true } }),
+  }));
+  await retryFailed();
+  const byRobust = ["walk.bvh", "crash.bvh", "run.bvh", "run.bvh", "crash.bvh"];
+  expect(processed()).toEqual(byRobust.map((name) => `${name} robust`));
+  expect(batchRequest.value?.detect.method).toBe("robust");
+  await rerunBatch();
+  expect(processed().slice(5)).toEqual(["walk.bvh paper", "crash.bvh paper", "run.bvh paper"]);
+  expect(batchRequest.value?.detect.method).toBe("paper");
+});
+
+test("the row of the open clip follows its edits while the batch is stopped", async () => {
+  const walk = source("walk.bvh");
+  summarize.mockImplementationOnce(async () => ({
+    ...(await succeed()),
+    summary: { ...summary, edited: true },
+  }));
+  void runBatch([walk, source("run.bvh")], []);
+  await vi.runAllTimersAsync();
+  stopBatch();
+  openSession(new ClipSession(createWalkingClip("walk.bvh"), walk));
+  summarize.mockImplementationOnce(async () => ({
+    ...(await succeed()),
+    summary: { ...summary, plants: 4 },
+  }));
+  await refreshOpenRow();
+  await vi.runAllTimersAsync();
+  expect(batchRows.value[0]?.summary?.plants).toBe(4);
 });

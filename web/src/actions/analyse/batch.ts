@@ -42,20 +42,24 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
     pause();
     errorReport.value = null;
     batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
+    batchRequest.value = currentRequest();
     tableVisible.value = true;
   });
   addTableEntry();
   await resumeBatch();
 }
 
+const currentRequest = () => ({ detect: detectOptions.value, segment: segmentOptions.value });
+
+/** Returns the options with which the batch was started, so that all rows have the same. */
+const requestOfTable = () => batchRequest.peek() ?? currentRequest();
+
 /** Processes the waiting clips, unless a run does so already. */
 export async function resumeBatch() {
   if (isBatchRunning.value) return;
   isBatchRunning.value = true;
   const { signal } = controller;
-  const options = { detect: detectOptions.value, segment: segmentOptions.value };
-  batchRequest.value = options;
-  const request = { ...options, save: false };
+  const request = { ...requestOfTable(), save: false };
   const waiting = batchRows.value.filter(({ status }) => status === "waiting");
   await Promise.all(waiting.map((row) => summarizeRow(row, request, signal)));
   if (signal.aborted) return;
@@ -82,13 +86,14 @@ async function nameActions(signal: AbortSignal) {
 /** Processes all clips again, with the current options. */
 export async function rerunBatch() {
   stopBatch();
+  batchRequest.value = currentRequest();
   batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
     row.status === "done" ? { number, source, status: "waiting" } : { number, source, ...row },
   );
   await resumeBatch();
 }
 
-/** Processes the clips again on which the program failed. */
+/** Processes the clips again on which the program failed, with the options of the others. */
 export async function retryFailed() {
   batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
     row.failure?.canRetry ? { number, source, status: "waiting" } : { number, source, ...row },
@@ -176,11 +181,7 @@ export async function refreshOpenRow(): Promise<void> {
   const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
   const { edited = false, actions } = row?.summary ?? {};
   if (row?.status !== "done" || !(edited || actions?.names.size || hasChanges)) return;
-  const options = batchRequest.peek() ?? {
-    detect: detectOptions.value,
-    segment: segmentOptions.value,
-  };
-  await summarizeRow(row, { ...options, save: false }, controller.signal);
+  await summarizeRow(row, { ...requestOfTable(), save: false }, controller.signal);
 }
 
 /** Shows the table. */
