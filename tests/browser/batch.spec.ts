@@ -247,6 +247,40 @@ test("applies stored edits and changed options in the table", async ({ app, page
   await expect(page.getByText("All processed · Paper")).toBeVisible();
 });
 
+test("is processed again with another segmentation, but not if the options are as before", async ({
+  app,
+  page,
+}) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("curved-walk"));
+  await waitForBatch(app);
+  await row(app, "bowling.bvh").getByRole("button").first().click();
+  await app.waitForClip("bowling.bvh");
+  const again = page.getByRole("button", { name: "Process again" });
+  const choose = async (tab: "Detect" | "Segment", ...methods: string[]) => {
+    await app.tab(tab);
+    for (const method of methods)
+      await page.getByRole("combobox", { name: "Method" }).selectOption(method);
+  };
+  const showTable = () => page.getByRole("button", { name: "2 clips" }).click();
+  await choose("Detect", "paper", "robust");
+  await choose("Segment", "lsd", "auto");
+  await showTable();
+  await expect(again).toBeHidden();
+  const segments = row(app, "bowling.bvh").locator('[data-key="segments"]');
+  const before = await segments.innerText();
+  await page.getByRole("button", { name: "Back to bowling.bvh" }).click();
+  await choose("Segment", "lsd");
+  const count = async () => String((await app.segments()).length);
+  await expect.poll(count).not.toBe(before);
+  const after = await count();
+  await showTable();
+  await again.click();
+  await expect(again).toBeHidden();
+  await waitForBatch(app);
+  await expect(segments).toHaveText(after);
+});
+
 test("scores clips with the labels that were dropped with them", async ({ app, page }) => {
   await app.openStartPage();
   await app.drop(sample("bowling"), sample("frog-jumps"), clip("samples/frog-jumps.json"));

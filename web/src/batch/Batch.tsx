@@ -10,10 +10,10 @@ import {
 } from "../actions/analyse/batch";
 import { commandOf, tooltip } from "../actions/commands";
 import { exportAll } from "../actions/save/export-batch";
-import { columns, filterRows, sortRows } from "../model/batch/table";
+import { columns, filterRows, haveSameOptions, sortRows } from "../model/batch/table";
 import { batchRequest, batchRows, finishedCount, isBatchRunning } from "../store/batch";
 import { openClip } from "../store/session";
-import { detectMethods, detectOptions } from "../store/settings";
+import { detectMethods, detectOptions, segmentOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
 import { formatCount, plural } from "../util/format";
 import { Rows } from "./Rows";
@@ -52,7 +52,8 @@ function Toolbar() {
   const isStopped = done < total && !isRunning;
   const method = detectMethods.value.find(({ name }) => name === batchRequest.value?.detect.method);
   const closeLabel = `Back to ${openClip.value?.name ?? "the start page"}`;
-  const isStale = batchRequest.value?.detect !== detectOptions.value;
+  const options = { detect: detectOptions.value, segment: segmentOptions.value };
+  const isStale = !haveSameOptions(batchRequest.value ?? options, options);
   return (
     <div class="batch-head">
       <h2 id="batch-title">

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { columns, filterRows, sortRows, type TableRow, tableCsv } from "./table";
+import { columns, filterRows, haveSameOptions, sortRows, type TableRow, tableCsv } from "./table";
 
 const summary = (frames: number) => ({
   frames,
@@ -53,4 +53,17 @@ test("a displayed number is rounded once", () => {
   const texts = columns.map(({ text }) => text({ ...row, summary: { ...summary(20), skate } }));
   expect(texts).toEqual(expect.arrayContaining(["0.7 cm", "2.0 cm"]));
   expect(tableCsv([{ ...row, summary: { ...summary(20), skate } }])).toContain(",0.0075,0.0205,");
+});
+
+test("options are the same if all their values are, in any order", () => {
+  const request = { detect: { method: "robust", r: 1, w: 1 }, segment: { method: "auto" } };
+  const detect = { w: 1, r: 1, method: "robust" };
+  expect(haveSameOptions(request, { ...request, detect })).toBe(true);
+  expect(haveSameOptions(request, { ...request, detect: { ...detect, method: "paper" } })).toBe(
+    false,
+  );
+  expect(haveSameOptions(request, { ...request, segment: { method: "pca" } })).toBe(false);
+  expect(haveSameOptions(request, { ...request, segment: { method: "auto", dims: 2 } })).toBe(
+    false,
+  );
 });

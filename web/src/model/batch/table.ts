@@ -3,7 +3,7 @@
 import { formatCount, formatDuration, formatRate } from "../../util/format";
 import { formatCentimetres } from "../plants/slides";
 import type { Failure } from "../types";
-import type { ClipSummary } from "./batch";
+import type { BatchRequest, ClipSummary } from "./batch";
 
 export interface TableRow {
   number: number;
@@ -135,6 +135,15 @@ export const columns: readonly Column[] = [
     },
   ),
 ];
+
+type Options = Pick<BatchRequest, "detect" | "segment">;
+
+/** True if tables of these options have the same values. */
+export function haveSameOptions(a: Options, b: Options): boolean {
+  const textOf = ({ detect, segment }: Options) =>
+    JSON.stringify([detect, segment].map((options) => Object.entries(options).sort()));
+  return textOf(a) === textOf(b);
+}
 
 /** Sorts rows by a column. Rows without a value come last in both directions. */
 export function sortRows<Row extends TableRow>(
