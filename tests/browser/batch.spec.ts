@@ -376,6 +376,26 @@ test("marks clips as checked until their labels are computed in another way", as
   await expect(checkBox("bowling.bvh")).not.toBeChecked();
 });
 
+test("a filter that hides all clips is stated in the table, and ends when other files are dropped", async ({
+  app,
+  page,
+}) => {
+  const filter = page.getByRole("searchbox", { name: "Filter by name" });
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("curved-walk"));
+  await waitForBatch(app);
+  await filter.fill("jumps");
+  await expect(table(app)).toContainText("No clip matches the filter “jumps”.");
+  await table(app).getByRole("button", { name: "Show all clips" }).click();
+  expect(await names(app)).toEqual(["bowling.bvh", "curved-walk.bvh"]);
+  await filter.fill("bowling");
+  await app.drop(sample("frog-jumps"), sample("skipping"));
+  await expect(page.getByRole("heading", { name: "2 clips", exact: true })).toBeVisible();
+  await expect(filter).toHaveValue("");
+  await waitForBatch(app);
+  expect(await names(app)).toEqual(["frog-jumps.bvh", "skipping.bvh"]);
+});
+
 atEachSize(() => {
   test("sorts and filters the table", async ({ app, page }) => {
     await app.openStartPage();

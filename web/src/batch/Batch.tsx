@@ -11,18 +11,23 @@ import {
 import { commandOf, tooltip } from "../actions/commands";
 import { exportAll } from "../actions/save/export-batch";
 import { columns, filterRows, haveSameOptions, sortRows } from "../model/batch/table";
-import { batchRequest, batchRows, finishedCount, isBatchRunning } from "../store/batch";
+import {
+  batchRequest,
+  batchRows,
+  finishedCount,
+  isBatchRunning,
+  tableFilter,
+} from "../store/batch";
 import { openClip } from "../store/session";
 import { detectMethods, detectOptions, segmentOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
 import { formatCount, plural } from "../util/format";
 import { Rows } from "./Rows";
 
-const query = signal("");
 const order = signal<{ key: string; direction: 1 | -1 }>({ key: "", direction: 1 });
 
 const visibleRows = computed(() =>
-  sortRows(filterRows(batchRows.value, query.value), order.value.key, order.value.direction),
+  sortRows(filterRows(batchRows.value, tableFilter.value), order.value.key, order.value.direction),
 );
 
 /** The table of all clips that were dropped together, updated while they are processed. */
@@ -102,9 +107,9 @@ function Toolbar() {
         type="search"
         aria-label="Filter by name"
         placeholder="Filter: name, failed, unchecked"
-        value={query.value}
+        value={tableFilter.value}
         onInput={(event) => {
-          query.value = event.currentTarget.value;
+          tableFilter.value = event.currentTarget.value;
         }}
       />
       <button type="button" class="button" disabled={done === 0} onClick={exportAll}>

@@ -3,7 +3,7 @@ import { openRow, toggleChecked } from "../actions/analyse/batch";
 import { addCompanion, removeCompanion } from "../actions/open/companions";
 import { toSentence } from "../model/batch/report";
 import { columns } from "../model/batch/table";
-import { type BatchRow, openBatchRow } from "../store/batch";
+import { type BatchRow, openBatchRow, tableFilter } from "../store/batch";
 import { companions, maxCompanions } from "../store/companions";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";
@@ -38,7 +38,29 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
           <Cells row={row} />
         </tr>
       ))}
+      {rows.length === 0 && <NoMatch />}
     </tbody>
+  );
+}
+
+/** States that the filter hides all rows. */
+function NoMatch() {
+  return (
+    <tr>
+      <td class="batch-message" colSpan={columns.length - minorCount}>
+        No clip matches the filter “{tableFilter}”.{" "}
+        <button
+          type="button"
+          class="button"
+          onClick={() => {
+            tableFilter.value = "";
+          }}
+        >
+          Show all clips
+        </button>
+      </td>
+      <td colSpan={minorCount} data-minor />
+    </tr>
   );
 }
 

@@ -29,6 +29,9 @@ export const batchRows = signal<readonly BatchRow[]>([]);
 
 export const tableVisible = signal(false);
 
+/** Words that the shown rows contain. */
+export const tableFilter = signal("");
+
 /** True while clips are processed, also before the first one is shown as running. */
 export const isBatchRunning = signal(false);
 

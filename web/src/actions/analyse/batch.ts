@@ -13,6 +13,7 @@ import {
   batchRows,
   isBatchRunning,
   openBatchRow,
+  tableFilter,
   tableVisible,
 } from "../../store/batch";
 import { type ErrorReport, errorReport } from "../../store/errors";
@@ -43,6 +44,7 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
     errorReport.value = null;
     batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
     batchRequest.value = currentRequest();
+    tableFilter.value = "";
     tableVisible.value = true;
   });
   addTableEntry();
