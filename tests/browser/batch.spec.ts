@@ -99,7 +99,7 @@ test("unpacks an archive and saves all labels in another one", async ({ app, pag
   });
   await app.drop(archive);
   await waitForBatch(app);
-  expect(await names(app)).toEqual(["walk.bvh", "walk.bvh"]);
+  expect(await names(app)).toEqual(["a/walk.bvh", "b/walk.bvh"]);
   const saved = await app.download(() => page.getByRole("button", { name: /^Save all/ }).click());
   expect(saved.name).toBe("labels.zip");
   const files = unzipSync(saved.bytes);
@@ -115,7 +115,8 @@ test("unpacks an archive and saves all labels in another one", async ({ app, pag
     .toString()
     .split("\n");
   expect(lines[0]).toMatch(/^file,frames,rate_hz,duration_s,/);
-  expect(lines[1]).toMatch(/^walk\.bvh,245,120\.0\d*,/);
+  expect(lines[1]).toMatch(/^a\/walk\.bvh,245,120\.0\d*,.*,walk$/);
+  expect(lines[2]).toMatch(/^b\/walk\.bvh,12,.*,walk-2$/);
   const rows = Buffer.from(files["walk.frames.csv"] ?? [])
     .toString()
     .trim()
@@ -188,6 +189,31 @@ test("assigns dropped labels to clips by file name", async ({ app }) => {
   await app.waitForClip("curved-walk.bvh");
   await app.tab("Score");
   await expect(app.panel).toContainText("curved-walk.json");
+});
+
+test("compares clips of the same name with the labels of their own folder", async ({ app }) => {
+  const truth = clip("samples/curved-walk.json");
+  const none = JSON.stringify({ left: Array(245).fill(0), right: Array(245).fill(0) });
+  const walk = sample("curved-walk");
+  await app.openStartPage();
+  await app.drop(
+    zip("walks.zip", {
+      "a/walk.bvh": walk,
+      "a/walk.json": none,
+      "b/walk.bvh": walk,
+      "b/walk.json": truth,
+    }),
+  );
+  await waitForBatch(app);
+  const score = (name: string) => row(app, name).locator('[data-key="agreement_0_1_s"]');
+  const scoreOf = async (name: string) => Number.parseFloat(await score(name).innerText());
+  expect(await scoreOf("a/walk.bvh")).toBeLessThan(70);
+  expect(await scoreOf("b/walk.bvh")).toBeGreaterThan(90);
+  const shown = await score("b/walk.bvh").innerText();
+  await row(app, "b/walk.bvh").getByRole("button").first().click();
+  await app.waitForClip("walk.bvh");
+  await app.tab("Score");
+  await expect(app.panel).toContainText(shown.replace(" %", ""));
 });
 
 test("processes a thousand files without blocking the page", async ({ app, page }) => {

@@ -60,7 +60,8 @@ export async function exportAll(): Promise<void> {
         onProgress?.(++count / done.length);
       };
       await Promise.all(done.map(addFiles));
-      await zip.add("table.csv", tableCsv(rows));
+      const savedAs = new Map(done.map((row, i) => [row, names[i] ?? ""]));
+      await zip.add("table.csv", tableCsv(rows, savedAs));
       return zip.finish();
     }, signal);
   await download("labels.zip", () =>
