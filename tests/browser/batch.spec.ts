@@ -316,6 +316,27 @@ test("scores clips with the labels that were dropped with them", async ({ app, p
   await expect(page.getByRole("columnheader", { name: "Score" })).toHaveText("Score ± 0.1 s");
 });
 
+test("labels that are dropped on the table are compared with their row, not with the hidden clip", async ({
+  app,
+  page,
+}) => {
+  const score = row(app, "limp-to-run.bvh").locator('[data-key="agreement_0_1_s"]');
+  await app.openSample("curved-walk");
+  await app.drop(sample("bowling"), sample("limp-to-run"));
+  await waitForBatch(app);
+  await expect(score).toHaveText("–");
+  await app.drop(clip("samples/limp-to-run.json"));
+  await expect(score).toHaveText(/^9\d\.\d %$/);
+  await expect(app.toast).toHaveText(/1 clip was compared with the dropped labels/);
+  await expect(app.alert).toBeHidden();
+  await app.drop(clip("samples/frog-jumps.json"));
+  await expect(app.alert).toContainText("No clip of the table has a matching file name");
+  await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  await row(app, "limp-to-run.bvh").getByRole("button").first().click();
+  await app.waitForClip("limp-to-run.bvh");
+  await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
+});
+
 test("the row of the open clip follows its edits", async ({ app, page }) => {
   await app.openStartPage();
   await app.drop(sample("curved-walk"), sample("bowling"));

@@ -1,4 +1,4 @@
-import { computed, signal } from "@preact/signals";
+import { computed, signal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import {
   hideTable,
@@ -8,6 +8,7 @@ import {
   stopBatch,
   uncheckedCount,
 } from "../actions/analyse/batch";
+import { addDroppedLabels } from "../actions/analyse/row-labels";
 import { commandOf, tooltip } from "../actions/commands";
 import { exportAll } from "../actions/save/export-batch";
 import { columns, filterRows, haveSameOptions, sortRows } from "../model/batch/table";
@@ -34,6 +35,7 @@ const visibleRows = computed(() =>
 export function Batch() {
   const section = useRef<HTMLElement>(null);
   useEffect(() => section.current?.focus(), []);
+  useSignalEffect(addDroppedLabels);
   return (
     <section class="batch" aria-labelledby="batch-title" ref={section} tabIndex={-1}>
       <Toolbar />

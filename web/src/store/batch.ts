@@ -29,6 +29,9 @@ export const batchRows = signal<readonly BatchRow[]>([]);
 
 export const tableVisible = signal(false);
 
+/** Labels that were dropped on the table and have not been assigned to its clips. */
+export const labelsForTable = signal<readonly Source[]>([]);
+
 /** Words that the shown rows contain. */
 export const tableFilter = signal("");
 

@@ -104,8 +104,7 @@ export async function retryFailed() {
 }
 
 async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortSignal) {
-  const { name, data, labels = [] } = row.source;
-  const references = labels.map((label) => label.data);
+  const { name, data } = row.source;
   if (data.size > maxFileBytes) {
     updateRow(row, { status: "failed", failure: fileTooLarge(data.size) });
     return;
@@ -119,6 +118,8 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
     const result = await batchWorkers.run((calls) => {
       // A processed clip retains its results until there are new ones.
       if (row.status !== "done") updateRow(row, { status: "running" });
+      // Read here, because labels may be added while the row waits.
+      const references = row.source.labels?.map((label) => label.data) ?? [];
       return calls.summarize(data, name, request, references, Comlink.proxy(changesOf));
     }, signal);
     if (signal.aborted) return;
@@ -183,7 +184,13 @@ export async function refreshOpenRow(): Promise<void> {
   const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
   const { edited = false, actions } = row?.summary ?? {};
   if (row?.status !== "done" || !(edited || actions?.names.size || hasChanges)) return;
+  await processAgain(row);
+}
+
+/** Processes one row again, with the options of the others. */
+export async function processAgain(row: BatchRow): Promise<void> {
   await summarizeRow(row, { ...requestOfTable(), save: false }, controller.signal);
+  flushUpdates();
 }
 
 /** Shows the table. */

@@ -138,6 +138,7 @@ const truncatedError: ErrorReport = {
 export function attachLabels(
   clips: readonly Source[],
   labels: readonly Source[],
+  place = "this drop",
 ): Pick<CollectedFiles, "clips" | "errors"> {
   const stems = clips.map(({ name }) => `${stemOf(name)}.`.toLowerCase());
   const attached = clips.map(() => [] as Source[]);
@@ -152,8 +153,8 @@ export function attachLabels(
     const [owner, ...others] = matching.filter((i) => lengthOf(i) === longest);
     if (owner !== undefined && !others.length) attached[owner]?.push(label);
     else {
-      const clips = others.length ? "several clips of this drop have" : "no clip of this drop has";
-      const message = `${clips} a matching file name`;
+      const [clips, have] = others.length ? ["several clips", "have"] : ["no clip", "has"];
+      const message = `${clips} of ${place} ${have} a matching file name`;
       const hint = "Open the clip, then drop this file.";
       errors.push({ name: label.name, failure: { message, hint } });
     }

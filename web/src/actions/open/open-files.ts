@@ -1,6 +1,6 @@
 /** Opening dropped, picked or pasted files. */
 
-import { tableVisible } from "../../store/batch";
+import { labelsForTable, tableVisible } from "../../store/batch";
 import { isHosted } from "../../store/embedded";
 import { reportOpenFailure } from "../../store/errors";
 import { showToast } from "../../store/toasts";
@@ -45,10 +45,12 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
     tableVisible.value = false;
     addHistoryEntry("");
   }
-  const video = tableVisible.value ? undefined : videos.shift();
+  const isTable = tableVisible.value;
+  const video = isTable ? undefined : videos.shift();
   if (video) openVideo(video);
   reportVideos(videos);
-  await compareWithAll(labels);
+  if (isTable) labelsForTable.value = labels;
+  else await compareWithAll(labels);
 }
 
 /** Reports videos that are not shown. */
