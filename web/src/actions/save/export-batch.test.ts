@@ -1,7 +1,10 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { ClipSummary } from "../../model/batch/batch";
+import type { Overrides } from "../../model/types";
 import { type BatchRow, batchRequest, batchRows } from "../../store/batch";
 import { ClipSession, openSession } from "../../store/clip-session";
+import { segmentNames } from "../../store/session";
+import { toasts } from "../../store/toasts";
 import { createWalkingClip } from "../../testing/walking-clip";
 
 /** Files of the saved archive. */
@@ -46,8 +49,14 @@ const text = (name: string) => {
   return typeof data === "object" ? new TextDecoder().decode(data) : data;
 };
 
+interface Change {
+  overrides?: Overrides;
+  edited?: boolean;
+}
+
 beforeEach(() => {
   saved.clear();
+  toasts.value = [];
   onSave = async () => {};
   URL.createObjectURL = () => "blob:";
   vi.spyOn(HTMLAnchorElement.prototype, "click").mockImplementation(() => {});
@@ -84,3 +93,26 @@ test("saves the table as it is at the start if other files are dropped meanwhile
   expect(text("table.csv")).not.toContain("other.bvh");
   expect(text("run.txt")).toBe("run.bvh named");
 });
+
+test.each([
+  ["settings of the Clip tab", { overrides: { rate: 60 } }, [/^walk\.bvh .*Clip tab/]],
+  ["edits that cannot be stored", { edited: true }, [/^walk\.bvh .*edits/]],
+  ["nothing", { overrides: { roles: {} } }, []],
+])(
+  "reports what it does not take from the open clip: %s",
+  async (_, { overrides, edited }: Change, texts) => {
+    const row = rowOf("walk.bvh");
+    batchRows.value = [row, rowOf("run.bvh", 2)];
+    const clip = createWalkingClip("walk.bvh");
+    openSession(new ClipSession(clip, row.source, { overrides: overrides ?? {} }));
+    if (edited) segmentNames.value = [{ start: 0, end: 5, name: "stand" }];
+    await exportAll();
+    expect(toasts.value.map(({ text }) => text)).toEqual(
+      texts.map((text) => expect.stringMatching(text)),
+    );
+    toasts.value = [];
+    batchRows.value = [rowOf("run.bvh")];
+    await exportAll();
+    expect(toasts.value).toEqual([]);
+  },
+);

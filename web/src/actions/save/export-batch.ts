@@ -3,11 +3,19 @@
 import * as Comlink from "comlink";
 import { batchWorkers, type CallOptions, zipWorkers } from "../../engine";
 import type { BatchRequest } from "../../model/batch/batch";
-import { tableCsv } from "../../model/batch/table";
+import { tableCsv, titleOf } from "../../model/batch/table";
 import type { Vocabulary } from "../../model/segments/segments";
-import { type BatchRow, batchRequest, batchRows, vocabularyOf } from "../../store/batch";
+import {
+  type BatchRow,
+  batchRequest,
+  batchRows,
+  openBatchRow,
+  vocabularyOf,
+} from "../../store/batch";
 import { runJob } from "../../store/jobs";
+import { edits, overrides, segmentNames } from "../../store/session";
 import { detectOptions, segmentOptions } from "../../store/settings";
+import { showToast } from "../../store/toasts";
 import { safeFileName, stemOf, uniqueNames } from "../../util/file-names";
 import { flushUpdates, refreshOpenRow } from "../analyse/batch";
 import { storedChangesOf } from "../stored/persist";
@@ -35,10 +43,30 @@ async function upToDateSnapshot(): Promise<Snapshot> {
   return batchRequest.value === before.request ? takeSnapshot() : before;
 }
 
+/** Reports changes of the open clip that are not saved, because only its own tabs apply them. */
+function reportUnsaved(rows: readonly BatchRow[]) {
+  const open = openBatchRow.value;
+  const row = rows.find(({ number, source }) => number === open?.number && source === open.source);
+  if (!row) return;
+  const { metresPerUnit, rate, up, roles = {} } = overrides.value;
+  const hasOverrides = Boolean(metresPerUnit || rate || up || Object.keys(roles).length);
+  // Edits are stored by the hash of the file.
+  const hasUnstored = !row.hash && (edits.value.length > 0 || segmentNames.value.length > 0);
+  const missing = [
+    ...(hasOverrides ? ["the settings of its Clip tab"] : []),
+    ...(hasUnstored ? ["your edits, which this browser cannot store"] : []),
+  ];
+  if (!missing.length) return;
+  showToast({
+    text: `${titleOf(row)} is saved without ${missing.join(" and ")}. Save it with them in its Labels and Segment tabs.`,
+  });
+}
+
 /** Downloads labels and segments of all clips, and the table, in one archive. */
 export async function exportAll(): Promise<void> {
   const { rows, request: options, vocabularies } = await upToDateSnapshot();
   const done = rows.filter(({ status }) => status === "done");
+  reportUnsaved(done);
   const request: BatchRequest = {
     save: true,
     ...(options ?? { detect: detectOptions.value, segment: segmentOptions.value }),
