@@ -99,7 +99,7 @@ test("unpacks an archive and saves all labels in another one", async ({ app, pag
   });
   await app.drop(archive);
   await waitForBatch(app);
-  expect(await names(app)).toEqual(["walk.bvh", "walk.bvh"]);
+  expect(await names(app)).toEqual(["a/walk.bvh", "b/walk.bvh"]);
   const saved = await app.download(() => page.getByRole("button", { name: /^Save all/ }).click());
   expect(saved.name).toBe("labels.zip");
   const files = unzipSync(saved.bytes);
@@ -115,7 +115,8 @@ test("unpacks an archive and saves all labels in another one", async ({ app, pag
     .toString()
     .split("\n");
   expect(lines[0]).toMatch(/^file,frames,rate_hz,duration_s,/);
-  expect(lines[1]).toMatch(/^walk\.bvh,245,120\.0\d*,/);
+  expect(lines[1]).toMatch(/^a\/walk\.bvh,245,120\.0\d*,.*,walk$/);
+  expect(lines[2]).toMatch(/^b\/walk\.bvh,12,.*,walk-2$/);
   const rows = Buffer.from(files["walk.frames.csv"] ?? [])
     .toString()
     .trim()
@@ -190,6 +191,31 @@ test("assigns dropped labels to clips by file name", async ({ app }) => {
   await expect(app.panel).toContainText("curved-walk.json");
 });
 
+test("compares clips of the same name with the labels of their own folder", async ({ app }) => {
+  const truth = clip("samples/curved-walk.json");
+  const none = JSON.stringify({ left: Array(245).fill(0), right: Array(245).fill(0) });
+  const walk = sample("curved-walk");
+  await app.openStartPage();
+  await app.drop(
+    zip("walks.zip", {
+      "a/walk.bvh": walk,
+      "a/walk.json": none,
+      "b/walk.bvh": walk,
+      "b/walk.json": truth,
+    }),
+  );
+  await waitForBatch(app);
+  const score = (name: string) => row(app, name).locator('[data-key="agreement_0_1_s"]');
+  const scoreOf = async (name: string) => Number.parseFloat(await score(name).innerText());
+  expect(await scoreOf("a/walk.bvh")).toBeLessThan(70);
+  expect(await scoreOf("b/walk.bvh")).toBeGreaterThan(90);
+  const shown = await score("b/walk.bvh").innerText();
+  await row(app, "b/walk.bvh").getByRole("button").first().click();
+  await app.waitForClip("walk.bvh");
+  await app.tab("Score");
+  await expect(app.panel).toContainText(shown.replace(" %", ""));
+});
+
 test("processes a thousand files without blocking the page", async ({ app, page }) => {
   await app.openStartPage();
   const { buffer } = good("plain");
@@ -212,6 +238,24 @@ test("processes a thousand files without blocking the page", async ({ app, page 
   await app.waitForClip("clip-3.bvh");
 });
 
+test("a running batch can be stopped but not resumed", async ({ app, page }) => {
+  await app.openStartPage();
+  const shown = await page.evaluateHandle(() => {
+    const texts = new Set<string>();
+    const addButtons = () => {
+      for (const { innerText } of document.querySelectorAll<HTMLElement>(".batch-head .button"))
+        texts.add(innerText);
+    };
+    new MutationObserver(addButtons).observe(document.body, { childList: true, subtree: true });
+    return texts;
+  });
+  await app.drop(sample("bowling"), sample("curved-walk"), sample("frog-jumps"));
+  await waitForBatch(app);
+  const texts = await shown.evaluate((set) => [...set]);
+  expect(texts).toContain("Stop");
+  expect(texts).not.toContain("Resume");
+});
+
 test("applies stored edits and changed options in the table", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await page.keyboard.press("e");
@@ -229,6 +273,40 @@ test("applies stored edits and changed options in the table", async ({ app, page
   await expect(page.getByText("All processed · Paper")).toBeVisible();
 });
 
+test("is processed again with another segmentation, but not if the options are as before", async ({
+  app,
+  page,
+}) => {
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("curved-walk"));
+  await waitForBatch(app);
+  await row(app, "bowling.bvh").getByRole("button").first().click();
+  await app.waitForClip("bowling.bvh");
+  const again = page.getByRole("button", { name: "Process again" });
+  const choose = async (tab: "Detect" | "Segment", ...methods: string[]) => {
+    await app.tab(tab);
+    for (const method of methods)
+      await page.getByRole("combobox", { name: "Method" }).selectOption(method);
+  };
+  const showTable = () => page.getByRole("button", { name: "2 clips" }).click();
+  await choose("Detect", "paper", "robust");
+  await choose("Segment", "lsd", "auto");
+  await showTable();
+  await expect(again).toBeHidden();
+  const segments = row(app, "bowling.bvh").locator('[data-key="segments"]');
+  const before = await segments.innerText();
+  await page.getByRole("button", { name: "Back to bowling.bvh" }).click();
+  await choose("Segment", "lsd");
+  const count = async () => String((await app.segments()).length);
+  await expect.poll(count).not.toBe(before);
+  const after = await count();
+  await showTable();
+  await again.click();
+  await expect(again).toBeHidden();
+  await waitForBatch(app);
+  await expect(segments).toHaveText(after);
+});
+
 test("scores clips with the labels that were dropped with them", async ({ app, page }) => {
   await app.openStartPage();
   await app.drop(sample("bowling"), sample("frog-jumps"), clip("samples/frog-jumps.json"));
@@ -236,6 +314,27 @@ test("scores clips with the labels that were dropped with them", async ({ app, p
   await expect(row(app, "frog-jumps.bvh")).toContainText(/\d\d\.\d %/);
   await expect(row(app, "bowling.bvh")).not.toContainText(/\d\d\.\d %/);
   await expect(page.getByRole("columnheader", { name: "Score" })).toHaveText("Score ± 0.1 s");
+});
+
+test("labels that are dropped on the table are compared with their row, not with the hidden clip", async ({
+  app,
+  page,
+}) => {
+  const score = row(app, "limp-to-run.bvh").locator('[data-key="agreement_0_1_s"]');
+  await app.openSample("curved-walk");
+  await app.drop(sample("bowling"), sample("limp-to-run"));
+  await waitForBatch(app);
+  await expect(score).toHaveText("–");
+  await app.drop(clip("samples/limp-to-run.json"));
+  await expect(score).toHaveText(/^9\d\.\d %$/);
+  await expect(app.toast).toHaveText(/1 clip was compared with the dropped labels/);
+  await expect(app.alert).toBeHidden();
+  await app.drop(clip("samples/frog-jumps.json"));
+  await expect(app.alert).toContainText("No clip of the table has a matching file name");
+  await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  await row(app, "limp-to-run.bvh").getByRole("button").first().click();
+  await app.waitForClip("limp-to-run.bvh");
+  await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
 });
 
 test("the row of the open clip follows its edits", async ({ app, page }) => {
@@ -322,6 +421,26 @@ test("marks clips as checked until their labels are computed in another way", as
   await page.getByRole("button", { name: "Process again" }).click();
   await expect(page.getByText("All processed · Paper")).toBeVisible();
   await expect(checkBox("bowling.bvh")).not.toBeChecked();
+});
+
+test("a filter that hides all clips is stated in the table, and ends when other files are dropped", async ({
+  app,
+  page,
+}) => {
+  const filter = page.getByRole("searchbox", { name: "Filter by name" });
+  await app.openStartPage();
+  await app.drop(sample("bowling"), sample("curved-walk"));
+  await waitForBatch(app);
+  await filter.fill("jumps");
+  await expect(table(app)).toContainText("No clip matches the filter “jumps”.");
+  await table(app).getByRole("button", { name: "Show all clips" }).click();
+  expect(await names(app)).toEqual(["bowling.bvh", "curved-walk.bvh"]);
+  await filter.fill("bowling");
+  await app.drop(sample("frog-jumps"), sample("skipping"));
+  await expect(page.getByRole("heading", { name: "2 clips", exact: true })).toBeVisible();
+  await expect(filter).toHaveValue("");
+  await waitForBatch(app);
+  expect(await names(app)).toEqual(["frog-jumps.bvh", "skipping.bvh"]);
 });
 
 atEachSize(() => {

@@ -1,7 +1,6 @@
-import { computed, signal } from "@preact/signals";
+import { computed, signal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import {
-  exportAll,
   hideTable,
   rerunBatch,
   resumeBatch,
@@ -9,26 +8,34 @@ import {
   stopBatch,
   uncheckedCount,
 } from "../actions/analyse/batch";
+import { addDroppedLabels } from "../actions/analyse/row-labels";
 import { commandOf, tooltip } from "../actions/commands";
-import { columns, filterRows, sortRows } from "../model/batch/table";
-import { batchRequest, batchRows, finishedCount } from "../store/batch";
+import { exportAll } from "../actions/save/export-batch";
+import { columns, filterRows, haveSameOptions, sortRows } from "../model/batch/table";
+import {
+  batchRequest,
+  batchRows,
+  finishedCount,
+  isBatchRunning,
+  tableFilter,
+} from "../store/batch";
 import { openClip } from "../store/session";
-import { detectMethods, detectOptions } from "../store/settings";
+import { detectMethods, detectOptions, segmentOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
 import { formatCount, plural } from "../util/format";
 import { Rows } from "./Rows";
 
-const query = signal("");
 const order = signal<{ key: string; direction: 1 | -1 }>({ key: "", direction: 1 });
 
 const visibleRows = computed(() =>
-  sortRows(filterRows(batchRows.value, query.value), order.value.key, order.value.direction),
+  sortRows(filterRows(batchRows.value, tableFilter.value), order.value.key, order.value.direction),
 );
 
 /** The table of all clips that were dropped together, updated while they are processed. */
 export function Batch() {
   const section = useRef<HTMLElement>(null);
   useEffect(() => section.current?.focus(), []);
+  useSignalEffect(addDroppedLabels);
   return (
     <section class="batch" aria-labelledby="batch-title" ref={section} tabIndex={-1}>
       <Toolbar />
@@ -46,13 +53,14 @@ export function Batch() {
 function Toolbar() {
   const total = batchRows.value.length;
   const done = finishedCount.value;
-  const isRunning = batchRows.value.some(({ status }) => status === "running");
+  const isRunning = done < total && isBatchRunning.value;
   const failed = batchRows.value.filter(({ status }) => status === "failed").length;
   const shown = visibleRows.value.length;
   const isStopped = done < total && !isRunning;
   const method = detectMethods.value.find(({ name }) => name === batchRequest.value?.detect.method);
   const closeLabel = `Back to ${openClip.value?.name ?? "the start page"}`;
-  const isStale = batchRequest.value?.detect !== detectOptions.value;
+  const options = { detect: detectOptions.value, segment: segmentOptions.value };
+  const isStale = !haveSameOptions(batchRequest.value ?? options, options);
   return (
     <div class="batch-head">
       <h2 id="batch-title">
@@ -79,7 +87,7 @@ function Toolbar() {
           Try failed files again
         </button>
       )}
-      {!isRunning && !isStopped && isStale && (
+      {!isRunning && isStale && (
         <button type="button" class="button" onClick={rerunBatch}>
           Process again
         </button>
@@ -101,9 +109,9 @@ function Toolbar() {
         type="search"
         aria-label="Filter by name"
         placeholder="Filter: name, failed, unchecked"
-        value={query.value}
+        value={tableFilter.value}
         onInput={(event) => {
-          query.value = event.currentTarget.value;
+          tableFilter.value = event.currentTarget.value;
         }}
       />
       <button type="button" class="button" disabled={done === 0} onClick={exportAll}>

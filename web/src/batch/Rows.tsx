@@ -2,8 +2,8 @@ import { useRef } from "preact/hooks";
 import { openRow, toggleChecked } from "../actions/analyse/batch";
 import { addCompanion, removeCompanion } from "../actions/open/companions";
 import { toSentence } from "../model/batch/report";
-import { columns } from "../model/batch/table";
-import { type BatchRow, openBatchRow } from "../store/batch";
+import { columns, titleOf } from "../model/batch/table";
+import { type BatchRow, openBatchRow, tableFilter } from "../store/batch";
 import { companions, maxCompanions } from "../store/companions";
 import { openClip } from "../store/session";
 import { Icon } from "../ui/icons";
@@ -38,7 +38,29 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
           <Cells row={row} />
         </tr>
       ))}
+      {rows.length === 0 && <NoMatch />}
     </tbody>
+  );
+}
+
+/** States that the filter hides all rows. */
+function NoMatch() {
+  return (
+    <tr>
+      <td class="batch-message" colSpan={columns.length - minorCount}>
+        No clip matches the filter “{tableFilter}”.{" "}
+        <button
+          type="button"
+          class="button"
+          onClick={() => {
+            tableFilter.value = "";
+          }}
+        >
+          Show all clips
+        </button>
+      </td>
+      <td colSpan={minorCount} data-minor />
+    </tr>
   );
 }
 
@@ -58,8 +80,8 @@ function Cells({ row }: { row: BatchRow }) {
         <button
           type="button"
           class="clip-name"
-          aria-label={row.source.name}
-          title={row.source.name}
+          aria-label={titleOf(row)}
+          title={titleOf(row)}
           onClick={() => openRow(row)}
         >
           <FileName name={name?.text(row) ?? ""} />
@@ -119,7 +141,7 @@ function CheckBox({ row }: { row: BatchRow }) {
   return (
     <input
       type="checkbox"
-      aria-label={`${row.source.name} is checked`}
+      aria-label={`${titleOf(row)} is checked`}
       title="Checked"
       checked={row.isChecked ?? false}
       onChange={() => toggleChecked(row)}
@@ -128,13 +150,14 @@ function CheckBox({ row }: { row: BatchRow }) {
 }
 
 /** Shows a clip side by side with the open one, or hides it. */
-function SideBySideButton({ row: { source } }: { row: BatchRow }) {
+function SideBySideButton({ row }: { row: BatchRow }) {
+  const { source } = row;
   const isShown = companions.value.some((other) => other.source === source);
   return (
     <button
       type="button"
       class="side-by-side"
-      aria-label={`${source.name} side by side with ${openClip.value?.name}`}
+      aria-label={`${titleOf(row)} side by side with ${openClip.value?.name}`}
       aria-pressed={isShown}
       disabled={!isShown && companions.value.length >= maxCompanions}
       title={

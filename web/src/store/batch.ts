@@ -29,6 +29,15 @@ export const batchRows = signal<readonly BatchRow[]>([]);
 
 export const tableVisible = signal(false);
 
+/** Labels that were dropped on the table and have not been assigned to its clips. */
+export const labelsForTable = signal<readonly Source[]>([]);
+
+/** Words that the shown rows contain. */
+export const tableFilter = signal("");
+
+/** True while clips are processed, also before the first one is shown as running. */
+export const isBatchRunning = signal(false);
+
 /** Number of rows that are done or failed. */
 export const finishedCount = computed(
   () => batchRows.value.filter(({ status }) => status === "done" || status === "failed").length,

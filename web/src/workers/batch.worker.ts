@@ -222,14 +222,17 @@ function meanOverIntervals(intervals: Uint32Array, values: Float32Array): number
   });
 }
 
-/** Returns the agreement with the first file that contains labels of this clip, within 0.1 s. */
+/**
+ * Returns the agreement with the last file that contains labels of this clip, within 0.1 s. The Score tab shows the
+ * last one, too.
+ */
 async function agreementWith(
   labels: readonly Blob[],
   clip: WasmClip,
   detection: WasmDetection,
   frames: number,
 ): Promise<number | undefined> {
-  for (const file of labels) {
+  for (const file of labels.toReversed()) {
     const bytes = new Uint8Array(await file.arrayBuffer());
     const read = await toResult(() => new WasmAnnotation(bytes, frames));
     if (!read.ok) continue;

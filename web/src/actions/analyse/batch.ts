@@ -2,9 +2,8 @@
 
 import { batch, computed } from "@preact/signals";
 import * as Comlink from "comlink";
-import { batchWorkers, type CallOptions, zipWorkers } from "../../engine";
+import { batchWorkers } from "../../engine";
 import type { BatchRequest, ClipSummary } from "../../model/batch/batch";
-import { tableCsv } from "../../model/batch/table";
 import { failureOf } from "../../model/failure";
 import { fileTooLarge, maxFileBytes } from "../../model/limits";
 import type { Source } from "../../model/sources/source";
@@ -12,24 +11,23 @@ import {
   type BatchRow,
   batchRequest,
   batchRows,
+  isBatchRunning,
   openBatchRow,
+  tableFilter,
   tableVisible,
-  vocabularyOf,
 } from "../../store/batch";
 import { type ErrorReport, errorReport } from "../../store/errors";
-import { runJob } from "../../store/jobs";
 import { edits, plants, segmentNames } from "../../store/session";
 import { detectOptions, segmentOptions } from "../../store/settings";
 import { announce, notify } from "../../store/view";
-import { safeFileName, stemOf, uniqueNames } from "../../util/file-names";
 import { addHistoryEntry, addTableEntry, leaveTableEntry } from "../open/history";
 import { openSource } from "../open/open";
-import { download } from "../save/download";
 import { readChecked, writeChecked } from "../stored/clip-storage";
 import { storedChangesOf } from "../stored/persist";
 import { pause, seekPlant } from "../view/playback";
 import { compareQuietly } from "./compare";
 
+/** Aborted when the batch is stopped. */
 let controller = new AbortController();
 
 /** Processes clips; files that could not be unpacked appear in the table as failed. */
@@ -45,25 +43,32 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
     pause();
     errorReport.value = null;
     batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
+    batchRequest.value = currentRequest();
+    tableFilter.value = "";
     tableVisible.value = true;
   });
   addTableEntry();
   await resumeBatch();
 }
 
-/** Processes the waiting clips. */
+const currentRequest = () => ({ detect: detectOptions.value, segment: segmentOptions.value });
+
+/** Returns the options with which the batch was started, so that all rows have the same. */
+const requestOfTable = () => batchRequest.peek() ?? currentRequest();
+
+/** Processes the waiting clips, unless a run does so already. */
 export async function resumeBatch() {
-  controller = new AbortController();
+  if (isBatchRunning.value) return;
+  isBatchRunning.value = true;
   const { signal } = controller;
-  const options = { detect: detectOptions.value, segment: segmentOptions.value };
-  batchRequest.value = options;
-  const request = { ...options, save: false };
+  const request = { ...requestOfTable(), save: false };
   const waiting = batchRows.value.filter(({ status }) => status === "waiting");
   await Promise.all(waiting.map((row) => summarizeRow(row, request, signal)));
   if (signal.aborted) return;
   flushUpdates();
   await nameActions(signal);
   if (signal.aborted) return;
+  isBatchRunning.value = false;
   const failed = batchRows.value.filter(({ status }) => status === "failed").length;
   announce(
     `${batchRows.value.length} files processed${failed ? `, ${failed} could not be read` : ""}`,
@@ -85,13 +90,14 @@ async function nameActions(signal: AbortSignal) {
 /** Processes all clips again, with the current options. */
 export async function rerunBatch() {
   stopBatch();
+  batchRequest.value = currentRequest();
   batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
     row.status === "done" ? { number, source, status: "waiting" } : { number, source, ...row },
   );
   await resumeBatch();
 }
 
-/** Processes the clips again on which the program failed. */
+/** Processes the clips again on which the program failed, with the options of the others. */
 export async function retryFailed() {
   batchRows.value = batchRows.value.map(({ number, source, ...row }) =>
     row.failure?.canRetry ? { number, source, status: "waiting" } : { number, source, ...row },
@@ -100,8 +106,7 @@ export async function retryFailed() {
 }
 
 async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortSignal) {
-  const { name, data, labels = [] } = row.source;
-  const references = labels.map((label) => label.data);
+  const { name, data } = row.source;
   if (data.size > maxFileBytes) {
     updateRow(row, { status: "failed", failure: fileTooLarge(data.size) });
     return;
@@ -115,6 +120,8 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
     const result = await batchWorkers.run((calls) => {
       // A processed clip retains its results until there are new ones.
       if (row.status !== "done") updateRow(row, { status: "running" });
+      // Read here, because labels may be added while the row waits.
+      const references = row.source.labels?.map((label) => label.data) ?? [];
       return calls.summarize(data, name, request, references, Comlink.proxy(changesOf));
     }, signal);
     if (signal.aborted) return;
@@ -152,7 +159,8 @@ function updateRow({ number }: BatchRow, update: Partial<BatchRow>) {
   updates.set(number, { ...updates.get(number), ...update });
 }
 
-function flushUpdates() {
+/** Shows the pending updates. */
+export function flushUpdates() {
   if (!updates.size) return;
   batchRows.value = batchRows.value.map((row) => {
     const update = updates.get(row.number);
@@ -164,6 +172,8 @@ function flushUpdates() {
 /** Stops running rows; they wait until the batch is resumed. */
 export function stopBatch() {
   controller.abort(new Error("stopped"));
+  controller = new AbortController();
+  isBatchRunning.value = false;
   flushUpdates();
   batchRows.value = batchRows.value.map((row) =>
     row.status === "running" ? { ...row, status: "waiting" } : row,
@@ -176,15 +186,18 @@ export async function refreshOpenRow(): Promise<void> {
   const hasChanges = edits.value.length > 0 || segmentNames.value.length > 0;
   const { edited = false, actions } = row?.summary ?? {};
   if (row?.status !== "done" || !(edited || actions?.names.size || hasChanges)) return;
-  const options = batchRequest.peek() ?? {
-    detect: detectOptions.value,
-    segment: segmentOptions.value,
-  };
-  await summarizeRow(row, { ...options, save: false }, controller.signal);
+  await processAgain(row);
+}
+
+/** Processes one row again, with the options of the others. */
+export async function processAgain(row: BatchRow): Promise<void> {
+  await summarizeRow(row, { ...requestOfTable(), save: false }, controller.signal);
+  flushUpdates();
 }
 
 /** Shows the table. */
 export function showTable() {
+  pause();
   tableVisible.value = true;
   addTableEntry();
   void refreshOpenRow();
@@ -241,40 +254,5 @@ export function toggleChecked(row: BatchRow | undefined = openBatchRow.value) {
   if (row.hash) writeChecked(row.hash, row.isChecked ? null : checkedText(request));
   batchRows.value = batchRows.value.map((other) =>
     other.number === row.number ? { ...other, isChecked: !other.isChecked } : other,
-  );
-}
-
-/** Downloads labels and segments of all clips, and the table, in one archive. */
-export async function exportAll(): Promise<void> {
-  await refreshOpenRow();
-  flushUpdates();
-  const done = batchRows.value.filter(({ status }) => status === "done");
-  const request: BatchRequest = {
-    save: true,
-    ...(batchRequest.peek() ?? { detect: detectOptions.value, segment: segmentOptions.value }),
-  };
-  const names = uniqueNames(done.map(({ source }) => safeFileName(stemOf(source.name))));
-  const writeArchive = ({ signal, onProgress }: CallOptions) =>
-    zipWorkers.run(async (zip) => {
-      let count = 0;
-      const addFiles = async (row: BatchRow, i: number) => {
-        const { name, data } = row.source;
-        const vocabulary = vocabularyOf(row);
-        const rowRequest = vocabulary ? { ...request, vocabulary } : request;
-        const result = await batchWorkers.run(
-          (calls) => calls.summarize(data, name, rowRequest, [], Comlink.proxy(storedChangesOf)),
-          signal,
-        );
-        if (!result.ok) throw new Error(`${name}: ${result.failure.message}`);
-        for (const { extension, data } of result.files)
-          await zip.add(`${names[i]}.${extension}`, data);
-        onProgress?.(++count / done.length);
-      };
-      await Promise.all(done.map(addFiles));
-      await zip.add("table.csv", tableCsv(batchRows.value));
-      return zip.finish();
-    }, signal);
-  await download("labels.zip", () =>
-    runJob({ title: "Saving", name: "labels.zip" }, new AbortController(), writeArchive),
   );
 }

@@ -35,6 +35,8 @@ const limitsOf = (archive: File) => ({
 
 export interface DroppedFiles {
   files: File[];
+  /** Path of each file; by default, its name. */
+  paths?: readonly string[];
   /** True if there were more files than `maxFiles`. */
   isTruncated?: boolean;
 }
@@ -64,7 +66,11 @@ async function walk(entries: readonly FileSystemEntry[]): Promise<DroppedFiles> 
       files.push(entry as FileSystemFileEntry);
     }
   }
-  return { files: await mapConcurrent(files, fileOf), isTruncated: queue.length > 0 };
+  return {
+    files: await mapConcurrent(files, fileOf),
+    paths: files.map(({ fullPath }) => fullPath.slice(1)),
+    isTruncated: queue.length > 0,
+  };
 }
 
 const hasKnownExtension = (name: string) =>
@@ -90,6 +96,7 @@ async function listFolder(folder: FileSystemDirectoryEntry): Promise<FileSystemE
 /** Sorts files by kind and unpacks archives. Returns undefined if the user stopped that. */
 export async function collectFiles({
   files,
+  paths,
   isTruncated,
 }: DroppedFiles): Promise<CollectedFiles | undefined> {
   const collected: CollectedFiles = { clips: [], labels: [], videos: [], errors: [] };
@@ -98,14 +105,17 @@ export async function collectFiles({
   const kinds = await mapConcurrent(files, detectFileKind);
   for (const [i, file] of files.entries()) {
     const kind = kinds[i] ?? "clip";
-    if (kind !== "archive") addFile(collected, kind, file);
+    const path = paths?.[i] ?? file.name;
+    if (kind !== "archive") addFile(collected, kind, file, path);
     else {
       const unpacked = await unpack(file);
       if (!unpacked) return undefined;
       collected.errors.push(...unpacked.errors);
       const innerKinds = await mapConcurrent(unpacked.files, ({ file }) => innerFileKind(file));
+      // Several archives may contain files of the same path.
+      const folder = files.length > 1 ? `${path}/` : "";
       for (const [i, { file, notice }] of unpacked.files.entries()) {
-        addFile(collected, innerKinds[i] ?? "clip", file, notice && [notice]);
+        addFile(collected, innerKinds[i] ?? "clip", file, folder + file.name, notice && [notice]);
       }
     }
   }
@@ -121,23 +131,44 @@ const truncatedError: ErrorReport = {
   },
 };
 
-/** Attaches labels to the clips whose names they start with; labels of other clips are errors. */
+/**
+ * Attaches each file of labels to the clip with the longest name that its name starts with, in the same folder or
+ * else in any other. Files of no or of several such clips are errors. Clips of the same name get titles.
+ */
 export function attachLabels(
   clips: readonly Source[],
   labels: readonly Source[],
+  place = "this drop",
 ): Pick<CollectedFiles, "clips" | "errors"> {
-  const belongsTo = (clip: Source) => (label: Source) =>
-    label.name.toLowerCase().startsWith(`${stemOf(clip.name).toLowerCase()}.`);
-  const unmatched = labels.filter((label) => !clips.some((clip) => belongsTo(clip)(label)));
+  const stems = clips.map(({ name }) => `${stemOf(name)}.`.toLowerCase());
+  const attached = clips.map(() => [] as Source[]);
+  const errors: ErrorReport[] = [];
+  for (const label of labels) {
+    const name = label.name.toLowerCase();
+    let matching = [...clips.keys()].filter((i) => name.startsWith(stems[i] ?? ""));
+    const isNear = (i: number) => clips[i]?.folder === label.folder;
+    if (matching.some(isNear)) matching = matching.filter(isNear);
+    const lengthOf = (i: number) => stems[i]?.length ?? 0;
+    const longest = Math.max(...matching.map(lengthOf));
+    const [owner, ...others] = matching.filter((i) => lengthOf(i) === longest);
+    if (owner !== undefined && !others.length) attached[owner]?.push(label);
+    else {
+      const [clips, have] = others.length ? ["several clips", "have"] : ["no clip", "has"];
+      const message = `${clips} of ${place} ${have} a matching file name`;
+      const hint = "Open the clip, then drop this file.";
+      errors.push({ name: label.name, failure: { message, hint } });
+    }
+  }
+  const names = new Set<string>();
+  const repeated = new Set<string>();
+  for (const { name } of clips) (names.has(name) ? repeated : names).add(name);
   return {
-    clips: clips.map((clip) => ({ ...clip, labels: labels.filter(belongsTo(clip)) })),
-    errors: unmatched.map(({ name }) => ({
-      name,
-      failure: {
-        message: "no clip of this drop has a matching file name",
-        hint: "Open the clip, then drop this file.",
-      },
+    clips: clips.map((clip, i) => ({
+      ...clip,
+      labels: attached[i] ?? [],
+      ...(repeated.has(clip.name) && { title: `${clip.folder}${clip.name}` }),
     })),
+    errors,
   };
 }
 
@@ -151,6 +182,7 @@ function addFile(
   { clips, labels, videos }: CollectedFiles,
   kind: "clip" | "labels" | "video",
   file: File,
+  path: string,
   notices: readonly Notice[] = [],
 ) {
   if (kind === "video") {
@@ -158,7 +190,8 @@ function addFile(
     return;
   }
   const list = kind === "clip" ? clips : labels;
-  list.push({ name: baseNameOf(file.name), data: file, notices });
+  const name = baseNameOf(path);
+  list.push({ name, folder: path.slice(0, path.length - name.length), data: file, notices });
 }
 
 async function unpack(archive: File): Promise<UnpackedFiles | undefined> {

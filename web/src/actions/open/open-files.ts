@@ -1,6 +1,6 @@
 /** Opening dropped, picked or pasted files. */
 
-import { tableVisible } from "../../store/batch";
+import { labelsForTable, tableVisible } from "../../store/batch";
 import { isHosted } from "../../store/embedded";
 import { reportOpenFailure } from "../../store/errors";
 import { showToast } from "../../store/toasts";
@@ -15,8 +15,8 @@ import { openSource } from "./open";
 let controller = new AbortController();
 
 /**
- * Opens one clip with the labels and the video that were dropped with it, or several clips in a table, which
- * have no videos.
+ * Opens one clip with the labels and the video that were dropped with it, or several clips in a table, whose
+ * videos are not shown.
  */
 export async function openFiles(dropped: DroppedFiles): Promise<void> {
   controller.abort();
@@ -34,6 +34,7 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
   const [clip, ...others] = clips;
   if (others.length || (errors.length && clip) || errors.length > 1) {
     const matched = attachLabels(clips, labels);
+    reportVideos(videos);
     await runBatch(matched.clips, [...errors, ...matched.errors]);
     return;
   }
@@ -44,6 +45,19 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
     tableVisible.value = false;
     addHistoryEntry("");
   }
-  if (videos[0]) openVideo(videos[0]);
-  await compareWithAll(labels);
+  const isTable = tableVisible.value;
+  const video = isTable ? undefined : videos.shift();
+  if (video) openVideo(video);
+  reportVideos(videos);
+  if (isTable) labelsForTable.value = labels;
+  else await compareWithAll(labels);
+}
+
+/** Reports videos that are not shown. */
+function reportVideos(videos: readonly File[]) {
+  if (!videos.length) return;
+  const names = videos.map(({ name }) => name).join(", ");
+  showToast({
+    text: `${names} not opened: one video is shown next to one clip. Open its clip, then drop the video.`,
+  });
 }

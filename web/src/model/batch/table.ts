@@ -3,11 +3,11 @@
 import { formatCount, formatDuration, formatRate } from "../../util/format";
 import { formatCentimetres } from "../plants/slides";
 import type { Failure } from "../types";
-import type { ClipSummary } from "./batch";
+import type { BatchRequest, ClipSummary } from "./batch";
 
 export interface TableRow {
   number: number;
-  source: { name: string };
+  source: { name: string; title?: string };
   status: "waiting" | "running" | "done" | "failed";
   summary?: ClipSummary;
   failure?: Failure;
@@ -28,6 +28,9 @@ export interface Column {
   /** True if the column is hidden on narrow screens. */
   minor?: boolean;
 }
+
+/** Returns the name of a clip, with its folder if another clip has the same name. */
+export const titleOf = ({ source }: TableRow) => source.title ?? source.name;
 
 const percent = (fraction: number) => `${Math.round(100 * fraction)} %`;
 
@@ -61,8 +64,8 @@ export const columns: readonly Column[] = [
   {
     key: "file",
     title: "File",
-    value: ({ source }) => source.name,
-    text: ({ source }) => source.name,
+    value: titleOf,
+    text: titleOf,
   },
   summaryColumn("frames", "Frames", ({ frames }) => frames),
   summaryColumn("rate_hz", "Rate", ({ rate }) => rate, formatRate, { minor: true }),
@@ -136,6 +139,15 @@ export const columns: readonly Column[] = [
   ),
 ];
 
+type Options = Pick<BatchRequest, "detect" | "segment">;
+
+/** True if tables of these options have the same values. */
+export function haveSameOptions(a: Options, b: Options): boolean {
+  const textOf = ({ detect, segment }: Options) =>
+    JSON.stringify([detect, segment].map((options) => Object.entries(options).sort()));
+  return textOf(a) === textOf(b);
+}
+
 /** Sorts rows by a column. Rows without a value come last in both directions. */
 export function sortRows<Row extends TableRow>(
   rows: readonly Row[],
@@ -161,20 +173,27 @@ function compare(a: string | number, b: string | number): number {
 /** Returns the rows whose name, status, mark or failure contains all words of a query. */
 export function filterRows<Row extends TableRow>(rows: readonly Row[], query: string): Row[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
-  return rows.filter(({ source, failure, status, isChecked, summary }) => {
+  return rows.filter((row) => {
+    const { failure, status, isChecked, summary } = row;
     const marks = `${isChecked ? "checked" : "unchecked"} ${summary?.edited ? "edited" : ""}`;
-    const text = `${source.name} ${status} ${marks} ${failure?.message ?? ""}`.toLowerCase();
+    const text = `${titleOf(row)} ${status} ${marks} ${failure?.message ?? ""}`.toLowerCase();
     return words.every((word) => text.includes(word));
   });
 }
 
-/** Returns the table as CSV, with all columns and an `error` column. */
-export function tableCsv(rows: readonly TableRow[]): string {
-  const header = [...columns.map(({ key }) => key), "error"].join(",");
+/**
+ * Returns the table as CSV, with all columns and the columns `error` and `saved_as`: the start of the names of the
+ * files that were saved for the row.
+ */
+export function tableCsv(
+  rows: readonly TableRow[],
+  savedAs: ReadonlyMap<TableRow, string> = new Map(),
+): string {
+  const header = [...columns.map(({ key }) => key), "error", "saved_as"].join(",");
   const lines = rows.map((row) => {
     const cells = columns.map(({ value }) => value(row) ?? "");
     const error = row.failure?.message ?? row.summary?.missing.join("; ") ?? "";
-    return [...cells, error].map(csvField).join(",");
+    return [...cells, error, savedAs.get(row) ?? ""].map(csvField).join(",");
   });
   return [header, ...lines, ""].join("\n");
 }

@@ -7,6 +7,10 @@ import type { Origin } from "./link";
 /** A clip that can be opened: a dropped file, a sample or a download. */
 export interface Source {
   name: string;
+  /** Folder in what was dropped, ending with a slash; empty for a single file. */
+  folder?: string;
+  /** Folder and name, if another clip of the drop has the same name. */
+  title?: string;
   data: Blob;
   /** Notices on how the file was obtained. */
   notices?: readonly Notice[];
