@@ -69,6 +69,8 @@ export default defineConfig({
     assetsInlineLimit: 0,
     target: "es2023",
     chunkSizeWarningLimit: 700,
+    // The target implies browsers that preload modules themselves.
+    modulePreload: { polyfill: false },
     // The build of the single-file page runs inside of a plugin, which is slow.
     rolldownOptions: {
       checks: { pluginTimings: false },
