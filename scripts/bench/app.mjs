@@ -250,6 +250,8 @@ async function measureSix(page, record) {
   await page.getByText(/^All processed/).waitFor();
   const [first, ...others] = paths.map((path) => basename(path));
   await page.getByRole("button", { name: first, exact: true }).click();
+  // Otherwise the clip would replace the table when it is open.
+  await page.locator("[data-clip=open]").waitFor();
   await page.getByRole("button", { name: "6 clips" }).click();
   for (const other of others) {
     await page

@@ -5,7 +5,10 @@ use std::sync::Mutex;
 
 use peak_alloc::PeakAlloc;
 use plantigrade::bvh::{self, Options};
+use plantigrade::gait::Gait;
 use plantigrade::plants::{self, Feet, ValidParams};
+use plantigrade::segments;
+use plantigrade::skate::{self, Contacts};
 use plantigrade::skeleton::{Overrides, Skeleton};
 
 #[global_allocator]
@@ -71,21 +74,45 @@ fn memory_is_in_proportion_to_the_file() {
     }
 }
 
-/// Returns a file of two legs whose root moves up and down, with a frame time in seconds.
-fn legs(frames: usize, frame_time: f64) -> Vec<u8> {
-    let joint = |name: &str, offset: &str, content: &str| {
-        format!("JOINT {name}\n{{\nOFFSET {offset}\nCHANNELS 0\n{content}}}\n")
+/// Motion of [`legs`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Motion {
+    /// The root moves up and down.
+    UpAndDown,
+    /// The same, with three channels.
+    ThreeChannels,
+    /// The left thigh turns by pseudorandom angles.
+    Noise,
+}
+
+/// Returns a file of two legs whose rows have one digit per channel, with a frame time in seconds.
+fn legs(frames: usize, frame_time: f64, motion: Motion) -> Vec<u8> {
+    let joint = |name: &str, offset: &str, channels: &str, content: &str| {
+        format!("JOINT {name}\n{{\nOFFSET {offset}\nCHANNELS {channels}\n{content}}}\n")
     };
-    let leg = |side: &str, x: i32| {
-        let toe = joint(&format!("{side}ToeBase"), "0 -5 10", "End Site\n{\nOFFSET 0 0 5\n}\n");
-        let foot = joint(&format!("{side}Foot"), "0 -40 0", &toe);
-        joint(&format!("{side}UpLeg"), &format!("{x} 0 0"), &joint(&format!("{side}Leg"), "0 -40 0", &foot))
+    let leg = |side: &str, x: i32, channels: &str| {
+        let toe = joint(&format!("{side}ToeBase"), "0 -5 10", "0", "End Site\n{\nOFFSET 0 0 5\n}\n");
+        let foot = joint(&format!("{side}Foot"), "0 -40 0", "0", &toe);
+        let shank = joint(&format!("{side}Leg"), "0 -40 0", "0", &foot);
+        joint(&format!("{side}UpLeg"), &format!("{x} 0 0"), channels, &shank)
     };
-    let root = "OFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n";
-    let rows: String = (0..frames).map(|frame| format!("0 {} 0\n", frame * frame % 7)).collect();
-    let (left, right) = (leg("Left", 9), leg("Right", -9));
+    let [root, thigh] = match motion {
+        Motion::UpAndDown => ["1 Yposition", "0"],
+        Motion::ThreeChannels => ["3 Xposition Yposition Zposition", "0"],
+        Motion::Noise => ["0", "1 Xrotation"],
+    };
+    let (left, right) = (leg("Left", 9, thigh), leg("Right", -9, "0"));
+    let row = |frame: usize| match motion {
+        Motion::UpAndDown => format!("{}\n", frame * frame % 7),
+        Motion::ThreeChannels => format!("0 {} 0\n", frame * frame % 7),
+        Motion::Noise => {
+            format!("{}\n", (frame as u32).wrapping_mul(2_654_435_761).wrapping_mul(frame as u32) >> 16 & 7)
+        }
+    };
+    let rows: String = (0..frames).map(row).collect();
     format!(
-        "HIERARCHY\nROOT Hips\n{{\n{root}{left}{right}}}\nMOTION\nFrames: {frames}\nFrame Time: {frame_time}\n{rows}"
+        "HIERARCHY\nROOT Hips\n{{\nOFFSET 0 0 0\nCHANNELS {root}\n{left}{right}}}\n\
+         MOTION\nFrames: {frames}\nFrame Time: {frame_time}\n{rows}"
     )
     .into_bytes()
 }
@@ -95,7 +122,8 @@ fn memory_of_detection_does_not_grow_with_the_frame_time() {
     let _measuring = MEASURING.lock();
     const FRAMES: usize = 4000;
     let per_frame = [1.0 / 120.0, 1.0 / 12.0, 0.5, 1.0].map(|frame_time| {
-        let parsed = bvh::parse(&legs(FRAMES, frame_time), Options::default()).expect("a clip");
+        let file = legs(FRAMES, frame_time, Motion::ThreeChannels);
+        let parsed = bvh::parse(&file, Options::default()).expect("a clip");
         let skeleton = Skeleton::main(&parsed.clip, &Overrides::default());
         let feet = Feet::new(&parsed.clip, &skeleton).expect("feet");
         let before = ALLOCATOR.current_usage();
@@ -105,4 +133,53 @@ fn memory_of_detection_does_not_grow_with_the_frame_time() {
     });
     println!("bytes per frame: {per_frame:?}");
     assert!(per_frame.iter().all(|&bytes| bytes < 2000), "{per_frame:?}");
+}
+
+/// Memory that a short file may need, in bytes: 200 per byte of the file, and 4 MiB for a file of any length, as in
+/// the fuzz targets.
+const BASE_BYTES: usize = 4 << 20;
+const BYTES_PER_BYTE: usize = 200;
+
+/// Files of 10 kB with as many frames as possible.
+#[test]
+fn files_of_many_short_rows_need_little_memory() {
+    let _measuring = MEASURING.lock();
+    let methods = segments::Method::ALL.iter().filter(|method| **method != segments::Method::Mvu);
+    for motion in [Motion::UpAndDown, Motion::ThreeChannels, Motion::Noise] {
+        let row = if motion == Motion::ThreeChannels { 6 } else { 2 };
+        let frames = (10_000 - legs(0, 0.1, motion).len()) / row;
+        for rate in [1.0, 12.0, 24.0, 30.0, 60.0, 120.0, 1000.0] {
+            let file = legs(frames, 1.0 / rate, motion);
+            let mut used = Vec::new();
+            let before = ALLOCATOR.current_usage();
+            let mut measure = |stage: &str| {
+                used.push((stage.to_owned(), ALLOCATOR.peak_usage() - before));
+                ALLOCATOR.reset_peak_usage();
+            };
+            ALLOCATOR.reset_peak_usage();
+            let clip = bvh::parse(&file, Options::default()).expect("a clip").clip;
+            let skeleton = Skeleton::main(&clip, &Overrides::default());
+            let feet = Feet::new(&clip, &skeleton).expect("feet");
+            measure("reading");
+            let detection = plants::detect(&feet, ValidParams::default());
+            measure("detection");
+            Gait::from_detection(&feet, &detection);
+            measure("gait");
+            let contacts = Contacts::from(&detection);
+            drop((detection, feet));
+            let _ = skate::clean(&clip, &skeleton, &contacts, &skate::Options::default());
+            measure("clean-up");
+            for &method in methods.clone() {
+                let params = segments::Params { method, ..Default::default() }.check().expect("parameters");
+                let _ = segments::segment(&clip, &skeleton, params, &mut |_| Ok(()));
+                measure(method.name());
+            }
+            let limit = BASE_BYTES + BYTES_PER_BYTE * file.len();
+            println!("{motion:?}, {rate} Hz: {used:?}");
+            assert!(
+                used.iter().all(|(_, bytes)| *bytes <= limit),
+                "{motion:?}, {rate} Hz, limit {limit}: {used:?}"
+            );
+        }
+    }
 }

@@ -19,7 +19,7 @@ pub(crate) fn groups(
     let mut rows = Vec::with_capacity(compared);
     for item in 0..compared {
         checkpoint()?;
-        rows.push((0..item).map(|other| distance(other, item)).collect());
+        rows.push((0..item).map(|other| distance(other, item) as f32).collect());
     }
     let mut first_members = average_linkage(rows, max_distance);
     let mut representatives: Vec<usize> = (0..compared).filter(|&item| first_members[item] == item).collect();
@@ -40,17 +40,18 @@ pub(crate) fn groups(
     Ok(first_members)
 }
 
-/// Clusters items with all distances given: row i has the distances to the i items before.
+/// Clusters items with all distances given: row i has the distances to the i items before, in single precision,
+/// since they need most of the memory.
 ///
 /// Nearest-neighbour chain: follows nearest neighbours until two groups are mutual nearest
 /// neighbours, and merges them. With average linkage this gives the same groups as merging the
 /// nearest pair each time (Murtagh, Computer Journal 26, 1983), in quadratic time.
-fn average_linkage(mut rows: Vec<Vec<f64>>, max_distance: f64) -> Vec<usize> {
+fn average_linkage(mut rows: Vec<Vec<f32>>, max_distance: f64) -> Vec<usize> {
     let mut first_members: Vec<usize> = (0..rows.len()).collect();
     let mut sizes = vec![1.0; rows.len()];
     let mut open = first_members.clone();
     let mut chain: Vec<usize> = Vec::new();
-    let distance = |rows: &[Vec<f64>], a: usize, b: usize| rows[a.max(b)][a.min(b)];
+    let distance = |rows: &[Vec<f32>], a: usize, b: usize| f64::from(rows[a.max(b)][a.min(b)]);
     while let Some(tip) = chain.pop().or_else(|| open.first().copied()) {
         let others = open.iter().filter(|&&other| other != tip);
         let candidates =
@@ -73,7 +74,7 @@ fn average_linkage(mut rows: Vec<Vec<f64>>, max_distance: f64) -> Vec<usize> {
         let (a, b) = (sizes[first], sizes[merged]);
         for &other in open.iter().filter(|&&other| other != first) {
             let mean = (a * distance(&rows, first, other) + b * distance(&rows, merged, other)) / (a + b);
-            rows[first.max(other)][first.min(other)] = mean;
+            rows[first.max(other)][first.min(other)] = mean as f32;
         }
         sizes[first] += sizes[merged];
         first_members.iter_mut().filter(|group| **group == merged).for_each(|group| *group = first);

@@ -19,6 +19,9 @@ const LOCAL_NEIGHBOUR: usize = 7;
 /// Maximum number of iterations of k-means.
 const MAX_ITERATIONS: usize = 100;
 
+/// Maximum number of classes that the eigenvalues of frames can give.
+const MAX_CLASSES: usize = 20;
+
 /// Poses at [`RATE`]: joint positions relative to the hips, with the heading turned away, in leg lengths.
 struct Poses {
     rows: Vec<DVector<f64>>,
@@ -61,8 +64,9 @@ impl Poses {
     }
 }
 
-/// Clusters the mean poses of frame ranges by k-means.
-pub fn kmeans_of_segment_means(clip: &Clip, ranges: &[Range<usize>], count: usize) -> Classes {
+/// Clusters the mean poses of frame ranges by k-means. Without a number of classes, it is the one with the largest
+/// mean silhouette (Rousseeuw 1987), at least 2.
+pub fn kmeans_of_segment_means(clip: &Clip, ranges: &[Range<usize>], count: Option<usize>) -> Classes {
     let poses = Poses::new(clip);
     let means: Vec<DVector<f64>> = ranges
         .iter()
@@ -72,13 +76,41 @@ pub fn kmeans_of_segment_means(clip: &Clip, ranges: &[Range<usize>], count: usiz
             poses.rows[first..end].iter().sum::<DVector<f64>>() / (end - first) as f64
         })
         .collect();
-    let clusters = kmeans(&means, count);
+    let clusters = match count {
+        Some(count) => kmeans(&means, count),
+        None => {
+            let clusterings = (2..means.len().max(3)).map(|count| kmeans(&means, count));
+            let rated = clusterings.map(|clusters| (mean_silhouette(&means, &clusters), clusters));
+            rated.max_by(|a, b| a.0.total_cmp(&b.0)).expect("a number of classes").1
+        }
+    };
     ranges.iter().cloned().zip(clusters.iter().map(usize::to_string)).collect()
 }
 
+/// Returns the mean silhouette of a clustering: how much nearer each point is to its own cluster than to the next
+/// one, from −1 to 1; 0 for clusters of one point.
+fn mean_silhouette(points: &[DVector<f64>], clusters: &[usize]) -> f64 {
+    let count = clusters.iter().max().map_or(0, |last| last + 1);
+    let silhouette = |index: usize| {
+        let mut distances = vec![(0.0, 0.0); count];
+        for (other, &cluster) in clusters.iter().enumerate().filter(|(other, _)| *other != index) {
+            let (sum, number) = &mut distances[cluster];
+            *sum += (&points[index] - &points[other]).norm();
+            *number += 1.0;
+        }
+        let mean = |cluster: usize| distances[cluster].0 / distances[cluster].1;
+        let own = mean(clusters[index]);
+        let others = (0..count).filter(|&cluster| cluster != clusters[index]).map(mean);
+        let next = others.filter(|distance| !distance.is_nan()).fold(f64::INFINITY, f64::min);
+        if own.is_nan() || next.is_infinite() { 0.0 } else { (next - own) / own.max(next).max(1e-12) }
+    };
+    (0..points.len()).map(silhouette).sum::<f64>() / points.len() as f64
+}
+
 /// Clusters frames by the eigenvectors of their normalised affinities (Ng, Jordan and Weiss 2002), with
-/// local bandwidths.
-pub fn spectral_clusters_of_frames(clip: &Clip, count: usize) -> Classes {
+/// local bandwidths. Without a number of classes, it is the one before the largest gap between eigenvalues
+/// (von Luxburg 2007), at least 2.
+pub fn spectral_clusters_of_frames(clip: &Clip, count: Option<usize>) -> Classes {
     let poses = Poses::new(clip);
     let size = poses.rows.len();
     let distances = DMatrix::from_fn(size, size, |a, b| (&poses.rows[a] - &poses.rows[b]).norm());
@@ -98,6 +130,11 @@ pub fn spectral_clusters_of_frames(clip: &Clip, count: usize) -> Classes {
     let eigen = normalised.symmetric_eigen();
     let mut order: Vec<usize> = (0..size).collect();
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+    let gap = |&count: &usize| eigen.eigenvalues[order[count - 1]] - eigen.eigenvalues[order[count]];
+    let count = count.unwrap_or_else(|| {
+        let counts = 2..=MAX_CLASSES.min(size - 1);
+        counts.max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(size)
+    });
     let rows: Vec<DVector<f64>> = (0..size)
         .map(|pose| {
             let values = order.iter().take(count).map(|&column| eigen.eigenvectors[(pose, column)]);

@@ -97,19 +97,21 @@ fn classifiers() -> Vec<(String, Classifier)> {
     let method = |&method: &Method| -> (String, Classifier) {
         (method.name().into(), Box::new(move |case| actions_of(case.clip, method)))
     };
-    let references: [(&str, Classifier); 4] = [
+    let kmeans = |case: &ClassCase, count: Option<usize>| {
+        let segments = segment(case.clip, Method::Auto).into_iter();
+        kmeans_of_segment_means(case.clip, &segments.map(|segment| segment.frames).collect::<Vec<_>>(), count)
+    };
+    let references: [(&str, Classifier); 6] = [
         ("best grouping of `auto` segments", Box::new(best_grouping)),
+        ("k-means of the mean poses of `auto` segments", Box::new(move |case| kmeans(case, None))),
         (
-            "k-means of the mean poses of `auto` segments",
-            Box::new(|case| {
-                let ranges: Vec<_> =
-                    segment(case.clip, Method::Auto).into_iter().map(|segment| segment.frames).collect();
-                kmeans_of_segment_means(case.clip, &ranges, case.class_count())
-            }),
+            "the same, given the number of actions",
+            Box::new(move |case| kmeans(case, Some(case.class_count()))),
         ),
+        ("spectral clustering of frames", Box::new(|case| spectral_clusters_of_frames(case.clip, None))),
         (
-            "spectral clustering of frames",
-            Box::new(|case| spectral_clusters_of_frames(case.clip, case.class_count())),
+            "the same, given the number of actions",
+            Box::new(|case| spectral_clusters_of_frames(case.clip, Some(case.class_count()))),
         ),
         (
             "motif labels of `lsd`",
@@ -239,4 +241,5 @@ thresholds of the grouping were chosen on seeds 0 to 3. The *best grouping* give
 action of most of its frames: its errors are those of the cuts, and no grouping of these segments is more accurate.
 Three references are in italics below it: k-means of the mean poses of the segments of `auto`, spectral clustering of
 frames (normalised affinities of five poses per second, as in Hu et al. 2016), and segments of `lsd` with equal
-motifs. The first two are given the true number of actions.";
+motifs. The number of actions of the first two is that with the largest mean silhouette and that before the largest
+gap between eigenvalues; each has a second row in which the true number is given.";

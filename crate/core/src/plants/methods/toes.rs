@@ -35,9 +35,9 @@ impl<'a> Toes<'a> {
         let window = input.settings.window;
         let signals = toe_signals(input.feet);
         let spans = [0..input.feet.frame_count()];
-        let mut ranges = Ranges::new(&signals, &spans);
+        let mut ranges = Ranges::new(&spans, values_of(&signals));
         let Some(standing) = input.standing else {
-            let samples = Samples::from_signals(&signals, &spans, ranges, window, 1);
+            let samples = Samples::from_signals(values_of(&signals), &spans, ranges, window, 1);
             return Toes { feet: input.feet, signals, samples, ranges };
         };
         // The two clips show one character, so ranges of either apply to both.
@@ -47,11 +47,17 @@ impl<'a> Toes<'a> {
             speed: signal.speed.iter().map(|speed| speed / scale).collect(),
         });
         let standing_spans = [0..standing.frame_count()];
-        let standing_ranges = Ranges::new(&standing_signals, &standing_spans);
+        let standing_ranges = Ranges::new(&standing_spans, values_of(&standing_signals));
         ranges.height = ranges.height.max(standing_ranges.height);
         ranges.speed = ranges.speed.max(standing_ranges.speed);
-        let mut samples = Samples::from_signals(&signals, &spans, ranges, window, 1);
-        samples.append(Samples::from_signals(&standing_signals, &standing_spans, ranges, window, 1));
+        let mut samples = Samples::from_signals(values_of(&signals), &spans, ranges, window, 1);
+        samples.append(Samples::from_signals(
+            values_of(&standing_signals),
+            &standing_spans,
+            ranges,
+            window,
+            1,
+        ));
         Toes { feet: input.feet, signals, samples, ranges }
     }
 
@@ -148,4 +154,9 @@ impl<'a> Toes<'a> {
 
 fn toe_signals(feet: &Feet) -> Signals {
     signal::raw(feet, |foot| &foot.toe)
+}
+
+/// Returns height and speed of a foot at a frame, for [`Samples::from_signals`].
+fn values_of(signals: &Signals) -> impl Fn(usize, usize) -> [f64; 2] {
+    |foot, frame| signals[foot].at(frame)
 }

@@ -61,34 +61,31 @@ pub(crate) fn subtract(
     resampler: &Resampler,
     ankle: &mut Signals,
     toe: &mut Signals,
-) -> [Vec<f64>; 2] {
+) -> [Vec<f32>; 2] {
     let Resampler { fine_spans: spans, factor, frame_time, .. } = resampler;
     let half = (WINDOW / frame_time + 0.55).floor() as usize;
     let soles = Soles { ankle, toe, feet, leg: feet.leg, factor: *factor, frame_time: *frame_time };
     let stances: Vec<[Stances; 2]> =
         spans.iter().map(|span| [0, 1].map(|foot| soles.stances(foot, span))).collect();
-    let signals = [ankle, toe];
-    let mut heel_rise = [0, 1].map(|foot: usize| vec![0.0; signals[0][foot].height.len()]);
-    for (span, stances) in spans.iter().zip(&stances) {
-        let local = signals.each_ref().map(|signals| {
+    let mut heel_rise = [0, 1].map(|foot: usize| vec![0.0; ankle[foot].height.len()]);
+    for (signals, sign) in [(ankle, 1.0), (toe, -1.0)] {
+        for (span, stances) in spans.iter().zip(&stances) {
             let lower = |frame: usize| signals[0].height[frame].min(signals[1].height[frame]);
-            sliding_minimum(span.clone().map(lower).collect(), half)
-        });
-        for foot in 0..2 {
-            let path = || Path { track: &feet.tracks[foot].toe, factor: *factor, feet };
-            let own = signals
-                .each_ref()
-                .map(|signals| ground_of_stances(&signals[foot].height, span, &stances[foot], half, path()));
-            for (index, frame) in span.clone().enumerate() {
-                let difference = [0, 1].map(|part: usize| own[part][index] - local[part][index]);
-                let [ankle_rise, toe_rise] = difference.map(|difference| rise(difference, feet.leg));
-                for (part, rise) in [ankle_rise, toe_rise].into_iter().enumerate() {
-                    let height = &mut signals[part][foot].height[frame];
-                    *height = (*height - local[part][index] - rise).max(0.0);
+            let local = sliding_minimum(span.clone().map(lower).collect(), half);
+            for foot in 0..2 {
+                let path = Path { track: &feet.tracks[foot].toe, factor: *factor, feet };
+                let heights = &mut signals[foot].height;
+                let own = ground_of_stances(heights, span, &stances[foot], half, path);
+                for (frame, (own, local)) in span.clone().zip(own.into_iter().zip(&local)) {
+                    let rise = rise(own - local, feet.leg);
+                    heights[frame] = (heights[frame] - local - rise).max(0.0);
+                    heel_rise[foot][frame] += (sign * rise) as f32;
                 }
-                heel_rise[foot][frame] = (ankle_rise - toe_rise).max(0.0);
             }
         }
+    }
+    for rise in heel_rise.iter_mut().flatten() {
+        *rise = rise.max(0.0);
     }
     heel_rise
 }

@@ -33,6 +33,8 @@ pub(crate) type Signals = [Signal; 2];
 
 /// Half-width of the window of the speed filter, in seconds.
 const SPEED_WINDOW: f64 = 0.05;
+/// Number of resampled frames that are filtered at a time: ten seconds at 120 Hz.
+const PIECE: usize = 1200;
 
 impl Signal {
     /// Computes height and speed of a track; spans are filtered separately.
@@ -68,29 +70,49 @@ pub(crate) fn raw(feet: &Feet, part: impl Fn(&FootTracks) -> &Track) -> Signals 
 }
 
 /// Returns filtered signals: without spikes, resampled, with smoothed speed and height along the up
-/// axis.
+/// axis. Between spans, the speed is 0.
 pub(crate) fn filtered(feet: &Feet, resampler: &Resampler, part: impl Fn(&FootTracks) -> &Track) -> Signals {
     let Resampler { fine_spans: spans, frame_time, .. } = resampler;
     // Frame times such as 0.033333 and 0.033334 s must give the same window.
     let half = |seconds: f64| (seconds / frame_time + 0.55).floor() as usize;
-    let velocity = |track: &[Vector3<f64>]| velocity::edge_preserving(track, half(SPEED_WINDOW), *frame_time);
-    // The tracks are processed one by one because a resampled track may need many times the memory.
+    let half = half(SPEED_WINDOW);
+    let count = resampler.fine_frame_count(feet.frame_count());
     feet.tracks.each_ref().map(|foot| {
-        let mut track = resampler.resample(part(foot));
-        remove_spikes(&mut track, spans, feet.leg);
-        Signal::new(&track, feet.up, spans, velocity)
+        let track = part(foot);
+        let mut signal = Signal { height: vec![0.0; count], speed: vec![0.0; count] };
+        let mut end = 0;
+        for span in spans.iter().chain([&(count..count)]) {
+            for frame in end..span.start {
+                signal.height[frame] = feet.up.height(&resampler.resample(track, frame..frame + 1)[0]);
+            }
+            // Piece by piece, because a resampled track may need many times the memory. A piece overlaps its
+            // neighbours by all frames on which a speed depends.
+            for start in span.clone().step_by(PIECE) {
+                let frames = start..(start + PIECE).min(span.end);
+                let overlap = half.max(1) + 1;
+                let from = frames.start.saturating_sub(overlap).max(span.start);
+                let mut piece = resampler.resample(track, from..(frames.end + overlap).min(span.end));
+                remove_spikes(&mut piece, feet.leg);
+                let velocities = velocity::edge_preserving(&piece, half, *frame_time);
+                for frame in frames {
+                    signal.height[frame] = feet.up.height(&piece[frame - from]);
+                    signal.speed[frame] = velocities[frame - from].norm();
+                }
+            }
+            end = span.end;
+        }
+        signal
     })
 }
 
-/// Returns one quantity of both feet in all frames within `spans`.
+/// Returns heights and speeds in all frames within `spans`, the left foot first; `at` returns those of a foot at a
+/// frame.
 pub(crate) fn values_within(
-    signals: &Signals,
     spans: &[Range<usize>],
-    quantity: fn(&Signal) -> &[f64],
-) -> impl Iterator<Item = f64> {
-    signals.iter().flat_map(move |signal| {
-        spans.iter().flat_map(move |span| quantity(signal)[span.clone()].iter().copied())
-    })
+    at: impl Fn(usize, usize) -> [f64; 2],
+) -> impl Iterator<Item = [f64; 2]> {
+    let frames = move |foot: usize| spans.iter().cloned().flatten().map(move |frame| (foot, frame));
+    (0..2).flat_map(frames).map(move |(foot, frame)| at(foot, frame))
 }
 
 /// Returns the smallest and the largest value.
@@ -109,18 +131,17 @@ fn subtract_ground(signals: &mut Signals, spans: &[Range<usize>]) {
 }
 
 /// Replaces single frames far from their neighbours by the mean of the neighbours.
-pub(crate) fn remove_spikes(track: &mut Track, spans: &[Range<usize>], leg: f64) {
-    for span in spans.iter().filter(|span| span.len() > 2) {
-        // The comparison uses the original positions.
-        let mut before = track[span.start];
-        for frame in span.start + 1..span.end - 1 {
-            let (here, after) = (track[frame], track[frame + 1]);
-            let middle = (before + after) / 2.0;
-            if (here - middle).norm() > 3.0 * (after - before).norm() + 0.05 * leg {
-                track[frame] = middle;
-            }
-            before = here;
+pub(crate) fn remove_spikes(track: &mut [Vector3<f64>], leg: f64) {
+    let Some(&first) = track.first() else { return };
+    // The comparison uses the original positions.
+    let mut before = first;
+    for frame in 1..track.len() - 1 {
+        let (here, after) = (track[frame], track[frame + 1]);
+        let middle = (before + after) / 2.0;
+        if (here - middle).norm() > 3.0 * (after - before).norm() + 0.05 * leg {
+            track[frame] = middle;
         }
+        before = here;
     }
 }
 
@@ -154,17 +175,52 @@ mod tests {
     #[test]
     fn single_frame_spikes_are_removed() {
         let straight: Track = (0..20).map(|frame| Vector3::x() * f64::from(frame) * 0.1).collect();
-        let cleaned = |track: &Track, spans: &[Range<usize>]| {
-            let mut track = track.clone();
-            remove_spikes(&mut track, spans, 1.0);
+        let cleaned = |track: &[Vector3<f64>]| {
+            let mut track = track.to_vec();
+            remove_spikes(&mut track, 1.0);
             track
         };
-        assert_eq!(cleaned(&straight, &[0..20]), straight);
+        assert_eq!(cleaned(&straight), straight);
         let mut track = straight.clone();
         track[7].y = 1.0;
-        assert!((cleaned(&track, &[0..20])[7] - straight[7]).norm() < 1e-12);
-        // At the edge of a span there is nothing to compare with.
-        assert_eq!(cleaned(&track, &[0..8, 8..20])[7].y, 1.0);
+        assert!((cleaned(&track)[7] - straight[7]).norm() < 1e-12);
+        // At an end there is nothing to compare with.
+        assert_eq!(cleaned(&track[..8])[7].y, 1.0);
+        assert!(cleaned(&[]).is_empty());
+    }
+
+    #[test]
+    fn pieces_do_not_change_the_signals() {
+        let position = |frame: usize| {
+            let time = frame as f64 / 30.0;
+            Vector3::new(time.sin(), (7.0 * time).cos().max(0.0), if frame % 97 == 5 { 3.0 } else { 0.0 })
+        };
+        let toe: Track = (0..900).map(position).collect();
+        let foot = FootTracks { ankle: toe.clone(), toe, tip: None };
+        let tracks = [foot.clone(), foot];
+        let feet = |frame_time| Feet {
+            tracks: tracks.clone(),
+            hips: Track::new(),
+            up: Up::Y,
+            leg: 1.0,
+            metres_per_unit: 1.0,
+            frame_time,
+        };
+        for frame_time in [1.0 / 30.0, 1.0 / 120.0, 1.0 / 1000.0] {
+            let feet = feet(frame_time);
+            for spans in [vec![0..900], vec![3..310, 310..312, 350..896]] {
+                let resampler = Resampler::new(&feet, &spans);
+                let [filtered, _] = filtered(&feet, &resampler, |foot| &foot.toe);
+                let mut track = resampler.resample(&feet.tracks[0].toe, 0..resampler.fine_frame_count(900));
+                for span in &resampler.fine_spans {
+                    remove_spikes(&mut track[span.clone()], 1.0);
+                }
+                let half = (SPEED_WINDOW / resampler.frame_time + 0.55).floor() as usize;
+                let velocity =
+                    |track: &[Vector3<f64>]| velocity::edge_preserving(track, half, resampler.frame_time);
+                assert_eq!(filtered, Signal::new(&track, Up::Y, &resampler.fine_spans, velocity));
+            }
+        }
     }
 
     #[test]

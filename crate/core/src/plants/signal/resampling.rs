@@ -38,27 +38,32 @@ impl Resampler {
         }
     }
 
-    /// Returns the resampled track.
-    pub fn resample(&self, track: &Track) -> Track {
-        if self.factor == 1 { track.clone() } else { interpolate_track(track, &self.spans, self.factor) }
+    /// Returns the number of resampled frames of a clip.
+    pub fn fine_frame_count(&self, frames: usize) -> usize {
+        (frames - 1) * self.factor + 1
     }
-}
 
-/// Interpolates a track by Catmull–Rom splines, which pass through its frames.
-fn interpolate_track(track: &Track, spans: &[Range<usize>], factor: usize) -> Track {
-    let last = track.len() - 1;
-    let mut fine = Track::with_capacity(last * factor + 1);
-    for frame in 0..last {
-        // Beyond the end of a span its last position is repeated; a jump between spans is not
-        // motion.
-        let span = spans.get(spans.partition_point(|span| span.end <= frame));
-        let span = span.filter(|span| span.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
-        let at = |frame: usize| track[frame.clamp(span.start, span.end - 1)];
-        let points = [at(frame.saturating_sub(1)), at(frame), at(frame + 1), at(frame + 2)];
-        fine.extend((0..factor).map(|step| interpolate::catmull_rom(points, step as f64 / factor as f64)));
+    /// Returns the resampled `frames` of a track, interpolated by Catmull–Rom splines, which pass through its
+    /// frames.
+    pub fn resample(&self, track: &Track, frames: Range<usize>) -> Track {
+        if self.factor == 1 {
+            return track[frames].to_vec();
+        }
+        let mut fine = Track::with_capacity(frames.len());
+        for frame in frames.start / self.factor..frames.end.div_ceil(self.factor) {
+            // Beyond the end of a span its last position is repeated; a jump between spans is not
+            // motion.
+            let span = self.spans.get(self.spans.partition_point(|span| span.end <= frame));
+            let span = span.filter(|span| span.contains(&frame)).cloned().unwrap_or(frame..frame + 1);
+            let at = |frame: usize| track[frame.clamp(span.start, span.end - 1)];
+            let points = [at(frame.saturating_sub(1)), at(frame), at(frame + 1), at(frame + 2)];
+            let start = frame * self.factor;
+            let steps = start.max(frames.start)..(start + self.factor).min(frames.end);
+            let at_step = |step| (step - start) as f64 / self.factor as f64;
+            fine.extend(steps.map(|step| interpolate::catmull_rom(points, at_step(step))));
+        }
+        fine
     }
-    fine.push(track[last]);
-    fine
 }
 
 #[cfg(test)]
@@ -71,7 +76,9 @@ mod tests {
     fn frames_and_parabolas_are_reproduced() {
         let position_at = |t: f64| Vector3::new(t, 3.0 * t * t - t, 0.0);
         let track: Track = (0..8).map(|frame| position_at(f64::from(frame))).collect();
-        let fine = interpolate_track(&track, &[0..8], 4);
+        let resampler =
+            |factor| Resampler { spans: vec![0..8], fine_spans: Vec::new(), factor, frame_time: 1.0 };
+        let fine = resampler(4).resample(&track, 0..29);
         assert_eq!(fine.len(), 29);
         for (index, position) in fine.iter().enumerate() {
             let t = index as f64 / 4.0;
@@ -80,12 +87,24 @@ mod tests {
                 assert!((position - position_at(t)).norm() < 1e-12, "{t}");
             }
         }
+        for factor in [1, 4] {
+            let resampler = resampler(factor);
+            let count = resampler.fine_frame_count(track.len());
+            let fine = resampler.resample(&track, 0..count);
+            for start in 0..count {
+                for end in start + 1..=count {
+                    assert_eq!(resampler.resample(&track, start..end), fine[start..end]);
+                }
+            }
+        }
     }
 
     #[test]
     fn jumps_between_pieces_are_not_smoothed() {
         let track: Track = (0..6).map(|frame| Vector3::x() * if frame < 3 { 0.0 } else { 9.0 }).collect();
-        let fine = interpolate_track(&track, &[0..3, 3..6], 2);
+        let spans = vec![0..3, 3..6];
+        let resampler = Resampler { spans, fine_spans: Vec::new(), factor: 2, frame_time: 1.0 };
+        let fine = resampler.resample(&track, 0..11);
         assert!(fine.iter().all(|position| position.x == 0.0 || position.x == 9.0), "{fine:?}");
     }
 }

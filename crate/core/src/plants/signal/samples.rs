@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use crate::plants::signal;
-use crate::plants::signal::Signals;
 
 /// Points with `dimension` coordinates: all frames of the left foot, then those of the right foot
 /// (paper, section 2.3, steps 2 to 4).
@@ -37,13 +36,17 @@ pub(crate) struct Ranges {
 }
 
 impl Ranges {
-    /// Returns maximum minus minimum over both feet; a zero range counts as 1.
-    pub fn new(signals: &Signals, spans: &[Range<usize>]) -> Ranges {
-        let range = |quantity| {
-            let (low, high) = signal::min_max(signal::values_within(signals, spans, quantity));
-            if high > low { high - low } else { 1.0 }
-        };
-        Ranges { height: range(|signal| &signal.height), speed: range(|signal| &signal.speed) }
+    /// Returns maximum minus minimum over both feet; a zero range counts as 1. `at` returns height and speed of a
+    /// foot at a frame.
+    pub fn new(spans: &[Range<usize>], at: impl Fn(usize, usize) -> [f64; 2]) -> Ranges {
+        let mut limits = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        for values in signal::values_within(spans, at) {
+            for ([low, high], value) in limits.iter_mut().zip(values) {
+                (*low, *high) = (low.min(value), high.max(value));
+            }
+        }
+        let [height, speed] = limits.map(|[low, high]| if high > low { high - low } else { 1.0 });
+        Ranges { height, speed }
     }
 
     /// Limits the ranges, so that one jump or kick does not compress all other samples.
@@ -61,32 +64,39 @@ impl Samples {
     }
 
     /// Creates a sample of every `stride`-th frame with `window` frames on either side, within its
-    /// span and foot.
+    /// span and foot. `at` returns height and speed of a foot at a frame.
     ///
     /// Coordinates are divided by `ranges` and limited to 1. Frames beyond the end of a span repeat
     /// its last frame.
     pub fn from_signals(
-        signals: &Signals,
+        at: impl Fn(usize, usize) -> [f64; 2],
         spans: &[Range<usize>],
         ranges: Ranges,
         window: usize,
         stride: usize,
     ) -> Samples {
-        let mut samples = Samples { dimension: 2 * (2 * window + 1), ..Samples::default() };
+        let width = 2 * window + 1;
+        let mut samples = Samples { dimension: 2 * width, ..Samples::default() };
         let count = |span: &Range<usize>| span.len().div_ceil(stride);
         samples.norms.reserve_exact(2 * spans.iter().map(count).sum::<usize>());
-        let values = |span: &Range<usize>| 2 * (span.len() + 2 * window);
+        // Frames between windows that do not overlap are left out.
+        let step = stride.min(width);
+        let values = |span: &Range<usize>| 2 * ((count(span) - 1) * step + width);
         samples.values.reserve_exact(2 * spans.iter().map(values).sum::<usize>());
-        for signal in signals {
+        for foot in 0..2 {
             for span in spans {
+                let last = span.start + (count(span) - 1) * stride;
                 let mut points = Vec::with_capacity(values(span));
-                for index in 0..span.len() + 2 * window {
-                    let frame = (span.start + index).saturating_sub(window).clamp(span.start, span.end - 1);
-                    let [height, speed] = signal.at(frame);
-                    points.push(limit_to_one(height / ranges.height));
-                    points.push(limit_to_one(speed / ranges.speed));
+                for sample in span.clone().step_by(stride) {
+                    let used = if sample == last { width } else { step };
+                    for frame in sample..sample + used {
+                        let frame = frame.saturating_sub(window).clamp(span.start, span.end - 1);
+                        let [height, speed] = at(foot, frame);
+                        points.push(limit_to_one(height / ranges.height));
+                        points.push(limit_to_one(speed / ranges.speed));
+                    }
                 }
-                samples.add(&points, 2 * stride);
+                samples.add(&points, 2 * step);
             }
         }
         samples
@@ -181,10 +191,11 @@ mod tests {
             speed: vec![0.0; 4],
         };
         let signals = [signal(0.0), signal(0.0)];
+        let at = |foot: usize, frame| signals[foot].at(frame);
         let spans = [0..2, 2..4];
-        let ranges = Ranges::new(&signals, &spans);
+        let ranges = Ranges::new(&spans, at);
         assert_eq!(ranges, Ranges { height: 3.0, speed: 1.0 });
-        let samples = Samples::from_signals(&signals, &spans, Ranges { height: 10.0, speed: 1.0 }, 1, 1);
+        let samples = Samples::from_signals(at, &spans, Ranges { height: 10.0, speed: 1.0 }, 1, 1);
         let heights: Vec<Vec<f64>> = (0..4)
             .map(|sample| {
                 samples.point(sample).iter().step_by(2).map(|x| f64::from((x * 10.0).round())).collect()

@@ -1,7 +1,6 @@
 //! Cached intermediate results of the detection: those that depend on no parameter, and those that
 //! depend on the window only.
 
-use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::ops::Range;
 use std::sync::Arc;
@@ -41,7 +40,7 @@ pub(crate) struct Motion {
     pub ankle: Signals,
     pub toe: Signals,
     /// Height of the heel of a foot that stands on its toe, by foot and resampled frame, in file units.
-    heel_rise: [Vec<f64>; 2],
+    heel_rise: [Vec<f32>; 2],
     /// True if the toe bears weight rather than the ankle, by foot and resampled frame.
     is_toe_bearing: [Vec<bool>; 2],
     pub stands_still: bool,
@@ -55,13 +54,14 @@ impl Motion {
         let on_ground = moving_ground::displacement(feet, &spans).map(|ground| relative_to(feet, &ground));
         let has_fixed_hips =
             on_ground.is_some() && spans.iter().any(|span| fixed_hips::are_fixed(feet, span));
-        let feet = on_ground.as_ref().unwrap_or(feet);
-        let levelled = tilt::levelled(feet, &spans);
-        let feet = levelled.as_ref().unwrap_or(feet);
+        let levelled = tilt::levelled(on_ground.as_ref().unwrap_or(feet), &spans);
+        let relative = levelled.as_ref().or(on_ground.as_ref()).unwrap_or(feet);
         let resampler = Resampler::new(feet, &spans);
-        let mut ankle = signal::filtered(feet, &resampler, |foot| &foot.ankle);
-        let mut toe = signal::filtered(feet, &resampler, |foot| &foot.toe);
-        let heel_rise = ground::subtract(feet, &resampler, &mut ankle, &mut toe);
+        let mut ankle = signal::filtered(relative, &resampler, |foot| &foot.ankle);
+        let mut toe = signal::filtered(relative, &resampler, |foot| &foot.toe);
+        let heel_rise = ground::subtract(relative, &resampler, &mut ankle, &mut toe);
+        // From here on, memory is needed for something else.
+        drop((levelled, on_ground));
         let is_toe_bearing = signal::weight_bearing(&ankle, &toe, STILL_SPEED * feet.leg);
         let Resampler { fine_spans, factor, .. } = resampler;
         let mut notices = span_notices(feet, &spans);
@@ -82,33 +82,28 @@ impl Motion {
             stands_still: false,
             notices,
         };
-        motion.stands_still = stands_still(&motion.weight_bearing(), &motion.fine_spans, feet.leg);
+        motion.stands_still = motion.is_standing(feet.leg);
         motion
     }
 
-    /// Returns the signals of a part; those of contact and heel are computed on each call.
-    pub fn signals(&self, part: Part) -> Cow<'_, Signals> {
+    /// Returns height and speed of a part of a foot at a resampled frame: contact is the part that bears weight,
+    /// and the ground of the heel is that under the toe.
+    pub fn at(&self, part: Part, foot: usize, frame: usize) -> [f64; 2] {
+        let (ankle, toe) = (&self.ankle[foot], &self.toe[foot]);
         match part {
-            Part::Contact => Cow::Owned(self.weight_bearing()),
-            Part::Toe => Cow::Borrowed(&self.toe),
-            Part::Heel => Cow::Owned(self.heel()),
+            Part::Contact => if self.is_toe_bearing[foot][frame] { toe } else { ankle }.at(frame),
+            Part::Toe => toe.at(frame),
+            Part::Heel => [ankle.height[frame] + f64::from(self.heel_rise[foot][frame]), ankle.speed[frame]],
         }
     }
 
-    /// Returns the signals of the heel: those of the ankle, whose ground is that under the toe.
-    fn heel(&self) -> Signals {
-        let mut heel = self.ankle.clone();
-        for (signal, rise) in heel.iter_mut().zip(&self.heel_rise) {
-            for (height, rise) in signal.height.iter_mut().zip(rise) {
-                *height += rise;
-            }
-        }
-        heel
-    }
-
-    /// Returns the signals of the part that bears weight.
-    fn weight_bearing(&self) -> Signals {
-        signal::select(&self.ankle, &self.toe, &self.is_toe_bearing)
+    /// True if almost all speeds and all heights are those of standing feet.
+    fn is_standing(&self, leg: f64) -> bool {
+        let values =
+            || signal::values_within(&self.fine_spans, |foot, frame| self.at(Part::Contact, foot, frame));
+        let (lowest, highest) = signal::min_max(values().map(|[height, _]| height));
+        highest - lowest < STILL_HEIGHT * leg
+            && stats::percentile(values().map(|[_, speed]| speed).collect(), 0.99) < STILL_SPEED * leg
     }
 }
 
@@ -163,13 +158,6 @@ fn relative_to(feet: &Feet, ground: &Track) -> Feet {
         tip: None,
     });
     Feet { tracks, hips: Track::new(), ..*feet }
-}
-
-/// True if almost all speeds and all heights are those of standing feet.
-fn stands_still(signals: &Signals, spans: &[Range<usize>], leg: f64) -> bool {
-    let speeds = signal::values_within(signals, spans, |signal| &signal.speed).collect();
-    let (lowest, highest) = signal::min_max(signal::values_within(signals, spans, |signal| &signal.height));
-    stats::percentile(speeds, 0.99) < STILL_SPEED * leg && highest - lowest < STILL_HEIGHT * leg
 }
 
 fn span_notices(feet: &Feet, spans: &[Range<usize>]) -> Vec<Notice> {

@@ -20,7 +20,6 @@ use crate::notice::{Code, Notice};
 use crate::plants::methods::method_info::{Family, Input, MethodInfo, Output, Settings, Thresholds};
 use crate::plants::methods::robust::cache::{DetectionCache, Motion, SampleSet, SampleSets};
 use crate::plants::postprocess::{capture_noise, confidence, dragging, edges, short_runs};
-use crate::plants::signal::Signal;
 use crate::plants::signal::samples::{Ranges, Samples};
 use crate::plants::spectral::affinity::Kernel;
 use crate::plants::spectral::bandwidth::Bandwidth;
@@ -158,11 +157,12 @@ impl Pipeline<'_> {
     fn sample_set(&self, sample_sets: &mut SampleSets, part: Part, ranges: Option<Ranges>) -> SampleSet {
         let window = self.settings.window;
         sample_sets.take(part, window).unwrap_or_else(|| {
-            let (leg, signals) = (self.feet.leg, &*self.motion.signals(part));
-            let Motion { fine_spans: spans, factor, .. } = self.motion;
-            let ranges = ranges
-                .unwrap_or_else(|| Ranges::new(signals, spans).capped(HEIGHT_CAP * leg, SPEED_CAP * leg));
-            let samples = Samples::from_signals(signals, spans, ranges, window, *factor);
+            let (leg, motion) = (self.feet.leg, self.motion);
+            let Motion { fine_spans: spans, factor, .. } = motion;
+            let at = |foot, frame| motion.at(part, foot, frame);
+            let ranges =
+                ranges.unwrap_or_else(|| Ranges::new(spans, at).capped(HEIGHT_CAP * leg, SPEED_CAP * leg));
+            let samples = Samples::from_signals(at, spans, ranges, window, *factor);
             SampleSet::new(PartitionedSamples::new(samples, self.caches_samples), ranges)
         })
     }
@@ -203,24 +203,17 @@ impl Pipeline<'_> {
 
     /// Creates the labels of one part; without a clustering, all frames are planted.
     fn label(&self, part: Part, clustered: Option<Classified>) -> PartLabels {
-        let signals = self.motion.signals(part);
+        let frames = self.feet.frame_count();
         let labels = |foot: usize| {
-            let frames = self.feet.frame_count();
             let (planted, confidence) = match &clustered {
                 Some((evidence, planted)) => self.frame_labels(foot, evidence, planted),
                 None => (vec![true; frames], vec![1.0; frames]),
             };
-            let at_frames = |values: &[f64]| {
-                values.iter().step_by(self.motion.factor).map(|&value| value as f32).collect()
+            let at = |frame: usize| {
+                self.motion.at(part, foot, frame * self.motion.factor).map(|value| value as f32)
             };
-            let Signal { height, speed } = &signals[foot];
-            FootLabels {
-                planted,
-                confidence,
-                height: at_frames(height),
-                speed: at_frames(speed),
-                edges: Vec::new(),
-            }
+            let (height, speed) = (0..frames).map(at).map(|[height, speed]| (height, speed)).unzip();
+            FootLabels { planted, confidence, height, speed, edges: Vec::new() }
         };
         PartLabels { part, feet: [labels(0), labels(1)], evidence: clustered.map(|(evidence, _)| evidence) }
     }

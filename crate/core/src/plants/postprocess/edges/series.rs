@@ -1,7 +1,6 @@
 //! Smoothed derivatives of one coordinate of a track around an edge.
 
 use std::ops::Range;
-use std::slice;
 
 use nalgebra::Vector3;
 
@@ -83,8 +82,7 @@ impl TrackSpan<'_> {
         // A spike shows by its neighbours.
         let start = frames.start.saturating_sub(1).max(self.span.start);
         let mut window = self.track[start..(frames.end + 1).min(self.span.end)].to_vec();
-        let all = 0..window.len();
-        remove_spikes(&mut window, slice::from_ref(&all), self.leg);
+        remove_spikes(&mut window, self.leg);
         window.drain(..frames.start - start);
         window.truncate(frames.len());
         window

@@ -1,6 +1,6 @@
 //! Cost of describing a range of poses by one Gaussian.
 
-use nalgebra::{DMatrix, SMatrix, SVector};
+use nalgebra::DMatrix;
 
 use crate::numeric::sort;
 
@@ -9,8 +9,9 @@ pub(crate) const DIMS: usize = 6;
 /// Added to each variance, where the clip has a total variance of 1: the noise of a held pose.
 const ADDED_VARIANCE: f64 = 0.01;
 
-type Point = SVector<f64, DIMS>;
-type Products = SMatrix<f64, DIMS, DIMS>;
+type Point = [f64; DIMS];
+/// Symmetric matrix by rows.
+type Products = [[f64; DIMS]; DIMS];
 
 /// Running sums of the reduced poses, from which the Gaussian of any range follows in constant
 /// time.
@@ -34,14 +35,20 @@ impl Gaussians {
         let scale = if total > 1e-12 { total.sqrt().recip() } else { 0.0 };
         let axes: Vec<_> = order.iter().map(|&index| eigen.eigenvectors.column(index) * scale).collect();
         let mut sums = Vec::with_capacity(count + 1);
-        sums.push((Point::zeros(), Products::zeros()));
-        for (index, pose) in centred.column_iter().enumerate() {
-            let mut point = Point::zeros();
+        let (mut sum, mut products) = (Point::default(), Products::default());
+        sums.push((sum, products));
+        for pose in centred.column_iter() {
+            let mut point = Point::default();
             for (value, axis) in point.iter_mut().zip(&axes) {
                 *value = axis.dot(&pose);
             }
-            let (sum, products) = &sums[index];
-            sums.push((sum + point, products + point * point.transpose()));
+            for row in 0..DIMS {
+                sum[row] += point[row];
+                for column in 0..DIMS {
+                    products[row][column] += point[row] * point[column];
+                }
+            }
+            sums.push((sum, products));
         }
         Gaussians { sums }
     }
@@ -51,16 +58,40 @@ impl Gaussians {
     /// log-determinant of the covariance.
     pub fn cost(&self, start: usize, end: usize) -> f64 {
         let count = (end - start) as f64;
-        let mean = (self.sums[end].0 - self.sums[start].0) / count;
-        let products = (self.sums[end].1 - self.sums[start].1) / count;
-        let mut covariance = products - mean * mean.transpose();
-        for dim in 0..DIMS {
-            covariance[(dim, dim)] += ADDED_VARIANCE;
+        let share = count.recip();
+        let ((sum_before, products_before), (sum, products)) = (&self.sums[start], &self.sums[end]);
+        let mut mean = Point::default();
+        for row in 0..DIMS {
+            mean[row] = (sum[row] - sum_before[row]) * share;
         }
-        // The added variance makes the matrix positive definite despite rounding.
-        let factor = covariance.cholesky().expect("a covariance with added variance is positive definite");
-        count * factor.l_dirty().diagonal().product().ln()
+        let mut covariance = Products::default();
+        for row in 0..DIMS {
+            for column in 0..DIMS {
+                let product = (products[row][column] - products_before[row][column]) * share;
+                covariance[row][column] = product - mean[row] * mean[column];
+            }
+            // The added variance makes the matrix positive definite despite rounding.
+            covariance[row][row] += ADDED_VARIANCE;
+        }
+        0.5 * count * determinant(covariance).ln()
     }
+}
+
+/// Returns the determinant of a positive definite matrix, by Gaussian elimination. For so few rows, the
+/// factorisations of nalgebra take several times as long.
+fn determinant(mut matrix: Products) -> f64 {
+    let mut determinant = 1.0;
+    for pivot in 0..DIMS {
+        let above = matrix[pivot];
+        determinant *= above[pivot];
+        for row in &mut matrix[pivot + 1..] {
+            let factor = row[pivot] / above[pivot];
+            for column in 0..DIMS {
+                row[column] -= factor * above[column];
+            }
+        }
+    }
+    determinant
 }
 
 #[cfg(test)]

@@ -85,7 +85,7 @@ fn segment(input: &mut Input) -> Result<Output, SegmentError> {
         |turn| smooth::shape(turn, deviation, grid.count(), |sample| poses.shape(grid.frame(sample)));
     let shapes: Vec<Shape> = turns.iter().map(|&turn| smoothed_shape(turn)).collect();
     let curves = motifs::curves(&values, &turns);
-    let classes = motifs::classes(&curves, &shapes, &mut || (input.progress)(0.9))?;
+    let classes = motifs::classes(&curves, &shapes, values.len(), &mut || (input.progress)(0.9))?;
     let sequence = Sequence {
         times: turns.iter().map(|&turn| grid.seconds(turn)).collect(),
         changes: curves.iter().map(MotifCurve::change).collect(),

@@ -17,8 +17,11 @@ const MIN_AMPLITUDE: f64 = 10.0;
 /// Distance of poses from which motifs that begin or end with them are not similar.
 const MAX_POSE_DISTANCE: f64 = 100.0;
 
-/// Maximum number of motifs with a full distance matrix, which limits the memory.
+/// Maximum number of motifs with a full distance matrix, which limits the memory, …
 const MAX_COMPARED: usize = 2048;
+/// … and the maximum number of entries of the matrix per sample of the curve. People turn at most a few times per
+/// second, so that it only applies to noise at low frame rates.
+const MAX_DISTANCES_PER_SAMPLE: usize = 20;
 
 /// Curve of a motif.
 #[derive(Clone, Debug)]
@@ -59,11 +62,12 @@ impl MotifCurve {
 /// Returns the class of each motif, from 1 in order of first appearance.
 ///
 /// Motifs are similar if their curves and their first and last poses are; `shapes` are the poses at
-/// the turning points. Rising and falling motifs are never similar. `checkpoint` is called
-/// regularly and may cancel.
+/// the turning points. Rising and falling motifs are never similar. `samples` is the number of samples of the
+/// curve. `checkpoint` is called regularly and may cancel.
 pub(crate) fn classes(
     curves: &[MotifCurve],
     shapes: &[Shape],
+    samples: usize,
     checkpoint: &mut impl FnMut() -> Result<(), Cancelled>,
 ) -> Result<Vec<usize>, Cancelled> {
     let distance = |a: usize, b: usize| {
@@ -73,10 +77,11 @@ pub(crate) fn classes(
     };
     let (rising, falling): (Vec<usize>, Vec<usize>) =
         (0..curves.len()).partition(|&motif| curves[motif].change() >= 0.0);
+    let max_compared = MAX_COMPARED.min((2 * MAX_DISTANCES_PER_SAMPLE * samples).isqrt());
     let mut first_members = vec![0; curves.len()];
     for motifs in [rising, falling] {
         let distance = |a: usize, b: usize| distance(motifs[a], motifs[b]);
-        let groups = linkage::groups(motifs.len(), MAX_COMPARED, &distance, 1.0, checkpoint)?;
+        let groups = linkage::groups(motifs.len(), max_compared, &distance, 1.0, checkpoint)?;
         for (&motif, first) in motifs.iter().zip(groups) {
             first_members[motif] = motifs[first];
         }
@@ -112,7 +117,7 @@ mod tests {
             turns.push(values.len() - 1);
         }
         let shapes: Vec<Shape> = bends.iter().map(|&bend| shape(bend)).collect();
-        classes(&curves(&values, &turns), &shapes, &mut || Ok(())).unwrap()
+        classes(&curves(&values, &turns), &shapes, values.len(), &mut || Ok(())).unwrap()
     }
 
     #[test]

@@ -15,7 +15,7 @@ pub(crate) fn template(input: &mut Input, poses: &mut PoseShapes) -> Result<Shap
     let frames = input.clip.frame_count();
     match input.settings.template {
         Template::Mean => {
-            let grid = SampleGrid::new(input.clip, &input.frames, RECORDED_RATE);
+            let grid = SampleGrid::new(input.clip, &input.frames, RECORDED_RATE.min(input.clip.rate()));
             let shapes: Vec<Shape> = (0..grid.count()).map(|pose| poses.shape(grid.frame(pose))).collect();
             (input.progress)(0.1)?;
             Ok(aligned_mean(&shapes))
