@@ -6,7 +6,7 @@ import { openShareDialog } from "../actions/save/share";
 import { batchRows, openBatchRow, tableVisible } from "../store/batch";
 import { embedded, isHosted } from "../store/embedded";
 import { panelCollapsed } from "../store/preferences";
-import { edits, notices, openClip } from "../store/session";
+import { clipTitle, edits, notices, openClip } from "../store/session";
 import { nextTheme, themeChoice } from "../store/theme";
 import { dialog, showTab } from "../store/view";
 import { Icon, Logo } from "../ui/icons";
@@ -140,7 +140,7 @@ function ClipSummary() {
   const noticeCount = notices.value.length;
   return (
     <p class="clip-summary">
-      <strong title={clip.name}>{clip.name}</strong>
+      <strong title={clipTitle.value}>{clipTitle}</strong>
       <span class="clip-facts">{facts.join(" · ")}</span>
       {noticeCount > 0 && (
         <button
