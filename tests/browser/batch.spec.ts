@@ -231,26 +231,44 @@ test("a clip whose name another one has is shown with its folder everywhere", as
   await app.openStartPage();
   await app.drop(
     zip("walks.zip", {
-      "a/walk.bvh": walk,
+      "the first session of the day/a/walk.bvh": walk,
       "b/walk.bvh": bad("not-a-number"),
       "c/walk.bvh": good("no-motion"),
     }),
   );
   await waitForBatch(app);
-  await row(app, "a/walk.bvh").getByRole("button").first().click();
-  await app.waitForClip("a/walk.bvh");
-  await expect(app.head.locator("strong")).toHaveText("a/walk.bvh");
-  await expect(page.getByRole("img", { name: "Skeleton of a/walk.bvh" })).toBeVisible();
+  await row(app, "the first session of the day/a/walk.bvh").getByRole("button").first().click();
+  await app.waitForClip("the first session of the day/a/walk.bvh");
+  await expect(app.head.locator("strong")).toHaveText("the first session of the day/a/walk.bvh");
+  await test.step("in little space, the folder is cut before the name", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const cut = (part: string) =>
+      app.head
+        .getByText(part, { exact: true })
+        .evaluate(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth);
+    expect(await cut("walk.bvh")).toBe(false);
+    expect(await cut("the first session of the day/a/")).toBe(true);
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+  await expect(
+    page.getByRole("img", { name: "Skeleton of the first session of the day/a/walk.bvh" }),
+  ).toBeVisible();
   await app.head.getByRole("button", { name: "Share" }).click();
-  await expect(app.dialog).toHaveAccessibleName("Share a/walk.bvh");
+  await expect(app.dialog).toHaveAccessibleName("Share the first session of the day/a/walk.bvh");
   await page.keyboard.press("Escape");
   await app.head.getByRole("button", { name: "3 clips" }).click();
-  await page.getByRole("button", { name: "c/walk.bvh side by side with a/walk.bvh" }).focus();
+  await page
+    .getByRole("button", {
+      name: "c/walk.bvh side by side with the first session of the day/a/walk.bvh",
+    })
+    .focus();
   await page.keyboard.press("Enter");
   await row(app, "b/walk.bvh").getByRole("button").first().click();
   await expect(app.alert.getByRole("heading")).toHaveText("b/walk.bvh could not be opened");
-  await expect(app.alert).toContainText("a/walk.bvh is still open");
-  await page.getByRole("button", { name: "Back to a/walk.bvh" }).click();
+  await expect(app.alert).toContainText("the first session of the day/a/walk.bvh is still open");
+  await page
+    .getByRole("button", { name: "Back to the first session of the day/a/walk.bvh" })
+    .click();
   const shown = page.getByRole("list", { name: "Comparison clips" });
   await expect(shown.getByRole("listitem")).toHaveText(["c/walk.bvh"]);
 });

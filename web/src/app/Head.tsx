@@ -138,9 +138,14 @@ function ClipSummary() {
     : ["rest pose only"];
   facts.push(`${clip.unit ? `${clip.unit}, ` : ""}${clip.up.replace("-", "−").toUpperCase()} up`);
   const noticeCount = notices.value.length;
+  const title = clipTitle.value;
+  const folder = title.slice(0, title.length - clip.name.length);
   return (
     <p class="clip-summary">
-      <strong title={clipTitle.value}>{clipTitle}</strong>
+      <strong title={title}>
+        {folder && <span>{folder}</span>}
+        <span>{clip.name}</span>
+      </strong>
       <span class="clip-facts">{facts.join(" · ")}</span>
       {noticeCount > 0 && (
         <button
