@@ -100,8 +100,11 @@ test("in the table, Ctrl+S saves all clips", async ({ app, page }) => {
   await app.openSample("curved-walk");
   await app.drop(sample("one-leg-hop"), sample("bowling"));
   await expect(page.getByText(/^All processed/)).toBeVisible();
-  const saved = await app.download(() => page.keyboard.press("Control+s"));
-  expect(saved.name).toBe("labels.zip");
+  const press = () => app.download(() => page.keyboard.press("Control+s"));
+  expect((await press()).name).toBe("labels.zip");
+  // The dialog is about the open clip.
+  await app.openShareDialog();
+  expect((await press()).name).toBe("curved-walk.plants.json");
 });
 
 test("keys do not change a clip that the table covers", async ({ app, page }) => {

@@ -74,6 +74,10 @@ export interface Command {
 
 /** True if a clip is open and not covered by the table. */
 const hasClip = () => openClip.value !== null && !tableVisible.value;
+
+/** True if the table is shown and no dialog, which may be about the open clip. */
+const isTableInFront = () => tableVisible.value && dialog.value === null;
+
 const zoomFactor = 0.7;
 
 /** Moves the selected cut, or else an edge, by a number of frames. */
@@ -564,10 +568,10 @@ const list = [
     label: "Save labels as JSON",
     help: "Save labels as JSON, or all clips of the table",
     keys: [{ key: "s", mod: true }],
-    enabled: () => (tableVisible.value ? finishedCount.value > 0 : openClip.value !== null),
+    enabled: () => (isTableInFront() ? finishedCount.value > 0 : openClip.value !== null),
     isGlobal: true,
     run: () => {
-      if (tableVisible.value) savesTable.value = true;
+      if (isTableInFront()) savesTable.value = true;
       else void exportLabels();
     },
   },
