@@ -254,7 +254,9 @@ export class App {
   }
 
   /** Saves segments by a button of the Segment tab. */
-  async saveSegments(button: "Segments" | "Table" | "BABEL" | "Clips"): Promise<SavedFile> {
+  async saveSegments(
+    button: "Segments" | "Table" | "BABEL" | "Audacity" | "ELAN" | "Clips",
+  ): Promise<SavedFile> {
     await this.tab("Segment");
     await this.expandSaveMenu();
     return this.download(() =>

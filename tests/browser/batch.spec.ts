@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { strToU8, unzipSync, Zip, ZipDeflate, zipSync } from "fflate";
 import { type App, expect, test } from "./app";
 import { bad, clip, good, type Payload, sample } from "./clips";
+import { readLabels } from "./labels";
 import { atEachSize } from "./viewports";
 
 const table = (app: App) => app.page.getByRole("table", { name: /clips$/ });
@@ -37,6 +38,12 @@ const zip = (name: string, files: Record<string, Payload | string>): Payload => 
     ),
   ),
 });
+
+/** Returns a file of an unpacked archive. */
+function savedText(files: Record<string, Uint8Array>, name: string) {
+  const bytes = files[name] ?? new Uint8Array();
+  return { name, bytes, text: Buffer.from(bytes).toString() };
+}
 
 test("the titles of columns are above their values and not cut", async ({ app }) => {
   await app.openStartPage();
@@ -211,9 +218,107 @@ test("compares clips of the same name with the labels of their own folder", asyn
   expect(await scoreOf("b/walk.bvh")).toBeGreaterThan(90);
   const shown = await score("b/walk.bvh").innerText();
   await row(app, "b/walk.bvh").getByRole("button").first().click();
-  await app.waitForClip("walk.bvh");
+  await app.waitForClip("b/walk.bvh");
   await app.tab("Score");
   await expect(app.panel).toContainText(shown.replace(" %", ""));
+});
+
+test("a clip whose name another one has is shown with its folder everywhere", async ({
+  app,
+  page,
+}) => {
+  const walk = sample("curved-walk");
+  await app.openStartPage();
+  await app.drop(
+    zip("walks.zip", {
+      "the first session of the day/a/walk.bvh": walk,
+      "b/walk.bvh": bad("not-a-number"),
+      "c/walk.bvh": good("no-motion"),
+    }),
+  );
+  await waitForBatch(app);
+  await row(app, "the first session of the day/a/walk.bvh").getByRole("button").first().click();
+  await app.waitForClip("the first session of the day/a/walk.bvh");
+  await expect(app.head.locator("strong")).toHaveText("the first session of the day/a/walk.bvh");
+  await test.step("in little space, the folder is cut before the name", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const cut = (part: string) =>
+      app.head
+        .getByText(part, { exact: true })
+        .evaluate(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth);
+    expect(await cut("walk.bvh")).toBe(false);
+    expect(await cut("the first session of the day/a/")).toBe(true);
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+  await expect(
+    page.getByRole("img", { name: "Skeleton of the first session of the day/a/walk.bvh" }),
+  ).toBeVisible();
+  await app.head.getByRole("button", { name: "Share" }).click();
+  await expect(app.dialog).toHaveAccessibleName("Share the first session of the day/a/walk.bvh");
+  await page.keyboard.press("Escape");
+  await app.head.getByRole("button", { name: "3 clips" }).click();
+  await page
+    .getByRole("button", {
+      name: "c/walk.bvh side by side with the first session of the day/a/walk.bvh",
+    })
+    .focus();
+  await page.keyboard.press("Enter");
+  await row(app, "b/walk.bvh").getByRole("button").first().click();
+  await expect(app.alert.getByRole("heading")).toHaveText("b/walk.bvh could not be opened");
+  await expect(app.alert).toContainText("the first session of the day/a/walk.bvh is still open");
+  await page
+    .getByRole("button", { name: "Back to the first session of the day/a/walk.bvh" })
+    .click();
+  const shown = page.getByRole("list", { name: "Comparison clips" });
+  await expect(shown.getByRole("listitem")).toHaveText(["c/walk.bvh"]);
+});
+
+test("a row that is opened leniently has the labels and notices of that, also in saved files", async ({
+  app,
+  page,
+}) => {
+  const damaged = {
+    ...sample("curved-walk"),
+    name: "damaged.bvh",
+    buffer: Buffer.from(
+      sample("curved-walk")
+        .buffer.toString()
+        .replace(/\S+\s*$/, "abc\n"),
+    ),
+  };
+  await app.openStartPage();
+  await app.drop(sample("bowling"), damaged, {
+    ...clip("samples/curved-walk.json"),
+    name: "damaged.json",
+  });
+  await waitForBatch(app);
+  await expect(row(app, "damaged.bvh")).toContainText(/Expected a number/);
+  await row(app, "damaged.bvh").getByRole("button").first().click();
+  await app.alert.getByRole("button", { name: "Open leniently" }).click();
+  await app.waitForClip("damaged.bvh");
+  // As a clip of the table, it replaces the table and is compared with its labels.
+  await expect(table(app)).toBeHidden();
+  await expect(page.getByRole("tab", { name: "Score" })).toBeVisible();
+  const notices = await app.head.getByRole("button", { name: /notice/ }).innerText();
+  const plants = (await app.result("Left")).plants + (await app.result("Right")).plants;
+  await app.head.getByRole("button", { name: "2 clips" }).click();
+  await expect(page.getByText("All processed")).not.toContainText("failed");
+  const cell = (key: string) => row(app, "damaged.bvh").locator(`[data-key="${key}"]`);
+  await expect(cell("plants")).toHaveText(String(plants));
+  await expect(cell("notices")).toHaveText(`${Number.parseInt(notices, 10)}`);
+  await expect(cell("agreement_0_1_s")).toHaveText(/^(9\d\.\d|100\.0) %$/);
+  const saved = await app.download(() => page.getByRole("button", { name: /^Save all/ }).click());
+  const files = unzipSync(saved.bytes);
+  const { left, right } = readLabels(savedText(files, "damaged.plants.json"));
+  expect([...(left.contact ?? []), ...(right.contact ?? [])]).toHaveLength(plants);
+  expect(savedText(files, "table.csv").text).not.toContain("expected a number");
+  // It is opened in the same way again.
+  await row(app, "bowling.bvh").getByRole("button").first().click();
+  await app.waitForClip("bowling.bvh");
+  await page.goBack();
+  await page.goBack();
+  await app.waitForClip("damaged.bvh");
+  await expect(app.alert).toBeHidden();
 });
 
 test("processes a thousand files without blocking the page", async ({ app, page }) => {

@@ -21,6 +21,26 @@ export const good = (name: string) => clip(`tests/files/good/${name}.bvh`);
 export const bad = (name: string) => clip(`tests/files/bad/${name}.bvh`);
 export const sample = (name: string) => clip(`samples/${name}.bvh`);
 
+/** Returns a clip of two people with the same motion. */
+export function twoPeople(clip: Payload): Payload {
+  const [hierarchy = "", time = "", rows = ""] = clip.buffer
+    .toString()
+    .split(/^MOTION\n|(?<=^Frame Time: .*)\n/m);
+  const person = (name: string) =>
+    hierarchy
+      .replace("HIERARCHY", "")
+      .replaceAll(/(ROOT|JOINT) /g, `$1 ${name}:`)
+      .trim();
+  const motion = rows
+    .trimEnd()
+    .split("\n")
+    .map((row) => `${row.trim()} ${row.trim()}`);
+  return file(
+    "two.people.bvh",
+    `HIERARCHY\n${person("A")}\n${person("B")}\nMOTION\n${time}\n${motion.join("\n")}\n`,
+  );
+}
+
 export interface Sample {
   name: string;
   title: string;

@@ -56,3 +56,40 @@ test("does not show a clip side by side with itself", async ({ app, page }) => {
   await app.openSample("frog-jumps");
   await expect(shown.getByRole("listitem")).toHaveText(["bowling.bvh"]);
 });
+
+test("a comparison belongs to the clip and the table in which it was chosen", async ({
+  app,
+  page,
+}) => {
+  const shown = page.getByRole("list", { name: "Comparison clips" });
+  const choose = async (name: string) => {
+    await page.getByRole("button", { name: `${name}.bvh side by side with` }).focus();
+    await page.keyboard.press("Enter");
+  };
+  await app.openSample("curved-walk");
+  await app.drop(sample("bowling"), sample("frog-jumps"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  await choose("bowling");
+  await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+  await expect(shown.getByRole("listitem")).toHaveText(["bowling.bvh"]);
+  await test.step("it is closed with a clip from elsewhere", async () => {
+    await app.drop(sample("ballet"));
+    await app.waitForClip("ballet.bvh");
+    await expect(shown).toBeHidden();
+  });
+  await test.step("it is not resumed by the comparison of another clip", async () => {
+    await app.head.getByRole("button", { name: "2 clips" }).click();
+    const button = page.getByRole("button", { name: "bowling.bvh side by side with ballet.bvh" });
+    await expect(button).toHaveAttribute("aria-pressed", "false");
+    await choose("frog-jumps");
+    await page.getByRole("button", { name: "Back to ballet.bvh" }).click();
+    await expect(shown.getByRole("listitem")).toHaveText(["frog-jumps.bvh"]);
+  });
+  await test.step("it is closed with a clip of another table", async () => {
+    await app.drop(sample("bowling"), sample("one-leg-hop"));
+    await expect(page.getByText(/^All processed/)).toBeVisible();
+    await page.getByRole("button", { name: "one-leg-hop.bvh", exact: true }).click();
+    await app.waitForClip("one-leg-hop.bvh");
+    await expect(shown).toBeHidden();
+  });
+});

@@ -1,5 +1,5 @@
 import { type App, expect, test } from "./app";
-import { clip, file, good, type Payload, sample } from "./clips";
+import { clip, file, good, type Payload, sample, twoPeople } from "./clips";
 
 const truth = (name: string) => clip(`samples/${name}.json`);
 
@@ -125,6 +125,21 @@ for (const [button, ending] of [
     await expect(app.panel.getByRole("listitem")).toHaveCount(0);
   });
 }
+
+test("labels of one of two people agree when they are read back from any format", async ({
+  app,
+}) => {
+  await app.openFile(twoPeople(sample("frog-jumps")));
+  for (const button of ["Labels", "Every frame", "Every plant", "Arrays"] as const) {
+    const { name, bytes } = await app.save(button);
+    await app.drop({ ...file(name, ""), buffer: Buffer.from(bytes) });
+    await app.tab("Score");
+    await expect(app.panel).toContainText(name);
+    for (const column of [0, 1, 2, 3]) expect(await agreement(app, "0.0", column)).toBe(100);
+    await app.panel.getByRole("button", { name: "Remove", exact: true }).click();
+  }
+  await expect(app.alert).toBeHidden();
+});
 
 test("accepts a reference with unknown frames", async ({ app }) => {
   await app.openFile(good("plain"));

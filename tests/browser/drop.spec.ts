@@ -1,7 +1,7 @@
 import { join } from "node:path";
 import type { JSHandle } from "@playwright/test";
 import { type App, expect, test } from "./app";
-import { clip, good, root } from "./clips";
+import { clip, good, root, sample } from "./clips";
 
 const highlight = (app: App) => app.page.getByText("Drop to open");
 
@@ -83,4 +83,57 @@ test("opens a file dragged from the system", async ({ app, page }) => {
   await drag("drop", 705, 455);
   await app.waitForClip(clip(path).name);
   await expect(highlight(app)).toBeHidden();
+});
+
+test("dialogs, menus and the tour do not cover what is dropped", async ({ app, page }) => {
+  const table = page.getByRole("region", { name: "2 clips" });
+  await app.openFile(sample("curved-walk"));
+  await test.step("a dialog is closed by a table", async () => {
+    await app.openShareDialog();
+    await app.drop(sample("bowling"), sample("frog-jumps"));
+    await expect(table).toBeFocused();
+    await expect(app.dialog).toBeHidden();
+  });
+  await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+  await test.step("a dialog is closed by labels", async () => {
+    await app.openShareDialog();
+    await app.drop(clip("samples/curved-walk.json"));
+    await expect(page.getByRole("tabpanel", { name: "Score" })).toBeVisible();
+    await expect(app.dialog).toBeHidden();
+  });
+  await test.step("a dialog is closed by an error", async () => {
+    await app.openShareDialog();
+    await app.drop(clip("samples/index.json"));
+    await expect(app.alert).toBeVisible();
+    await expect(app.dialog).toBeHidden();
+    await app.alert.getByRole("button", { name: "Dismiss" }).click();
+  });
+  await test.step("a dialog is closed when Forward leads to the table", async () => {
+    await page.keyboard.press("?");
+    await expect(app.dialog).toBeVisible();
+    await page.goForward();
+    await expect(table).toBeFocused();
+    await expect(app.dialog).toBeHidden();
+    await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+  });
+  await test.step("a menu is closed by a table", async () => {
+    const tracks = app.timeline.getByRole("button", { name: /^Tracks/ });
+    await tracks.click();
+    await expect(tracks).toHaveAttribute("aria-expanded", "true");
+    await app.drop(sample("bowling"), sample("frog-jumps"));
+    await expect(table).toBeFocused();
+    await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+    await expect(tracks).toHaveAttribute("aria-expanded", "false");
+  });
+  await test.step("the table hides the tour", async () => {
+    await page.keyboard.press("?");
+    await app.dialog.getByRole("button", { name: "Show the tour" }).click();
+    const tour = page.getByRole("complementary", { name: "Tour" });
+    await expect(tour).toBeVisible();
+    await app.head.getByRole("button", { name: "2 clips" }).click();
+    await expect(table).toBeFocused();
+    await expect(tour).toBeHidden();
+    await page.getByRole("button", { name: "Back to curved-walk.bvh" }).click();
+    await expect(tour).toBeVisible();
+  });
 });

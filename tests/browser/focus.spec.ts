@@ -145,6 +145,21 @@ test("a pressed button that disappears or is disabled gives the focus to its nei
   await expect(undo).toBeFocused();
 });
 
+test("hiding the panel by keyboard gives the focus to the timeline", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  for (const control of [
+    app.panel.getByRole("slider").first(),
+    page.getByRole("tab", { name: "Detect" }),
+  ]) {
+    await control.focus();
+    await page.keyboard.press("p");
+    await expect(control).toBeHidden();
+    await expect(app.playhead).toBeFocused();
+    await page.keyboard.press("p");
+    await expect(control).toBeVisible();
+  }
+});
+
 test("closing a table, a card or a dialog by keyboard gives the focus to the page", async ({
   app,
   page,

@@ -1,5 +1,5 @@
 import { expect, test } from "./app";
-import { sample } from "./clips";
+import { good, sample } from "./clips";
 
 test("opens and closes the list of keyboard shortcuts", async ({ app, page }) => {
   await app.openSample("curved-walk");
@@ -59,6 +59,52 @@ test("cycles and stores the theme", async ({ app, page }) => {
   await (await picture).finished();
   await page.reload();
   await expect(app.head.getByRole("button", { name: "Theme: dark" })).toBeVisible();
+});
+
+test("in the table, C marks the row that has the focus", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(sample("one-leg-hop"), sample("curved-walk"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  await page.getByRole("button", { name: "curved-walk.bvh", exact: true }).click();
+  await app.waitForClip("curved-walk.bvh");
+  await app.head.getByRole("button", { name: "2 clips" }).click();
+  await expect(page.getByRole("region", { name: "2 clips" })).toBeFocused();
+  const isChecked = (name: string) =>
+    page.getByRole("checkbox", { name: `${name}.bvh is checked` });
+  // No row has the focus.
+  await page.keyboard.press("c");
+  await page.getByRole("button", { name: "one-leg-hop.bvh", exact: true }).focus();
+  await page.keyboard.press("c");
+  await expect(isChecked("one-leg-hop")).toBeChecked();
+  await expect(isChecked("curved-walk")).not.toBeChecked();
+  await page.keyboard.press("c");
+  await expect(isChecked("one-leg-hop")).not.toBeChecked();
+});
+
+test("keys scroll the table", async ({ app, page }) => {
+  await app.openStartPage();
+  await app.drop(...Array.from({ length: 60 }, (_, i) => ({ ...good("plain"), name: `${i}.bvh` })));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  const scroller = page.locator(".batch-scroll");
+  const scrollTop = () => scroller.evaluate((element) => element.scrollTop);
+  await scroller.focus();
+  await page.keyboard.press("End");
+  await expect.poll(scrollTop).toBeGreaterThan(1000);
+  await page.keyboard.press("Home");
+  await expect.poll(scrollTop).toBe(0);
+  await page.keyboard.press(" ");
+  await expect.poll(scrollTop).toBeGreaterThan(100);
+});
+
+test("in the table, Ctrl+S saves all clips", async ({ app, page }) => {
+  await app.openSample("curved-walk");
+  await app.drop(sample("one-leg-hop"), sample("bowling"));
+  await expect(page.getByText(/^All processed/)).toBeVisible();
+  const press = () => app.download(() => page.keyboard.press("Control+s"));
+  expect((await press()).name).toBe("labels.zip");
+  // The dialog is about the open clip.
+  await app.openShareDialog();
+  expect((await press()).name).toBe("curved-walk.plants.json");
 });
 
 test("keys do not change a clip that the table covers", async ({ app, page }) => {

@@ -4,6 +4,21 @@ import { expect, test } from "./app";
 import { sample } from "./clips";
 import { atEachSize } from "./viewports";
 
+test("Back after a reload does not open a clip that was opened since", async ({ app, page }) => {
+  await app.openStartPage();
+  for (const name of ["bowling", "frog-jumps"]) {
+    await app.drop(sample(name));
+    await app.waitForClip(`${name}.bvh`);
+  }
+  await page.reload();
+  await app.drop(sample("curved-walk"));
+  await app.waitForClip("curved-walk.bvh");
+  for (const _ of [1, 2]) {
+    await page.goBack();
+    await expect(app.state).toHaveAttribute("data-state", "empty");
+  }
+});
+
 atEachSize(() => {
   test("the logo leads to the start page, and Back to the clip", async ({ app, page }) => {
     await app.openStartPage();

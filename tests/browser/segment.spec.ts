@@ -1,6 +1,6 @@
 import { unzipSync } from "fflate";
 import { type App, expect, test } from "./app";
-import { clip, file, good, repeated, sample } from "./clips";
+import { clip, file, good, repeated, sample, twoPeople } from "./clips";
 import { methodNames } from "./core";
 import { readTable } from "./labels";
 
@@ -249,6 +249,25 @@ for (const button of ["Segments", "Table", "BABEL"] as const) {
     await expect.poll(() => app.tracks.screenshot()).toEqual(tracks);
   });
 }
+
+test("segments of one of two people agree when they are read back from any format", async ({
+  app,
+}) => {
+  await app.openFile(twoPeople(sample("limp-to-run")));
+  await app.segments();
+  await name(app, 1).fill("limp");
+  for (const button of ["Segments", "Table", "BABEL", "Audacity", "ELAN"] as const) {
+    const saved = await app.saveSegments(button);
+    await app.drop(file(saved.name, saved.text));
+    await expect(app.panel).toContainText(saved.name);
+    for (const within of ["0.5", "1.0"]) {
+      const row = app.panel.getByRole("row", { name: `± ${within} s` });
+      await expect(row.getByRole("cell")).toHaveText(["100", "100", "100"]);
+    }
+    await app.panel.getByRole("button", { name: "Remove", exact: true }).click();
+  }
+  await expect(app.alert).toBeHidden();
+});
 
 test("compares with segments that are dropped with the clip", async ({ app, page }) => {
   await app.openStartPage();

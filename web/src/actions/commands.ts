@@ -4,13 +4,13 @@
  */
 
 import type { NamedSegment } from "../model/segments/segments";
-import { batchRows, openBatchRow, tableVisible } from "../store/batch";
+import { batchRows, finishedCount, savesTable, tableVisible } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { classicKeys, panelCollapsed } from "../store/preferences";
 import { openClip, selected, selectedCut, similar } from "../store/session";
 import { endTour, tourStep } from "../store/tour";
 import { dialog, frameAllRequests, lookAtFeet, lookFrom, trailsVisible } from "../store/view";
-import { reviewNext, toggleChecked } from "./analyse/batch";
+import { reviewNext, rowToMark, toggleChecked } from "./analyse/batch";
 import { stepDisagreement } from "./analyse/compare";
 import { editSegmentName } from "./analyse/segment";
 import {
@@ -74,6 +74,10 @@ export interface Command {
 
 /** True if a clip is open and not covered by the table. */
 const hasClip = () => openClip.value !== null && !tableVisible.value;
+
+/** True if the table is shown and no dialog, which may be about the open clip. */
+const isTableInFront = () => tableVisible.value && dialog.value === null;
+
 const zoomFactor = 0.7;
 
 /** Moves the selected cut, or else an edge, by a number of frames. */
@@ -545,7 +549,7 @@ const list = [
     label: "Checked",
     help: "Mark the clip as checked",
     keys: [{ key: "c" }],
-    enabled: () => openBatchRow.value !== undefined,
+    enabled: () => rowToMark.value !== undefined,
     run: () => toggleChecked(),
   },
   {
@@ -562,11 +566,14 @@ const list = [
     id: "save",
     group: "File",
     label: "Save labels as JSON",
-    help: "Save labels as JSON",
+    help: "Save labels as JSON, or all clips of the table",
     keys: [{ key: "s", mod: true }],
-    enabled: () => openClip.value !== null,
+    enabled: () => (isTableInFront() ? finishedCount.value > 0 : openClip.value !== null),
     isGlobal: true,
-    run: () => exportLabels(),
+    run: () => {
+      if (isTableInFront()) savesTable.value = true;
+      else void exportLabels();
+    },
   },
   {
     id: "keys",

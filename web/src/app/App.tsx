@@ -8,7 +8,7 @@ import { tableVisible } from "../store/batch";
 import { isHosted } from "../store/embedded";
 import { phase } from "../store/phase";
 import { panelCollapsed, panelWidth } from "../store/preferences";
-import { detection, openClip, selected, selectedCut } from "../store/session";
+import { clipTitle, detection, openClip, selected, selectedCut } from "../store/session";
 import { hintTarget } from "../store/tour";
 import { video } from "../store/video";
 import { announcement, dialog, filesDragged, message, sheetOpen } from "../store/view";
@@ -18,7 +18,6 @@ import { Progress } from "../ui/Progress";
 import { setSize } from "../ui/Splitter";
 import { isTouch } from "../ui/touch";
 import { Viewer } from "../viewer/Viewer";
-import { Dialogs } from "./Dialogs";
 import { listenForDrops } from "./drop";
 import { ErrorCard } from "./ErrorCard";
 import { returnFocus } from "./focus";
@@ -31,6 +30,7 @@ import { Toasts } from "./Toasts";
 
 const EditBar = lazy(() => import("../timeline/EditBar").then((module) => module.EditBar));
 const VideoPane = lazy(() => import("../viewer/VideoPane").then((module) => module.VideoPane));
+const Dialogs = lazy(() => import("./Dialogs").then((module) => module.Dialogs));
 const Tour = lazy(() => import("./Tour").then((module) => module.Tour));
 const Batch = lazy(() => import("../batch/Batch").then((module) => module.Batch));
 
@@ -72,15 +72,17 @@ export function App() {
   useSignalEffect(() => {
     if (!detection.value) return;
     preloadPanels();
+    Dialogs.preload();
     VideoPane.preload();
   });
   // A text that stays in the live region would be read again, out of context.
   useSignalEffect(() => clearLater(announcement));
   useSignalEffect(() => clearLater(message));
   const clip = openClip.value;
+  const title = clip ? `${clipTitle} – Plantigrade` : "Plantigrade";
   useEffect(() => {
-    document.title = clip ? `${clip.name} – Plantigrade` : "Plantigrade";
-  }, [clip]);
+    document.title = title;
+  }, [title]);
   const width = panelWidth.value;
   return (
     <div
@@ -123,7 +125,7 @@ export function App() {
       )}
       {hintTarget.value && <Tour />}
       {tableVisible.value && <Batch />}
-      <Dialogs />
+      {dialog.value && <Dialogs />}
       <Toasts />
       {message.value && (
         <p class="message" aria-hidden="true">

@@ -1,14 +1,14 @@
 import { keyTable } from "../actions/commands";
 import { locationText } from "../model/batch/report";
+import { tableVisible } from "../store/batch";
 import { classicKeys } from "../store/preferences";
-import { clip, notices } from "../store/session";
+import { clipTitle, notices, openClip } from "../store/session";
 import { showHint } from "../store/tour";
 import { dialog } from "../store/view";
 import { Dialog } from "../ui/Dialog";
-import { lazy } from "../ui/lazy";
-import { ThirdPartyDialog, ThirdPartyLink } from "./ThirdParty";
-
-const ShareDialog = lazy(() => import("./ShareDialog").then((module) => module.ShareDialog));
+import { ShareDialog } from "./ShareDialog";
+import { ThirdPartyLink } from "./ThirdParty";
+import { ThirdPartyDialog } from "./ThirdPartyDialog";
 
 /** The open dialog, if any. */
 export function Dialogs() {
@@ -56,16 +56,18 @@ function KeysDialog() {
         an empty place of a track to add a plant, double-click a segment to rename it, Shift and
         drag on the ruler to loop a range. Plots: ← and → step by frames, Enter goes to the frame.
       </p>
-      <button
-        type="button"
-        class="button"
-        onClick={() => {
-          dialog.value = null;
-          showHint(0);
-        }}
-      >
-        Show the tour
-      </button>
+      {openClip.value && !tableVisible.value && (
+        <button
+          type="button"
+          class="button"
+          onClick={() => {
+            dialog.value = null;
+            showHint(0);
+          }}
+        >
+          Show the tour
+        </button>
+      )}
       <p class="note">
         <ThirdPartyLink />
       </p>
@@ -75,7 +77,7 @@ function KeysDialog() {
 
 function NoticesDialog() {
   return (
-    <Dialog title={`Notices for ${clip.value?.name ?? ""}`}>
+    <Dialog title={`Notices for ${clipTitle}`}>
       <ul class="notices">
         {notices.value.map((notice, i) => (
           <li key={i}>

@@ -1,15 +1,8 @@
 import { useSignal } from "@preact/signals";
-import { openSource } from "../actions/open/open";
-import {
-  canReadLeniently,
-  excerptWithCaret,
-  failureReport,
-  locationText,
-  toSentence,
-} from "../model/batch/report";
+import { excerptWithCaret, failureReport, locationText, toSentence } from "../model/batch/report";
 import { type ErrorReport, errorReport } from "../store/errors";
 import { opening } from "../store/jobs";
-import { openClip } from "../store/session";
+import { clipTitle, openClip } from "../store/session";
 import { Icon } from "../ui/icons";
 
 /** The last failure; the previous clip remains open. */
@@ -46,7 +39,7 @@ export function ErrorCard() {
       </div>
       <Reason report={error} />
       {openClip.value && !opening.value && !error.action && (
-        <p class="muted">{openClip.value.name} is still open.</p>
+        <p class="muted">{clipTitle} is still open.</p>
       )}
       <p class="error-foot">
         {error.retry && (
@@ -70,7 +63,7 @@ export function ErrorCard() {
 }
 
 /** The message of a failure, the line that caused it, and what to do. */
-function Reason({ report: { failure, source } }: { report: ErrorReport }) {
+function Reason({ report: { failure, openLeniently } }: { report: ErrorReport }) {
   const location = locationText(failure);
   const excerpt = failure.excerpt ? excerptWithCaret(failure.excerpt, failure.column) : undefined;
   return (
@@ -85,13 +78,9 @@ function Reason({ report: { failure, source } }: { report: ErrorReport }) {
         </pre>
       )}
       {failure.hint && <p>{failure.hint}</p>}
-      {source && canReadLeniently(failure) && (
+      {openLeniently && (
         <p>
-          <button
-            type="button"
-            class="button"
-            onClick={() => openSource(source, { lenient: true })}
-          >
+          <button type="button" class="button" onClick={openLeniently}>
             Open leniently
           </button>
         </p>

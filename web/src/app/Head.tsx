@@ -6,7 +6,7 @@ import { openShareDialog } from "../actions/save/share";
 import { batchRows, openBatchRow, tableVisible } from "../store/batch";
 import { embedded, isHosted } from "../store/embedded";
 import { panelCollapsed } from "../store/preferences";
-import { edits, notices, openClip } from "../store/session";
+import { clipTitle, edits, notices, openClip } from "../store/session";
 import { nextTheme, themeChoice } from "../store/theme";
 import { dialog, showTab } from "../store/view";
 import { Icon, Logo } from "../ui/icons";
@@ -138,9 +138,14 @@ function ClipSummary() {
     : ["rest pose only"];
   facts.push(`${clip.unit ? `${clip.unit}, ` : ""}${clip.up.replace("-", "−").toUpperCase()} up`);
   const noticeCount = notices.value.length;
+  const title = clipTitle.value;
+  const folder = title.slice(0, title.length - clip.name.length);
   return (
     <p class="clip-summary">
-      <strong title={clip.name}>{clip.name}</strong>
+      <strong title={title}>
+        {folder && <span>{folder}</span>}
+        <span>{clip.name}</span>
+      </strong>
       <span class="clip-facts">{facts.join(" · ")}</span>
       {noticeCount > 0 && (
         <button

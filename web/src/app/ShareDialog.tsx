@@ -4,7 +4,7 @@ import { keyText } from "../actions/key-bindings";
 import { currentLink, savePage, savePicture } from "../actions/save/share";
 import { embedded, isHosted } from "../store/embedded";
 import { playhead } from "../store/playback";
-import { clip, edits, segmentNames } from "../store/session";
+import { clip, clipTitle, edits, segmentNames } from "../store/session";
 import { announce, stageHandle } from "../store/view";
 import { Dialog } from "../ui/Dialog";
 import { formatClock } from "../util/format";
@@ -21,7 +21,7 @@ export function ShareDialog() {
     isCreating.value = false;
   };
   return (
-    <Dialog title={`Share ${clip.value?.name ?? ""}`}>
+    <Dialog title={`Share ${clipTitle}`}>
       <div class="share-options">
         {link ? <ShareLink link={link} /> : !isHosted && <NoLink />}
         <section>

@@ -1,5 +1,5 @@
-import { filesOfTransfer } from "../actions/open/collect-files";
 import { openFiles } from "../actions/open/open-files";
+import { filesOfTransfer } from "../actions/open/transfer";
 import { failureOf } from "../model/failure";
 import { reportOpenFailure } from "../store/errors";
 import { filesDragged } from "../store/view";

@@ -30,7 +30,7 @@ function focusNear(path: readonly Element[]) {
 
 /**
  * Returns the focus to the timeline when it or the view is pressed, and after a button or a menu was used
- * with the pointer. A control that received the focus by keyboard retains it; if the control disappears or is
+ * with the pointer. A control that received the focus by keyboard retains it; if the control disappears, is hidden or is
  * disabled, the focus goes to one near it.
  */
 export function returnFocus(signal: AbortSignal) {
@@ -39,6 +39,8 @@ export function returnFocus(signal: AbortSignal) {
   /** The control that has the focus, and its ancestors. */
   let path: Element[] = [];
   const isLost = () => path[0] && (!path[0].isConnected || path[0].matches(":disabled"));
+  // Requires the layout.
+  const isHidden = () => path[0]?.checkVisibility() === false;
   const options = { signal, capture: true };
   addEventListener(
     "pointerdown",
@@ -72,17 +74,22 @@ export function returnFocus(signal: AbortSignal) {
     () =>
       // Elements are still connected while they are removed.
       queueMicrotask(() => {
-        if (document.activeElement === document.body && !isLost()) path = [];
+        if (document.activeElement !== document.body || isLost()) return;
+        if (!usesPointer && isHidden() && document.hasFocus()) focusNear(path);
+        else path = [];
       }),
     options,
   );
-  const observer = new MutationObserver(() => {
+  const observer = new MutationObserver((changes) => {
     const { activeElement, body } = document;
     const hasFocus = activeElement !== body && activeElement !== path[0];
-    if (!usesPointer && !hasFocus && isLost() && document.hasFocus()) focusNear(path);
+    if (usesPointer || hasFocus || !document.hasFocus()) return;
+    // Some browsers leave the focus to a control that is hidden.
+    const isPanelToggled = changes.some(({ attributeName }) => attributeName === "data-panel");
+    if (isLost() || (isPanelToggled && isHidden())) focusNear(path);
   });
   observer.observe(document.body, {
-    attributeFilter: ["disabled"],
+    attributeFilter: ["disabled", "data-panel"],
     childList: true,
     subtree: true,
   });

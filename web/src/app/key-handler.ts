@@ -1,6 +1,7 @@
 /** Runs the commands of the page when their keys are pressed. */
 
 import { commandForKey, isEnabled } from "../actions/commands";
+import { tableVisible } from "../store/batch";
 import { dialog } from "../store/view";
 import { focusTimeline } from "./focus";
 
@@ -50,7 +51,7 @@ export function onKey(event: KeyboardEvent) {
     if (dialog.value) return;
     if (mod ? isTyping(event) : belongsToControl(event)) return;
   }
-  // A key whose command is not possible now must not reach a menu either.
-  event.preventDefault();
+  // A key whose command is not possible now must not reach a menu either, but it may scroll the table.
+  if (isEnabled(command) || !tableVisible.value) event.preventDefault();
   if (isEnabled(command)) command.run();
 }

@@ -16,10 +16,12 @@ import {
   batchRequest,
   batchRows,
   finishedCount,
+  focusedRow,
   isBatchRunning,
+  savesTable,
   tableFilter,
 } from "../store/batch";
-import { openClip } from "../store/session";
+import { clipTitle, openClip } from "../store/session";
 import { detectMethods, detectOptions, segmentOptions } from "../store/settings";
 import { Icon } from "../ui/icons";
 import { formatCount, plural } from "../util/format";
@@ -36,8 +38,22 @@ export function Batch() {
   const section = useRef<HTMLElement>(null);
   useEffect(() => section.current?.focus(), []);
   useSignalEffect(addDroppedLabels);
+  useSignalEffect(() => {
+    if (!savesTable.value) return;
+    savesTable.value = false;
+    void exportAll();
+  });
   return (
-    <section class="batch" aria-labelledby="batch-title" ref={section} tabIndex={-1}>
+    <section
+      class="batch"
+      aria-labelledby="batch-title"
+      ref={section}
+      tabIndex={-1}
+      onFocusIn={followFocus}
+      onFocusOut={() => {
+        focusedRow.value = undefined;
+      }}
+    >
       <Toolbar />
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a scroll container must be focusable by keyboard */}
       <div class="batch-scroll" data-scrolls tabIndex={0}>
@@ -50,6 +66,12 @@ export function Batch() {
   );
 }
 
+/** Notes the row that has the focus, which keys mark. */
+function followFocus({ target }: FocusEvent) {
+  const row = target instanceof Element && target.closest<HTMLElement>("tr[data-number]");
+  focusedRow.value = row ? Number(row.dataset.number) : undefined;
+}
+
 function Toolbar() {
   const total = batchRows.value.length;
   const done = finishedCount.value;
@@ -58,7 +80,7 @@ function Toolbar() {
   const shown = visibleRows.value.length;
   const isStopped = done < total && !isRunning;
   const method = detectMethods.value.find(({ name }) => name === batchRequest.value?.detect.method);
-  const closeLabel = `Back to ${openClip.value?.name ?? "the start page"}`;
+  const closeLabel = `Back to ${openClip.value ? clipTitle : "the start page"}`;
   const options = { detect: detectOptions.value, segment: segmentOptions.value };
   const isStale = !haveSameOptions(batchRequest.value ?? options, options);
   return (

@@ -4,8 +4,8 @@ import { addCompanion, removeCompanion } from "../actions/open/companions";
 import { toSentence } from "../model/batch/report";
 import { columns, titleOf } from "../model/batch/table";
 import { type BatchRow, openBatchRow, tableFilter } from "../store/batch";
-import { companions, maxCompanions } from "../store/companions";
-import { openClip } from "../store/session";
+import { maxCompanions, ownCompanions } from "../store/companions";
+import { clipTitle, openClip } from "../store/session";
 import { Icon } from "../ui/icons";
 import { isTouch } from "../ui/touch";
 import { useVisibleRows } from "../ui/use-visible-rows";
@@ -32,6 +32,7 @@ export function Rows({ rows }: { rows: readonly BatchRow[] }) {
         <tr
           key={row.number}
           aria-rowindex={from + i + 2}
+          data-number={row.number}
           data-status={row.status}
           data-open={row === openBatchRow.value}
         >
@@ -152,19 +153,19 @@ function CheckBox({ row }: { row: BatchRow }) {
 /** Shows a clip side by side with the open one, or hides it. */
 function SideBySideButton({ row }: { row: BatchRow }) {
   const { source } = row;
-  const isShown = companions.value.some((other) => other.source === source);
+  const isShown = ownCompanions.value.some((other) => other.source === source);
   return (
     <button
       type="button"
       class="side-by-side"
-      aria-label={`${titleOf(row)} side by side with ${openClip.value?.name}`}
+      aria-label={`${titleOf(row)} side by side with ${clipTitle}`}
       aria-pressed={isShown}
-      disabled={!isShown && companions.value.length >= maxCompanions}
+      disabled={!isShown && ownCompanions.value.length >= maxCompanions}
       title={
         isShown
           ? "Remove from the view"
-          : companions.value.length < maxCompanions
-            ? `Show side by side with ${openClip.value?.name}`
+          : ownCompanions.value.length < maxCompanions
+            ? `Show side by side with ${clipTitle}`
             : `At most ${maxCompanions} clips can be shown side by side with the open one`
       }
       onClick={() => (isShown ? removeCompanion(source) : addCompanion(source))}

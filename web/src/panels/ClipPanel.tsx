@@ -2,7 +2,7 @@ import { useEffect } from "preact/hooks";
 import { setOverrides } from "../actions/analyse/detect";
 import { groundText } from "../model/motion/ground";
 import type { Clip, Overrides, Up } from "../model/types";
-import { detection, openClip, overrides, source } from "../store/session";
+import { clipTitle, detection, openClip, overrides, source } from "../store/session";
 import { markedJoint } from "../store/view";
 import { PropertyList } from "../ui/PropertyList";
 import { capitalize, formatBytes, formatCount, formatDuration, formatRate } from "../util/format";
@@ -47,7 +47,7 @@ function unitText({ unit, metresPerUnit }: Clip): string {
 
 function factsOf(clip: Clip) {
   return [
-    ["File", clip.name],
+    ["File", clipTitle.value],
     ["Size", formatBytes(source.value?.data.size ?? 0)],
     ["Frames", formatCount(clip.frames)],
     ["Duration", formatDuration(clip.frames / clip.rate)],

@@ -27,10 +27,19 @@ export interface BatchRow {
 /** The files of the last drop that had several; empty if there was none. */
 export const batchRows = signal<readonly BatchRow[]>([]);
 
+/** Number of tables so far. */
+export const tableNumber = signal(0);
+
 export const tableVisible = signal(false);
+
+/** Number of the row that has the focus; undefined if none has. */
+export const focusedRow = signal<number>();
 
 /** Labels that were dropped on the table and have not been assigned to its clips. */
 export const labelsForTable = signal<readonly Source[]>([]);
+
+/** True if a key was pressed that saves the table, which does so. */
+export const savesTable = signal(false);
 
 /** Words that the shown rows contain. */
 export const tableFilter = signal("");

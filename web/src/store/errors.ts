@@ -2,8 +2,8 @@
 
 import { signal } from "@preact/signals";
 import { Cancelled } from "../engine";
+import { canReadLeniently } from "../model/batch/report";
 import { failureOf } from "../model/failure";
-import type { Source } from "../model/sources/source";
 import type { Failure } from "../model/types";
 
 /** A failure and the file or clip that it concerns. */
@@ -12,8 +12,8 @@ export interface ErrorReport {
   /** Past participle of what failed, such as "saved". Default: "opened". */
   action?: string;
   failure: Failure;
-  /** The file, if it can be opened again in another way. */
-  source?: Source;
+  /** Opens the file with repairs, if that may help. */
+  openLeniently?: () => void;
   /** Repeats what failed, if that may help. */
   retry?: () => void;
 }
@@ -36,12 +36,12 @@ export function reportFailure(action: string, name: string, error: unknown, retr
 export function reportOpenFailure(
   name: string,
   failure: Failure,
-  { source, retry }: Pick<ErrorReport, "source" | "retry"> = {},
+  { openLeniently, retry }: Pick<ErrorReport, "openLeniently" | "retry"> = {},
 ) {
   errorReport.value = {
     name,
     failure,
-    ...(source && { source }),
+    ...(openLeniently && canReadLeniently(failure) && { openLeniently }),
     ...(failure.canRetry && retry && { retry }),
   };
 }

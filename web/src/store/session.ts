@@ -4,6 +4,7 @@ import { computed } from "@preact/signals";
 import { plantsOf } from "../model/plants/plants";
 import { plantEditsOf } from "../model/segments/cut-edits";
 import { actionsOf, cutsOf, nameSegments } from "../model/segments/segments";
+import { titleOfSource } from "../model/sources/source";
 import { openVocabulary } from "./batch";
 import { session, sessionField } from "./clip-session";
 
@@ -43,6 +44,11 @@ export const gaitAction = sessionField((clipSession) => clipSession.gaitAction);
 
 /** The clip that the user opened; null on the start page. */
 export const openClip = computed(() => (isPreview.value ? null : clip.value));
+
+/** Name of the clip, with its folder if another clip of the drop has the same name. */
+export const clipTitle = computed(() =>
+  source.value ? titleOfSource(source.value) : (clip.value?.name ?? ""),
+);
 
 /** The edits of the labels. */
 export const plantEdits = computed(() => plantEditsOf(edits.value));

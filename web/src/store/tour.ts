@@ -1,6 +1,7 @@
 /** The tour for new users. */
 
 import { batch, computed, signal } from "@preact/signals";
+import { tableVisible } from "./batch";
 import { openClip, source } from "./session";
 
 const storageKey = "plantigrade:tour";
@@ -13,10 +14,12 @@ const isRequested = signal(false);
 
 /**
  * Index of the hint that is shown, if any. The tour does not start by itself with the clip of a link or of a shared
- * page, which has a view state: who receives it wants to see the clip.
+ * page, which has a view state: who receives it wants to see the clip. The table hides it.
  */
 export const tourStep = computed(() =>
-  openClip.value && (isRequested.value || !source.value?.view) ? step.value : null,
+  openClip.value && !tableVisible.value && (isRequested.value || !source.value?.view)
+    ? step.value
+    : null,
 );
 
 function isDone() {

@@ -32,7 +32,7 @@ export function createFakeEngine(): ClipEngine {
             line: 466,
             column: 33,
             excerpt: "0.1 0.22 0.333 12.5 -3.25 1.0 0 abc 0.5 0.6 0.7",
-            hint: "Export the clip again, or repair the line in a text editor.",
+            hint: "Export the clip again, repair the line in a text editor, or open it leniently.",
           },
         };
       }
@@ -217,6 +217,7 @@ export const batchWorkers = {
         };
         return { ok: true, summary, files: [] };
       },
+      commonActions: async () => [],
     }),
 };
 

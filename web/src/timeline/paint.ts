@@ -1,4 +1,5 @@
 import { toX } from "../model/motion/time-view";
+import { titleOfSource } from "../model/sources/source";
 import { drawPath } from "../util/draw-path";
 import { paintBar, paintBars, paintMerged } from "./bars";
 import { paintCompanion } from "./companion-bars";
@@ -73,7 +74,7 @@ function paintLabel(ctx: CanvasRenderingContext2D, scene: Scene, lane: Lane) {
   } else if (lane.kind === "reference") {
     paintReferenceName(ctx, theme, lane.name, lane, left + 20, right);
   } else if (lane.kind === "companion") {
-    paintReferenceName(ctx, theme, lane.companion.source.name, lane, left, right);
+    paintReferenceName(ctx, theme, titleOfSource(lane.companion.source), lane, left, right);
   } else if (lane.kind === "reference-segments") {
     paintReferenceName(ctx, theme, scene.referenceSegments?.name ?? "", lane, left + 20, right);
   } else if (lane.kind === "curve") {

@@ -2,7 +2,7 @@ import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useId, useRef } from "preact/hooks";
 
-/** A button that opens a small panel, which closes on Escape and when something else is pressed. */
+/** A button that opens a small panel, which closes on Escape and when something else is pressed or gets the focus. */
 export function Menu({
   label,
   title,
@@ -20,13 +20,15 @@ export function Menu({
     if (!isOpen.value) return;
     const controller = new AbortController();
     const options = { signal: controller.signal };
-    addEventListener(
-      "pointerdown",
-      ({ target }) => {
-        if (target instanceof Node && !menu.current?.contains(target)) isOpen.value = false;
-      },
-      options,
-    );
+    for (const type of ["pointerdown", "focusin"]) {
+      addEventListener(
+        type,
+        ({ target }) => {
+          if (target instanceof Node && !menu.current?.contains(target)) isOpen.value = false;
+        },
+        options,
+      );
+    }
     addEventListener(
       "keydown",
       (event) => {

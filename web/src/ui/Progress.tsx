@@ -1,6 +1,6 @@
 import { cancelOpening } from "../actions/open/open";
 import { jobs, opening } from "../store/jobs";
-import { openClip } from "../store/session";
+import { clipTitle, openClip } from "../store/session";
 
 /** Titles of the stages of opening a clip. */
 const stages = { fetch: "Downloading", read: "Reading", detect: "Detecting plants in" } as const;
@@ -13,7 +13,7 @@ function shownJob() {
     return { id: 0, fraction: undefined, ...current, title, stop: cancelOpening };
   }
   const [job] = jobs.value;
-  return job && { name: openClip.value?.name, fraction: undefined, ...job };
+  return job && { name: openClip.value && clipTitle.value, fraction: undefined, ...job };
 }
 
 /** Shows the progress of the current job. The style sheet delays it by 200 ms. */

@@ -1,4 +1,5 @@
 import { removeCompanion } from "../actions/open/companions";
+import { titleOfSource } from "../model/sources/source";
 import { shownCompanions } from "../store/companions";
 import { Icon } from "../ui/icons";
 
@@ -7,12 +8,12 @@ export function Companions() {
   if (!shownCompanions.value.length) return null;
   return (
     <ul class="companions" aria-label="Comparison clips">
-      {shownCompanions.value.map(({ source }) => (
-        <li key={source.name} class="chip">
-          <span>{source.name}</span>
+      {shownCompanions.value.map(({ source }, i) => (
+        <li key={i} class="chip">
+          <span>{titleOfSource(source)}</span>
           <button
             type="button"
-            aria-label={`Remove ${source.name} from the comparison`}
+            aria-label={`Remove ${titleOfSource(source)} from the comparison`}
             title="Remove from the comparison"
             onClick={() => removeCompanion(source)}
           >

@@ -1,9 +1,10 @@
-import { effect, signal, useComputed } from "@preact/signals";
+import { effect, signal, untracked, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { commandOf, tooltip } from "../actions/commands";
 import { prefersReducedMotion } from "../actions/view/playback";
 import { wasmModule } from "../engine";
 import { characterSize, gridStep } from "../model/motion/trajectory";
+import { titleOfSource } from "../model/sources/source";
 import type { CameraView } from "../model/stored/view-state";
 import type { Clip } from "../model/types";
 import { shownCompanions } from "../store/companions";
@@ -15,6 +16,7 @@ import {
   cleaned,
   cleanedView,
   clip,
+  clipTitle,
   detection,
   isPreview,
   openClip,
@@ -49,7 +51,7 @@ export function Viewer() {
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => (host.current ? mountStage(host.current) : undefined), []);
   const label = useComputed(() =>
-    openClip.value ? `Skeleton of ${openClip.value.name}` : "A walking skeleton",
+    openClip.value ? `Skeleton of ${clipTitle}` : "A walking skeleton",
   );
   return (
     <section class="viewer" aria-label="View">
@@ -195,6 +197,13 @@ function untilTruthy(state: () => unknown): Promise<void> {
   });
 }
 
+/** Shows the comparison clips. */
+function setCompanions(stage: Stage) {
+  const others = shownCompanions.value;
+  const titles = others.map(({ source }) => titleOfSource(source));
+  stage.setCompanions(others, [clipTitle.value, ...titles]);
+}
+
 function bindStage(stage: Stage): (() => void)[] {
   stageHandle.value = stage;
   let previousSource: unknown;
@@ -212,7 +221,7 @@ function bindStage(stage: Stage): (() => void)[] {
       stage.setClip(isCorrected ? (corrected as Clip) : original, reframe);
       if (cleanedView.value === "both") stage.setGhost(original);
       stage.setLabels(detection.peek(), plants.peek());
-      stage.setCompanions(shownCompanions.peek());
+      untracked(() => setCompanions(stage));
       stage.setTrails(trailsVisible.peek());
       stage.markJoint(markedJoint.peek());
       if (reframe) cameraView.value = "perspective";
@@ -221,7 +230,7 @@ function bindStage(stage: Stage): (() => void)[] {
     effect(() => stage.setLabels(detection.value, plants.value)),
     effect(() => stage.setTrails(trailsVisible.value)),
     effect(() => stage.markJoint(openClip.value ? markedJoint.value : null)),
-    effect(() => stage.setCompanions(shownCompanions.value)),
+    effect(() => setCompanions(stage)),
     effect(() => stage.seek(shownMoment.value)),
     effect(() => stage.setFollow(followCamera.value || isPreview.value)),
     effect(() => stage.setPreview(isPreview.value)),

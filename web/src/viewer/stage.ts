@@ -181,8 +181,10 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Replaces the comparison clips, which start next to the main character. */
-  setCompanions(others: readonly Companion[]) {
+  /**
+   * Replaces the comparison clips, which start next to the main character. `names` are that of its clip and theirs.
+   */
+  setCompanions(others: readonly Companion[], names: readonly string[] = []) {
     for (const companion of this.companions) companion.removeFrom(this.scene);
     this.retired.push(...this.companions);
     const { mainCharacter } = this;
@@ -191,7 +193,7 @@ export class Stage {
       ? others.map((companion, i) => new CompanionFigure(mainCharacter, companion, i, palette))
       : [];
     for (const companion of this.companions) companion.addTo(this.scene);
-    this.setNameTags(others, palette);
+    this.setNameTags(others.length ? names : [], palette);
     if (mainCharacter && others.length > this.groupSize)
       this.camera.frameGroup(this.halfWidth, true);
     this.groupSize = others.length;
@@ -205,15 +207,13 @@ export class Stage {
   }
 
   /** Names the characters if there are several. */
-  private setNameTags(others: readonly Companion[], palette: Palette) {
+  private setNameTags(names: readonly string[], palette: Palette) {
     for (const tag of this.nameTags) this.scene.remove(tag.sprite);
     this.retired.push(...this.nameTags);
     const { mainCharacter } = this;
-    const names = [mainCharacter?.clip.name ?? "", ...others.map(({ source }) => source.name)];
-    this.nameTags =
-      mainCharacter && others.length
-        ? names.map((name) => new NameTag(name, mainCharacter.size, palette))
-        : [];
+    this.nameTags = mainCharacter
+      ? names.map((name) => new NameTag(name, mainCharacter.size, palette))
+      : [];
     for (const tag of this.nameTags) this.scene.add(tag.sprite);
   }
 

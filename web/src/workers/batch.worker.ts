@@ -59,7 +59,8 @@ const api = {
     await secondReady();
     const started = performance.now();
     const data = await loadSmall(file);
-    const opened = await toResult(() => readClip(data, false, throttle(onProgress)));
+    const lenient = request.lenient ?? false;
+    const opened = await toResult(() => readClip(data, lenient, throttle(onProgress)));
     if (!opened.ok) return opened;
     const hash = await sha256(data);
     const changes = hash ? await changesOf(hash) : { edits: [], names: [] };
@@ -97,12 +98,13 @@ const api = {
   async loadCompanion(
     file: Blob,
     name: string,
+    lenient: boolean,
     options: DetectOptions,
     changesOf: ChangesOf,
   ): Promise<CompanionResult> {
     await wasmReady;
     const data = await loadSmall(file);
-    const opened = await toResult(() => readClip(data, false, () => {}));
+    const opened = await toResult(() => readClip(data, lenient, () => {}));
     if (!opened.ok) return opened;
     const wasmClip = opened.value;
     const hash = await sha256(data);

@@ -23,9 +23,10 @@ vi.mock("../../engine", async () => ({
   },
 }));
 
-const { refreshOpenRow, rerunBatch, resumeBatch, retryFailed, runBatch, stopBatch } = await import(
-  "./batch"
-);
+const { openRow, refreshOpenRow, rerunBatch, resumeBatch, retryFailed, runBatch, stopBatch } =
+  await import("./batch");
+
+const { errorReport } = await import("../../store/errors");
 
 const source = (name: string): Source => ({ name, data: new Blob() });
 const summary = { frames: 10, notices: 0, missing: [], edited: false } as Partial<ClipSummary>;
@@ -92,6 +93,19 @@ test("a resumed batch and failed files have the options with which the batch was
   await rerunBatch();
   expect(processed().slice(5)).toEqual(["walk.bvh paper", "crash.bvh paper", "run.bvh paper"]);
   expect(batchRequest.value?.detect.method).toBe("paper");
+});
+
+test("a row without a file reports why there is none, and is not processed again", async () => {
+  const failure = { message: "no clip of this drop has a matching file name", canRetry: true };
+  void runBatch([source("walk.bvh")], [{ name: "odd.json", failure }]);
+  const row = batchRows.value[1];
+  if (row) expect(await openRow(row)).toBe(false);
+  expect(errorReport.value).toMatchObject({
+    name: "odd.json",
+    failure: { message: failure.message },
+  });
+  await retryFailed();
+  expect(processed()).toEqual(["walk.bvh robust"]);
 });
 
 test("the row of the open clip follows its edits while the batch is stopped", async () => {

@@ -6,21 +6,23 @@ import { batchWorkers } from "../../engine";
 import type { BatchRequest, ClipSummary } from "../../model/batch/batch";
 import { failureOf } from "../../model/failure";
 import { fileTooLarge, maxFileBytes } from "../../model/limits";
-import type { Source } from "../../model/sources/source";
+import { type Source, titleOfSource } from "../../model/sources/source";
 import {
   type BatchRow,
   batchRequest,
   batchRows,
+  focusedRow,
   isBatchRunning,
   openBatchRow,
   tableFilter,
+  tableNumber,
   tableVisible,
 } from "../../store/batch";
-import { type ErrorReport, errorReport } from "../../store/errors";
+import { type ErrorReport, errorReport, reportOpenFailure } from "../../store/errors";
 import { edits, plants, segmentNames } from "../../store/session";
 import { detectOptions, segmentOptions } from "../../store/settings";
-import { announce, notify } from "../../store/view";
-import { addHistoryEntry, addTableEntry, leaveTableEntry } from "../open/history";
+import { announce, dialog, notify } from "../../store/view";
+import { addTableEntry, leaveTableEntry, replaceTable } from "../open/history";
 import { openSource } from "../open/open";
 import { readChecked, writeChecked } from "../stored/clip-storage";
 import { storedChangesOf } from "../stored/persist";
@@ -36,7 +38,8 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
   const failed = errors.map(({ name, failure }) => ({
     source: { name, data: new Blob() },
     status: "failed" as const,
-    failure,
+    // There is no file to process again.
+    failure: { ...failure, canRetry: false },
   }));
   const waiting = clips.map((source) => ({ source, status: "waiting" as const }));
   batch(() => {
@@ -45,6 +48,7 @@ export async function runBatch(clips: readonly Source[], errors: readonly ErrorR
     batchRows.value = [...waiting, ...failed].map((row, i) => ({ ...row, number: i + 1 }));
     batchRequest.value = currentRequest();
     tableFilter.value = "";
+    tableNumber.value++;
     tableVisible.value = true;
   });
   addTableEntry();
@@ -106,7 +110,7 @@ export async function retryFailed() {
 }
 
 async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortSignal) {
-  const { name, data } = row.source;
+  const { name, data, lenient = false } = row.source;
   if (data.size > maxFileBytes) {
     updateRow(row, { status: "failed", failure: fileTooLarge(data.size) });
     return;
@@ -122,7 +126,8 @@ async function summarizeRow(row: BatchRow, request: BatchRequest, signal: AbortS
       if (row.status !== "done") updateRow(row, { status: "running" });
       // Read here, because labels may be added while the row waits.
       const references = row.source.labels?.map((label) => label.data) ?? [];
-      return calls.summarize(data, name, request, references, Comlink.proxy(changesOf));
+      const rowRequest = { ...request, lenient };
+      return calls.summarize(data, name, rowRequest, references, Comlink.proxy(changesOf));
     }, signal);
     if (signal.aborted) return;
     updateRow(
@@ -164,7 +169,8 @@ export function flushUpdates() {
   if (!updates.size) return;
   batchRows.value = batchRows.value.map((row) => {
     const update = updates.get(row.number);
-    return update ? { ...row, ...update } : row;
+    const { failure: _, ...others } = row;
+    return update ? { ...others, ...update } : row;
   });
   updates.clear();
 }
@@ -198,7 +204,10 @@ export async function processAgain(row: BatchRow): Promise<void> {
 /** Shows the table. */
 export function showTable() {
   pause();
-  tableVisible.value = true;
+  batch(() => {
+    dialog.value = null;
+    tableVisible.value = true;
+  });
   addTableEntry();
   void refreshOpenRow();
 }
@@ -209,13 +218,28 @@ export function hideTable() {
   leaveTableEntry();
 }
 
-/** Opens a clip of the table. */
-export async function openRow({ source }: BatchRow): Promise<void> {
+/** Opens a clip of the table. Returns true if it is the open one at the end. */
+export async function openRow({ source, failure }: BatchRow): Promise<boolean> {
+  if (failure && !source.data.size) {
+    // Failed before there was a file.
+    reportOpenFailure(titleOfSource(source), failure);
+    return false;
+  }
   void refreshOpenRow();
-  if (!(await openSource(source))) return;
-  tableVisible.value = false;
-  addHistoryEntry("");
-  await compareQuietly(source);
+  const showClip = replaceTable();
+  const whenOpen = async () => {
+    showClip();
+    const row = openBatchRow.value;
+    await Promise.all([compareQuietly(source), row?.status === "failed" && readAgain(row)]);
+  };
+  return openSource(source, { whenOpen });
+}
+
+/** Processes a row again that could not be read until its clip was opened in another way. */
+async function readAgain(row: BatchRow) {
+  const { signal } = controller;
+  await processAgain(row);
+  if (!isBatchRunning.value && !signal.aborted) await nameActions(signal);
 }
 
 /** Returns the clips that wait for a review, the least certain first. */
@@ -231,8 +255,7 @@ export const uncheckedCount = computed(() => reviewQueue().length);
 export async function reviewNext(): Promise<void> {
   const next = reviewQueue().find((row) => row !== openBatchRow.value);
   if (next) {
-    await openRow(next);
-    goToLeastCertain();
+    if (await openRow(next)) goToLeastCertain();
   } else notify("All other clips are checked");
 }
 
@@ -247,8 +270,15 @@ function goToLeastCertain() {
 /** Returns the stored mark of a checked clip: it holds only for labels of the same options. */
 const checkedText = ({ detect }: Pick<BatchRequest, "detect">) => JSON.stringify(detect);
 
+/** The row that a key marks as checked: that of the open clip, or in the table the one that has the focus. */
+export const rowToMark = computed(() =>
+  tableVisible.value
+    ? batchRows.value.find(({ number, summary }) => summary && number === focusedRow.value)
+    : openBatchRow.value,
+);
+
 /** Marks a clip as checked, or removes the mark. */
-export function toggleChecked(row: BatchRow | undefined = openBatchRow.value) {
+export function toggleChecked(row = rowToMark.value) {
   const request = batchRequest.peek();
   if (!row || !request) return;
   if (row.hash) writeChecked(row.hash, row.isChecked ? null : checkedText(request));

@@ -1,6 +1,6 @@
 /** Labels that are dropped on the table. */
 
-import type { Source } from "../../model/sources/source";
+import { type Source, titleOfSource } from "../../model/sources/source";
 import { type BatchRow, batchRows, labelsForTable, openBatchRow } from "../../store/batch";
 import { reportOpenFailure } from "../../store/errors";
 import { showToast } from "../../store/toasts";
@@ -30,7 +30,7 @@ export async function addLabels(labels: readonly Source[]): Promise<void> {
   if (!owners.length) return;
   const isUnchanged = await Promise.all(owners.map(hasSameScore));
   const unchanged = owners.filter((_, i) => isUnchanged[i]);
-  const names = unchanged.map(({ source }) => source.title ?? source.name).join(", ");
+  const names = unchanged.map(({ source }) => titleOfSource(source)).join(", ");
   showToast({
     text: names
       ? `The score of ${names} is unchanged by the dropped labels. Open the clip to compare it with them.`

@@ -2,13 +2,13 @@
 
 import { zipWorkers } from "../../engine";
 import { failureOf } from "../../model/failure";
-import { maxFileBytes } from "../../model/limits";
-import { detectFileKind } from "../../model/sources/file-kind";
+import { maxFileBytes, maxFiles } from "../../model/limits";
+import { detectFileKind, extensions } from "../../model/sources/file-kind";
 import type { Source } from "../../model/sources/source";
 import type { Failure, Notice } from "../../model/types";
 import type { ErrorReport } from "../../store/errors";
 import { runJob } from "../../store/jobs";
-import { baseNameOf, isMacCompanion, stemOf } from "../../util/file-names";
+import { baseNameOf, stemOf } from "../../util/file-names";
 import { mapConcurrent } from "../../util/map-concurrent";
 import type { UnpackedFiles } from "../../workers/zip.worker";
 
@@ -20,12 +20,6 @@ export interface CollectedFiles {
   errors: ErrorReport[];
 }
 
-/** Extensions of the files that are used from folders and archives; others are ignored. */
-const extensions = [".bvh", ".json", ".csv", ".npz"];
-
-/** Maximum number of files of one drop. */
-const maxFiles = 5000;
-
 /** Limits on what an archive unpacks to. Motion compresses less than a hundredfold. */
 const limitsOf = (archive: File) => ({
   file: maxFileBytes,
@@ -33,76 +27,24 @@ const limitsOf = (archive: File) => ({
   files: maxFiles,
 });
 
+/** The files of a drop. */
 export interface DroppedFiles {
   files: File[];
   /** Path of each file; by default, its name. */
   paths?: readonly string[];
-  /** True if there were more files than `maxFiles`. */
-  isTruncated?: boolean;
-}
-
-/** Returns the files of a drop. Must be called synchronously in the event handler. */
-export function filesOfTransfer(transfer: DataTransfer): Promise<DroppedFiles> {
-  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
-  if (!entries.some((entry) => entry?.isDirectory)) {
-    return Promise.resolve({ files: [...transfer.files] });
-  }
-  return walk(entries.filter((entry) => entry !== null));
-}
-
-async function walk(entries: readonly FileSystemEntry[]): Promise<DroppedFiles> {
-  const files: FileSystemFileEntry[] = [];
-  const queue = [...entries].map((entry) => ({ entry, isDropped: true }));
-  while (queue.length && files.length < maxFiles) {
-    const next = queue.shift();
-    if (!next) break;
-    const { entry, isDropped } = next;
-    if (!isDropped && isMacCompanion(entry.name)) continue;
-    if (entry.isDirectory) {
-      const children = await listFolder(entry as FileSystemDirectoryEntry);
-      children.sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));
-      queue.unshift(...children.map((entry) => ({ entry, isDropped: false })));
-    } else if (isDropped || hasKnownExtension(entry.name)) {
-      files.push(entry as FileSystemFileEntry);
-    }
-  }
-  return {
-    files: await mapConcurrent(files, fileOf),
-    paths: files.map(({ fullPath }) => fullPath.slice(1)),
-    isTruncated: queue.length > 0,
-  };
-}
-
-const hasKnownExtension = (name: string) =>
-  [...extensions, ".zip"].some((extension) => name.toLowerCase().endsWith(extension));
-
-function fileOf(entry: FileSystemFileEntry): Promise<File> {
-  return new Promise((resolve, reject) => entry.file(resolve, reject));
-}
-
-async function listFolder(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
-  const reader = folder.createReader();
-  const entries: FileSystemEntry[] = [];
-  for (;;) {
-    // Returns at most a hundred entries at a time.
-    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) =>
-      reader.readEntries(resolve, reject),
-    );
-    if (!batch.length) return entries;
-    entries.push(...batch);
-  }
+  /** Files and folders that could not be read, and those that were ignored. */
+  errors?: readonly ErrorReport[];
 }
 
 /** Sorts files by kind and unpacks archives. Returns undefined if the user stopped that. */
 export async function collectFiles({
   files,
   paths,
-  isTruncated,
+  errors = [],
 }: DroppedFiles): Promise<CollectedFiles | undefined> {
-  const collected: CollectedFiles = { clips: [], labels: [], videos: [], errors: [] };
-  if (isTruncated) collected.errors.push(truncatedError);
+  const collected: CollectedFiles = { clips: [], labels: [], videos: [], errors: [...errors] };
   // Concurrently, because each file would otherwise wait for the page to render.
-  const kinds = await mapConcurrent(files, detectFileKind);
+  const kinds = await mapConcurrent(files, kindOf);
   for (const [i, file] of files.entries()) {
     const kind = kinds[i] ?? "clip";
     const path = paths?.[i] ?? file.name;
@@ -121,15 +63,6 @@ export async function collectFiles({
   }
   return collected;
 }
-
-/** Represents the ignored files in the table. */
-const truncatedError: ErrorReport = {
-  name: "More files",
-  failure: {
-    message: `the folder has more than ${maxFiles} files: the others were ignored`,
-    hint: "Drop its subfolders one at a time.",
-  },
-};
 
 /**
  * Attaches each file of labels to the clip with the longest name that its name starts with, in the same folder or
@@ -171,6 +104,9 @@ export function attachLabels(
     errors,
   };
 }
+
+/** Like `detectFileKind`; the reader reports why a file cannot be read. */
+const kindOf = (file: File) => detectFileKind(file).catch(() => "clip" as const);
 
 /** Like `detectFileKind`, but archives in archives are not opened. */
 async function innerFileKind(file: File) {

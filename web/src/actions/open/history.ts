@@ -1,10 +1,14 @@
 /** Entries of the browser history for opened clips and the table. */
 
 import type { Source } from "../../model/sources/source";
+import { tableNumber, tableVisible } from "../../store/batch";
 import { source } from "../../store/session";
 
 /** Clips of the history of this page, by their number in the state of an entry. */
 const clips = new Map<number, Source>();
+
+/** The first number. Entries survive a reload, after which the numbers must be other ones. */
+const firstNumber = Date.now();
 
 const numberOf = (state: unknown): number | undefined =>
   typeof state === "object" && state !== null && "clip" in state && typeof state.clip === "number"
@@ -47,7 +51,7 @@ export function addHistoryEntry(hash: string) {
   const opened = source.peek();
   if (!opened) return;
   const known = [...clips].find(([, other]) => other === opened)?.[0];
-  const number = known ?? clips.size + 1;
+  const number = known ?? firstNumber + clips.size;
   clips.set(number, opened);
   const address = hash || location.pathname + location.search;
   const isSameAddress = hash !== "" && location.hash === hash;
@@ -55,4 +59,14 @@ export function addHistoryEntry(hash: string) {
   if (numberOf(history.state) === number || isSameAddress)
     history.replaceState({ clip: number }, "", address);
   else history.pushState({ clip: number }, "", address);
+}
+
+/** Returns a function that shows the opened clip in place of the table, unless there is another table by then. */
+export function replaceTable(): () => void {
+  const table = tableNumber.peek();
+  return () => {
+    if (tableNumber.peek() !== table) return;
+    tableVisible.value = false;
+    addHistoryEntry("");
+  };
 }

@@ -6,6 +6,7 @@ import type { Source } from "../../model/sources/source";
 import { batchRows, tableVisible } from "../../store/batch";
 import { ClipSession, openSession, session } from "../../store/clip-session";
 import { errorReport } from "../../store/errors";
+import { opening } from "../../store/jobs";
 import { source } from "../../store/session";
 import { dialog } from "../../store/view";
 import { showTable } from "../analyse/batch";
@@ -39,9 +40,7 @@ async function showStartPage(): Promise<void> {
 }
 
 /** Opens a clip again, with the labels that were dropped with it. */
-async function reopen(clip: Source): Promise<void> {
-  if (await openSource(clip)) await compareQuietly(clip);
-}
+const reopen = (clip: Source) => openSource(clip, { whenOpen: () => compareQuietly(clip) });
 
 /** Follows Back, Forward and changes of the address. */
 export function followHistory(signal: AbortSignal) {
@@ -49,6 +48,8 @@ export function followHistory(signal: AbortSignal) {
     "popstate",
     ({ state }) => {
       const clip = clipOfEntry(state);
+      // Otherwise it would replace what is shown now.
+      if (opening.peek() && opening.peek()?.stage !== "detect") cancelOpening();
       if (clip) {
         tableVisible.value = false;
         if (clip !== source.peek()) void reopen(clip);

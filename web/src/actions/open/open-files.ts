@@ -4,11 +4,12 @@ import { labelsForTable, tableVisible } from "../../store/batch";
 import { isHosted } from "../../store/embedded";
 import { reportOpenFailure } from "../../store/errors";
 import { showToast } from "../../store/toasts";
+import { dialog } from "../../store/view";
 import { runBatch } from "../analyse/batch";
 import { compareWithAll } from "../analyse/compare";
 import { openVideo } from "../view/video";
 import { attachLabels, collectFiles, type DroppedFiles } from "./collect-files";
-import { addHistoryEntry } from "./history";
+import { replaceTable } from "./history";
 import { openSource } from "./open";
 
 /** Aborted when other files are dropped while these are collected. */
@@ -22,6 +23,8 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
   controller.abort();
   controller = new AbortController();
   const { signal } = controller;
+  // It would cover what is opened.
+  dialog.value = null;
   const collected = await collectFiles(dropped);
   if (signal.aborted || !collected) return;
   const { clips, labels, videos, errors } = collected;
@@ -40,17 +43,23 @@ export async function openFiles(dropped: DroppedFiles): Promise<void> {
   }
   const [error] = errors;
   if (error) reportOpenFailure(error.name, error.failure, { retry: () => void openFiles(dropped) });
+  const addToClip = () => {
+    const [video, ...others] = videos;
+    if (video) openVideo(video);
+    reportVideos(others);
+    return compareWithAll(labels);
+  };
   if (clip) {
-    if (!(await openSource(clip))) return;
-    tableVisible.value = false;
-    addHistoryEntry("");
-  }
-  const isTable = tableVisible.value;
-  const video = isTable ? undefined : videos.shift();
-  if (video) openVideo(video);
-  reportVideos(videos);
-  if (isTable) labelsForTable.value = labels;
-  else await compareWithAll(labels);
+    const showClip = replaceTable();
+    const whenOpen = () => {
+      showClip();
+      return addToClip();
+    };
+    await openSource(clip, { whenOpen });
+  } else if (tableVisible.value) {
+    reportVideos(videos);
+    labelsForTable.value = labels;
+  } else await addToClip();
 }
 
 /** Reports videos that are not shown. */

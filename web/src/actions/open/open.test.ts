@@ -84,6 +84,34 @@ describe("opening", () => {
     expect(openClip.value?.name).toBe("second.bvh");
   });
 
+  it("does not replace a table that was dropped meanwhile", async () => {
+    await openFiles({ files: [file("walk.bvh")] });
+    let apply = () => {};
+    void session.value.inOrder(() => new Promise<void>((resolve) => (apply = resolve)));
+    const opened = openFiles({ files: [file("second.bvh")] });
+    await vi.waitFor(() => expect(opening.value?.name).toBe("second.bvh"));
+    await openFiles({ files: [file("run.bvh"), file("jump.bvh")] });
+    apply();
+    await opened;
+    expect(openClip.value?.name).toBe("second.bvh");
+    expect(tableVisible.value).toBe(true);
+    tableVisible.value = false;
+  });
+
+  it("shows a clip in place of the table when another attempt succeeds", async () => {
+    await openFiles({ files: [file("walk.bvh"), file("bad.bvh")] });
+    const row = batchRows.value[1] as BatchRow;
+    expect(await openRow(row)).toBe(false);
+    expect(tableVisible.value).toBe(true);
+    // As if it was read leniently.
+    row.source.name = "repaired.bvh";
+    errorReport.value?.openLeniently?.();
+    await vi.waitFor(() => expect(tableVisible.value).toBe(false));
+    expect(openClip.value?.name).toBe("repaired.bvh");
+    await vi.waitFor(() => expect(batchRows.value[1]?.status).toBe("done"));
+    expect(batchRows.value[1]?.failure).toBeUndefined();
+  });
+
   it("refuses a file above the size limit before reading it", async () => {
     const data = new Blob();
     Object.defineProperty(data, "size", { value: maxFileBytes + 1 });

@@ -5,7 +5,7 @@ import { engine } from "../../engine";
 import { failureOf } from "../../model/failure";
 import { fileTooLarge, maxFileBytes } from "../../model/limits";
 import { fileNameOfUrl, formatHash } from "../../model/sources/link";
-import type { Source } from "../../model/sources/source";
+import { type Source, titleOfSource } from "../../model/sources/source";
 import type { Clip, Failure } from "../../model/types";
 import { ClipSession, openSession, session } from "../../store/clip-session";
 import { isFramed } from "../../store/embedded";
@@ -58,20 +58,27 @@ function endOpening(...failure: Parameters<typeof reportOpenFailure>) {
   });
 }
 
-interface ReadOptions {
+/** Called when a clip is the open one, also if that took another attempt. */
+type WhenOpen = (() => unknown) | undefined;
+
+interface OpenOptions {
+  /** By default, as when the clip was open before, or as its link says. */
   lenient?: boolean;
+  whenOpen?: WhenOpen;
 }
 
 /** Opens a clip and labels it. Returns true if it is the open one at the end. */
 export async function openSource(
   source: Source,
-  { lenient = source.view?.lenient === "yes" }: ReadOptions = {},
+  { lenient = source.lenient ?? source.view?.lenient === "yes", whenOpen }: OpenOptions = {},
 ): Promise<boolean> {
   const { name, data } = source;
-  const retry = () => void openSource(source, { lenient });
-  const signal = beginOpening(name, "read");
+  const title = titleOfSource(source);
+  const openAgain = (lenient: boolean) => () => void openSource(source, { lenient, whenOpen });
+  const retry = openAgain(lenient);
+  const signal = beginOpening(title, "read");
   if (data.size > maxFileBytes) {
-    endOpening(name, fileTooLarge(data.size), { source });
+    endOpening(title, fileTooLarge(data.size));
     return false;
   }
   // The worker would otherwise finish the pending calls first.
@@ -80,7 +87,7 @@ export async function openSource(
     // Edits of the previous clip that are not in its labels yet would be lost.
     await Promise.race([session.value.editsDone(), rejectOnAbort(signal)]);
     const onProgress = (fraction: number) => {
-      if (!signal.aborted) opening.value = { name, stage: "read", fraction };
+      if (!signal.aborted) opening.value = { name: title, stage: "read", fraction };
     };
     const overrides = overridesOf(source.view ?? {});
     const changes = Object.keys(overrides).length ? { overrides } : {};
@@ -90,23 +97,26 @@ export async function openSource(
     ]);
     if (signal.aborted) return false;
     if (!opened.ok) {
-      endOpening(name, opened.failure, { source, retry });
+      endOpening(title, opened.failure, { openLeniently: openAgain(true), retry });
       return false;
     }
     source.lenient = lenient;
     if (opened.rejected) reportRejected(opened.rejected, source);
     showClip(opened.clip, source);
-    opening.value = { name, stage: "detect" };
+    opening.value = { name: title, stage: "detect" };
     await Promise.race([runDetection(), rejectOnAbort(signal)]);
-    if (signal.aborted) return source === session.value.source;
-    // Requested before the segmentation, so that edits are shown first.
-    const restored = restorePersisted();
-    const segmented = runSegmentation();
-    opening.value = null;
-    await Promise.all([restored, segmented]);
-    return source === session.value.source;
+    if (!signal.aborted) {
+      // Requested before the segmentation, so that edits are shown first.
+      const restored = restorePersisted();
+      const segmented = runSegmentation();
+      opening.value = null;
+      await Promise.all([restored, segmented]);
+    }
+    const isOpen = source === session.value.source;
+    if (isOpen) await whenOpen?.();
+    return isOpen;
   } catch (error) {
-    if (!signal.aborted) endOpening(name, failureOf(error), { source, retry });
+    if (!signal.aborted) endOpening(title, failureOf(error), { retry });
     return false;
   }
 }
@@ -146,7 +156,9 @@ export function showClip(clip: Clip, source: Source, isPreview = false) {
 function reportLostEdits({ pendingEdits, source }: ClipSession) {
   if (!pendingEdits || !source) return;
   const edits = plural(pendingEdits, "edit");
-  showToast({ text: `${edits} of ${source.name} came too late: another clip was being opened.` });
+  showToast({
+    text: `${edits} of ${titleOfSource(source)} came too late: another clip was being opened.`,
+  });
 }
 
 /** Resets a segmentation template that is a frame of the previous clip. */
@@ -161,6 +173,7 @@ async function openRemote(
   name: string,
   stage: Opening["stage"],
   more: Partial<Source> = {},
+  whenOpen?: WhenOpen,
 ): Promise<boolean> {
   const signal = beginOpening(name, stage);
   try {
@@ -169,7 +182,7 @@ async function openRemote(
       opening.value = fraction === undefined ? { name, stage } : { name, stage, fraction };
     });
     if (signal.aborted) return false;
-    return await openSource({ ...more, name, data });
+    return await openSource({ ...more, name, data }, { whenOpen });
   } catch (error) {
     if (!signal.aborted) {
       const failure = {
@@ -177,7 +190,8 @@ async function openRemote(
         canRetry: error instanceof Error,
         ...failureOf(error),
       };
-      endOpening(name, failure, { retry: () => void openRemote(url, name, stage, more) });
+      const retry = () => void openRemote(url, name, stage, more, whenOpen);
+      endOpening(name, failure, { retry });
     }
     return false;
   }
@@ -191,14 +205,11 @@ export async function openSample(name: string, more: Partial<Source> = {}): Prom
   if (sample) {
     const { truthUrl } = sample;
     const origin = { kind: "sample", name } as const;
-    const opened = await openRemote(sample.url, `${sample.name}.bvh`, "read", {
-      ...more,
-      ...(truthUrl ? { truthUrl } : {}),
-      origin,
+    const source = { ...more, ...(truthUrl ? { truthUrl } : {}), origin };
+    return openRemote(sample.url, `${sample.name}.bvh`, "read", source, () => {
+      // The address of a followed link does not change.
+      if (!more.view) addHistoryEntry(formatHash({ origin, view: "" }));
     });
-    // The address of a followed link does not change.
-    if (opened && !more.view) addHistoryEntry(formatHash({ origin, view: "" }));
-    return opened;
   }
   endOpening(name, {
     message: `There is no sample called "${name}".`,

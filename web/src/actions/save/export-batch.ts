@@ -75,9 +75,12 @@ export async function exportAll(): Promise<void> {
   const writeArchive = ({ signal, onProgress }: CallOptions) =>
     zipWorkers.run(async (zip) => {
       let count = 0;
-      const addFiles = async ({ number, source: { name, data } }: BatchRow, i: number) => {
+      const addFiles = async (
+        { number, source: { name, data, lenient = false } }: BatchRow,
+        i: number,
+      ) => {
         const vocabulary = vocabularies.get(number);
-        const rowRequest = vocabulary ? { ...request, vocabulary } : request;
+        const rowRequest = { ...request, lenient, ...(vocabulary && { vocabulary }) };
         const result = await batchWorkers.run(
           (calls) => calls.summarize(data, name, rowRequest, [], Comlink.proxy(storedChangesOf)),
           signal,

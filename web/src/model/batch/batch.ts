@@ -8,6 +8,8 @@ import type { DetectOptions, SegmentOptions } from "../types";
 export interface BatchRequest {
   detect: DetectOptions;
   segment: SegmentOptions;
+  /** True to replace values that are not numbers by those of the previous frame. */
+  lenient?: boolean;
   /** True to return plants and segments as files, in all formats. */
   save: boolean;
   /** Letters and names of actions in the files; without them, letters are those of the clip. */

@@ -2,6 +2,7 @@
 
 import { formatCount, formatDuration, formatRate } from "../../util/format";
 import { formatCentimetres } from "../plants/slides";
+import { titleOfSource } from "../sources/source";
 import type { Failure } from "../types";
 import type { BatchRequest, ClipSummary } from "./batch";
 
@@ -30,7 +31,7 @@ export interface Column {
 }
 
 /** Returns the name of a clip, with its folder if another clip has the same name. */
-export const titleOf = ({ source }: TableRow) => source.title ?? source.name;
+export const titleOf = ({ source }: TableRow) => titleOfSource(source);
 
 const percent = (fraction: number) => `${Math.round(100 * fraction)} %`;
 

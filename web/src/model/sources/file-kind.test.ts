@@ -11,6 +11,8 @@ test.each([
   ["labels", '\n [{"a": 1}]', "labels"],
   ["frames.txt", "frame,time,left_contact,left_heel\n0,0,1,1", "labels"],
   ["cuts.txt", "start_frame,end_frame,label\n", "labels"],
+  ["walk.elan.txt", "Tier\tBegin Time - ss.msec\tEnd Time - ss.msec\tAnnotation\n", "labels"],
+  ["walk.audacity.txt", "0.000000\t1.250000\twalk\n", "labels"],
   ["odd.csv", "a,b\n1,2", "labels"],
   ["page.bvh", "<!doctype html>", "clip"],
   ["empty.bvh", "", "clip"],

@@ -1,6 +1,9 @@
 /** Kind of a file. */
 export type FileKind = "clip" | "labels" | "archive" | "video";
 
+/** Extensions of the files that are used from folders and archives; others are ignored. */
+export const extensions = [".bvh", ".json", ".csv", ".npz", ".audacity.txt", ".elan.txt"];
+
 /** Detects the kind of a file from its first bytes, because names are often wrong. */
 export async function detectFileKind(file: Blob & { name?: string }): Promise<FileKind> {
   const head = new Uint8Array(await file.slice(0, 512).arrayBuffer());
@@ -13,7 +16,8 @@ export async function detectFileKind(file: Blob & { name?: string }): Promise<Fi
   if (/^hierarchy\b/i.test(text)) return "clip";
   if (/^[{[]/.test(text)) return "labels";
   const [line = ""] = text.split(/\r?\n|\r/, 1);
-  if (/(^|,)(left|right)_|(^|,)start(_frame|_s)?(,|$)/.test(line)) return "labels";
+  if (/(^|,)(left|right)_|(^|,)start(_frame|_s)?(,|$)|^(Tier|-?[\d.]+)\t/.test(line))
+    return "labels";
   // The reader of the file reports what is wrong with any other content.
   return /\.(json|csv)$/i.test(file.name ?? "") ? "labels" : "clip";
 }

@@ -28,9 +28,16 @@ export interface Source {
   labels?: readonly Source[];
 }
 
+/** Returns the name of a clip, with its folder if another clip of the drop has the same name. */
+export const titleOfSource = ({ title, name }: Pick<Source, "title" | "name">) => title ?? name;
+
 /** Another clip that is shown side by side with the open one. */
 export interface Companion {
   source: Source;
+  /** The clip that was open when this one was added. */
+  addedTo: Source | null;
+  /** Number of the table from which it was added. */
+  table: number;
   clip: Clip;
   /** Null if the clip has no feet. */
   detection: Detection | null;

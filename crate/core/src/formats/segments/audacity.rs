@@ -27,11 +27,12 @@ pub(super) const FORMAT_INFO: FormatInfo<Writer, Reader> = FormatInfo {
 };
 
 /// Returns one line per segment: start and end in seconds, and its label or else the name of its action.
-/// With several skeletons, the name of the root precedes the text.
+/// With the labels of several skeletons, the name of the root precedes the text; those of one skeleton are read back.
 fn label_track(documents: &[SegmentsDocument]) -> String {
     let mut text = String::new();
     for SegmentsDocument { header, segments, .. } in documents {
-        let root = header.root.as_ref().map_or_else(String::new, |root| format!("{root}: "));
+        let root = header.root.as_ref().filter(|_| documents.len() > 1);
+        let root = root.map_or_else(String::new, |root| format!("{root}: "));
         for segment in segments {
             let [start, end] =
                 [segment.frames.start, segment.frames.end].map(|frame| seconds(frame, 1.0 / header.rate));

@@ -29,12 +29,13 @@ const ACTION: &str = "action";
 /// Tier with the labels.
 const LABEL: &str = "label";
 
-/// Returns the names of the actions and the labels as tiers. With several skeletons, the name of the root
-/// precedes that of the tier.
+/// Returns the names of the actions and the labels as tiers. With the tiers of several skeletons, the name of the
+/// root precedes that of the tier; those of one skeleton are read back.
 fn tiers(documents: &[SegmentsDocument]) -> String {
     let mut text = COLUMNS.join("\t") + "\n";
     for SegmentsDocument { header, segments, .. } in documents {
-        let root = header.root.as_ref().map_or_else(String::new, |root| tab_field(&format!("{root} ")));
+        let root = header.root.as_ref().filter(|_| documents.len() > 1);
+        let root = root.map_or_else(String::new, |root| tab_field(&format!("{root} ")));
         for tier in [ACTION, LABEL] {
             for segment in segments {
                 let annotation = if tier == ACTION { &segment.action } else { &segment.label };

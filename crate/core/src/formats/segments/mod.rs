@@ -192,6 +192,22 @@ mod tests {
         }
     }
 
+    #[test]
+    fn one_of_several_skeletons_is_read_back_from_every_format() {
+        let mut document = document();
+        document.header.root = Some("A:Hips".into());
+        let export = SegmentExport { documents: vec![document], as_array: false };
+        for format in SegmentFormat::ALL {
+            let text = String::from_utf8_lossy(&format.write(&export)).into_owned();
+            let is_read = format.entry().read.is_some() || *format == SegmentFormat::Babel;
+            let read = is_read.then(|| read_segments(&text, "86_01", 500, 120.0).unwrap());
+            let Some(read) = read else { continue };
+            assert_eq!(ranges(&read), [(0..40, "walk"), (40..41, ""), (41..500, "kick, \"high\"")], "{text}");
+            let actions = if *format == SegmentFormat::Audacity { ["", "", ""] } else { ["A", "", "AB"] };
+            assert!(read.iter().map(|segment| segment.action.as_str()).eq(actions), "{text}");
+        }
+    }
+
     const TRUTH: &str = r#"{"_meta": {"frame_rate": 120}, "86_01": [
         {"start": 1, "end": 550, "label": "walk", "cut_earliest": 500, "cut_latest": 600},
         {"start": 551, "end": 1150, "label": "jump", "cut_earliest": 1200, "cut_latest": 1160},
