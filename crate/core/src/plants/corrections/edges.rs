@@ -296,8 +296,15 @@ impl<'a> Examples<'a> {
     }
 }
 
-/// Moves the boundaries that are similar to corrected ones; those of `fixed` frames stay.
-pub(super) fn apply(examples: &[&EdgeExample], profile: &Profile, fixed: &[bool], labels: &mut FootLabels) {
+/// Moves the boundaries that are similar to corrected ones; those of `fixed` frames and outside of
+/// `scope` stay.
+pub(super) fn apply(
+    examples: &[&EdgeExample],
+    profile: &Profile,
+    fixed: &[Option<bool>],
+    scope: &Range<usize>,
+    labels: &mut FootLabels,
+) {
     if examples.iter().all(|example| example.offset() == 0.0) {
         return;
     }
@@ -311,13 +318,14 @@ pub(super) fn apply(examples: &[&EdgeExample], profile: &Profile, fixed: &[bool]
         let unchanged = (frame, labels.edge(frame).copied());
         let (time, uncertainty) = instant(labels, frame, frame_time);
         let of_kind = if labels.planted[frame] { &strikes } else { &offs };
-        let is_fixed = fixed[frame - 1] || fixed[frame];
+        let is_fixed = !scope.contains(&frame) || fixed[frame - 1].or(fixed[frame]).is_some();
         let corrected = if is_fixed { time } else { of_kind.corrected_time(profile, time) };
         // Contact changes with the first frame after the instant.
         let new = ((corrected / frame_time).floor() + 1.0).clamp(1.0, frames as f64 - 1.0) as usize;
         let previous = moved.last().map_or(0, |(frame, _)| *frame);
         let next = old.get(index + 1).copied().unwrap_or(frames);
-        let is_free = new > previous && new < next && !fixed[frame.min(new)..frame.max(new)].contains(&true);
+        let is_stated = fixed[frame.min(new)..frame.max(new)].iter().any(Option::is_some);
+        let is_free = new > previous && new < next && !is_stated;
         moved.push(if corrected == time || !is_free {
             unchanged
         } else {

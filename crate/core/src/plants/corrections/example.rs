@@ -26,6 +26,7 @@ impl<'a> Example<'a> {
     ) -> Example<'a> {
         let of_part = edits.iter().filter(|edit| edit.part == part).copied().collect::<Vec<_>>();
         let stated = edited_frames(&of_part, part, side, before.planted.len());
+        let stated = stated.iter().map(Option::is_some).collect();
         Example { part, side, before, after, stated }
     }
 
@@ -35,12 +36,13 @@ impl<'a> Example<'a> {
     }
 }
 
-/// Returns which frames have a label that an edit implies.
-pub(super) fn edited_frames(edits: &[Edit], part: Part, side: Side, frames: usize) -> Vec<bool> {
-    let mut edited = vec![false; frames];
-    for edit in edits.iter().filter(|edit| edit.side == side && edit.implied(part).is_some()) {
+/// Returns the label that edits imply, per frame.
+pub(super) fn edited_frames(edits: &[Edit], part: Part, side: Side, frames: usize) -> Vec<Option<bool>> {
+    let mut edited = vec![None; frames];
+    for edit in edits.iter().filter(|edit| edit.side == side) {
+        let Some(planted) = edit.implied(part) else { continue };
         let end = edit.end.min(frames);
-        edited[edit.start.min(end)..end].fill(true);
+        edited[edit.start.min(end)..end].fill(Some(planted));
     }
     edited
 }

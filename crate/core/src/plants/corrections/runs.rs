@@ -125,15 +125,20 @@ fn wrong_frames(before: &[bool], after: &[bool]) -> Vec<bool> {
 }
 
 /// Changes the labels of runs that are similar to corrected ones, except for those of `fixed` frames.
-pub(super) fn apply(examples: &[&RunExample], profile: &Profile, fixed: &[bool], labels: &mut FootLabels) {
+pub(super) fn apply(
+    examples: &[&RunExample],
+    profile: &Profile,
+    fixed: &[Option<bool>],
+    scope: &Range<usize>,
+    labels: &mut FootLabels,
+) {
     if examples.iter().all(|example| example.is_confirmed) {
         return;
     }
     let before = labels.planted.clone();
-    for run in runs(&before) {
+    for run in runs(&before).filter(|run| run.start < scope.end && scope.start < run.end) {
         let was_planted = before[run.start];
         let of_label = || examples.iter().filter(|example| example.was_planted == was_planted);
-        let is_free = |range: &Range<usize>| !fixed[range.clone()].contains(&true);
         let best = |range: &Range<usize>, of_kind: &dyn Fn(&RunExample) -> bool| {
             let (duration, window) = (range.len() as f64 * profile.frame_time, window(profile, range));
             let similar = of_label().filter(|example| of_kind(example)).filter(|example| {
@@ -142,14 +147,15 @@ pub(super) fn apply(examples: &[&RunExample], profile: &Profile, fixed: &[bool],
             });
             similar.map(|example| affinity(&example.window, &window, BANDWIDTH)).fold(0.0, f64::max)
         };
-        if is_free(&run) {
+        // A run that is stated in part can be wrong as well, unless the person confirmed that part.
+        if !fixed[run.clone()].contains(&Some(was_planted)) {
             let corrected = best(&run, &|example| !example.is_confirmed && example.is_whole);
             if corrected >= MIN_AFFINITY && corrected > best(&run, &|example| example.is_confirmed) {
                 labels.planted[run.clone()].fill(!was_planted);
                 continue;
             }
         }
-        change_parts(&of_label().copied().collect::<Vec<_>>(), profile, fixed, &run, labels);
+        change_parts(&of_label().copied().collect::<Vec<_>>(), profile, fixed, &run, scope, labels);
     }
     // A boundary that no longer exists has no instant.
     let planted = &labels.planted;
@@ -160,8 +166,9 @@ pub(super) fn apply(examples: &[&RunExample], profile: &Profile, fixed: &[bool],
 fn change_parts(
     examples: &[&RunExample],
     profile: &Profile,
-    fixed: &[bool],
+    fixed: &[Option<bool>],
     run: &Range<usize>,
+    scope: &Range<usize>,
     labels: &mut FootLabels,
 ) {
     for example in examples.iter().filter(|example| !example.is_confirmed && !example.is_whole) {
@@ -170,7 +177,8 @@ fn change_parts(
             continue;
         }
         let was_planted = example.was_planted;
-        let starts = run.start..=run.end - length;
+        let first = run.start.max(scope.start.saturating_sub(length));
+        let starts = first..=(run.end - length).min(scope.end);
         let affinities: Vec<f64> = starts
             .map(|start| affinity(&example.window, &window(profile, &(start..start + length)), BANDWIDTH))
             .collect();
@@ -179,8 +187,8 @@ fn change_parts(
         let order = (0..affinities.len()).filter(|&index| affinities[index] >= limit).collect();
         let order = sort::sort_descending(order, |&index: &usize| affinities[index]);
         for index in order {
-            let range = run.start + index..run.start + index + length;
-            let is_free = !fixed[range.clone()].contains(&true)
+            let range = first + index..first + index + length;
+            let is_free = fixed[range.clone()].iter().all(Option::is_none)
                 && labels.planted[range.clone()].iter().all(|&planted| planted == was_planted);
             if is_free {
                 labels.planted[range].fill(!was_planted);
