@@ -11,7 +11,7 @@ const site = join(root, "web/dist");
 const assets = readdirSync(join(site, "assets"));
 
 /** Upper limits, in kB; slightly above the sizes of today. */
-const limits = { first: 235, both: 546, script: 83, view: 132 };
+const limits = { first: 234, both: 549, script: 83, view: 132 };
 
 const sizeOf = (path) => {
   const data = readFileSync(join(site, path));

@@ -101,21 +101,26 @@ impl Corrections {
     /// Labels the stated frames of each fold by means of the others, without and with votes.
     fn validate(&mut self, clip: &Clip, edits: &[Edit]) {
         let edited = apply_edits(clip.detection, edits, clip.frame_time);
+        let mut folds = Vec::new();
         for (before, after) in clip.detection.parts.iter().zip(&edited.parts) {
             for side in Side::BOTH {
                 let example = Example::new(before.part, side, before.foot(side), after.foot(side), edits);
-                for fold in votes::folds(&example) {
-                    let others = without(edits, before.part, side, &fold.frames);
-                    let learnt = Corrections::from_edits(clip, &others);
-                    let wrong = [false, true].map(|votes| {
-                        let scope = (&fold.frames, [votes; 3]);
-                        let labels = learnt.labels(clip, before, side, &others, scope);
-                        let is_wrong = |&frame: &usize| labels.planted[frame] != example.after.planted[frame];
-                        fold.frames.clone().filter(is_wrong).count()
-                    });
-                    self.validation.add_fold(&fold, wrong);
-                }
+                folds.extend(votes::folds(&example).into_iter().map(|fold| (side, before.part, fold)));
             }
+        }
+        votes::retain_frequent(&mut folds);
+        for (side, part, fold) in folds {
+            let (Some(before), Some(after)) = (clip.detection.part(part), edited.part(part)) else {
+                continue;
+            };
+            let others = without(edits, part, side, &fold.frames);
+            let learnt = Corrections::from_edits(clip, &others);
+            let wrong = [false, true].map(|votes| {
+                let labels = learnt.labels(clip, before, side, &others, (&fold.frames, [votes; 3]));
+                let is_wrong = |&frame: &usize| labels.planted[frame] != after.foot(side).planted[frame];
+                fold.frames.clone().filter(is_wrong).count()
+            });
+            self.validation.add_fold(&fold, wrong);
         }
     }
 

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use crate::foot::Part;
+use crate::foot::{Part, Side};
 use crate::intervals::intervals;
+use crate::numeric::sort;
 use crate::plants::FootLabels;
 use crate::plants::corrections::example::{Example, MIN_AFFINITY};
 use crate::plants::corrections::profile::{Profile, difference};
@@ -113,6 +114,13 @@ pub(super) fn folds(example: &Example) -> Vec<Fold> {
     folds
 }
 
+/// Removes the folds of kinds of which there are too few; most corrections are too few for votes.
+pub(super) fn retain_frequent(folds: &mut Vec<(Side, Part, Fold)>) {
+    let mut counts = [0; 3];
+    folds.iter().for_each(|(.., fold)| counts[fold.kind] += 1);
+    folds.retain(|(.., fold)| counts[fold.kind] >= MIN_FOLDS);
+}
+
 /// Labels the frames in `scope` that are similar to stated ones as most of the nearest ones. Changes only the
 /// given kinds, and adds no run.
 pub(super) fn apply(
@@ -167,13 +175,12 @@ fn equal_runs(planted: &[bool], range: Range<usize>) -> Vec<Range<usize>> {
 /// Returns the label of most of the nearest frames; `None` if too few are similar or agree.
 fn vote(stated: &[&StatedFrame], window: &[f32]) -> Option<bool> {
     let limit = -MIN_AFFINITY.ln() * BANDWIDTH.powi(2);
-    let with_difference = |frame: &&StatedFrame| (difference(&frame.window, window), frame.planted);
-    let mut near: Vec<(f64, bool)> = stated.iter().map(with_difference).collect();
-    near.retain(|(difference, _)| *difference <= limit);
+    let differences = stated.iter().map(|frame| difference(&frame.window, window)).zip(0..);
+    let mut near: Vec<(f64, usize)> = differences.filter(|(difference, _)| *difference <= limit).collect();
     if near.len() < NEIGHBOURS {
         return None;
     }
-    near.select_nth_unstable_by(NEIGHBOURS - 1, |a, b| a.0.total_cmp(&b.0));
-    let planted = near[..NEIGHBOURS].iter().filter(|(_, planted)| *planted).count();
+    sort::truncate_to_smallest(&mut near, NEIGHBOURS);
+    let planted = near.iter().filter(|&&(_, index)| stated[index].planted).count();
     (planted.max(NEIGHBOURS - planted) >= MIN_VOTES).then_some(planted >= MIN_VOTES)
 }
