@@ -1,5 +1,6 @@
 //! Boundaries of plants that are early or late.
 
+use std::cell::OnceCell;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -185,8 +186,9 @@ enum Rule {
 /// Corrected boundaries of one kind.
 struct Examples<'a> {
     examples: Vec<&'a EdgeExample>,
-    /// For each boundary and each other one, the time that alignment with the other one gives.
-    aligned: Vec<Vec<f64>>,
+    /// For each boundary and each other one, the time that alignment with the other one gives; computed when
+    /// it is needed.
+    aligned: Vec<OnceCell<f64>>,
 }
 
 impl<'a> Examples<'a> {
@@ -195,12 +197,17 @@ impl<'a> Examples<'a> {
         let mut examples: Vec<&EdgeExample> = of_kind.collect();
         let surplus = examples.len().saturating_sub(MAX_EXAMPLES);
         examples.drain(..surplus);
-        let align_all = |example: &EdgeExample| {
-            let align = |other: &&EdgeExample| other.align(&example.profile, example.detected);
-            examples.iter().map(align).collect::<Vec<f64>>()
-        };
-        let aligned = examples.iter().map(|example| align_all(example)).collect();
+        let aligned = vec![OnceCell::new(); examples.len() * examples.len()];
         Examples { examples, aligned }
+    }
+
+    /// Returns the time of a boundary that alignment with another one gives.
+    fn aligned(&self, index: usize, other: usize) -> f64 {
+        let align = || {
+            let example = self.examples[index];
+            self.examples[other].align(&example.profile, example.detected)
+        };
+        *self.aligned[index * self.examples.len() + other].get_or_init(align)
     }
 
     /// Returns the indices of the boundaries that are similar to one at `time`, the most similar first.
@@ -234,7 +241,7 @@ impl<'a> Examples<'a> {
         let keep = mean_square(&|index, _| detected(index));
         let shift = mean_square(&|index, others| detected(index) + self.common_offset(others));
         let align = mean_square(&|index, others| {
-            others.iter().map(|&other| self.aligned[index][other]).sum::<f64>() / (count - 1.0)
+            others.iter().map(|&other| self.aligned(index, other)).sum::<f64>() / (count - 1.0)
         });
         // The errors that the corrections show must be larger than the uncertainty of a boundary explains.
         let variance = mean(&|index| self.examples[index].deviation.powi(2));

@@ -115,11 +115,14 @@ impl Corrections {
             };
             let others = without(edits, part, side, &fold.frames);
             let learnt = Corrections::from_edits(clip, &others);
-            let wrong = [false, true].map(|votes| {
-                let labels = learnt.labels(clip, before, side, &others, (&fold.frames, [votes; 3]));
+            let mut labels = learnt.labels(clip, before, side, &others, &fold.frames);
+            let wrong_frames = |labels: &FootLabels| {
                 let is_wrong = |&frame: &usize| labels.planted[frame] != after.foot(side).planted[frame];
                 fold.frames.clone().filter(is_wrong).count()
-            });
+            };
+            let without_votes = wrong_frames(&labels);
+            learnt.vote(clip, (part, side), &others, (&fold.frames, [true; 3]), &mut labels);
+            let wrong = [without_votes, wrong_frames(&labels)];
             self.validation.add_fold(&fold, wrong);
         }
     }
@@ -148,7 +151,9 @@ impl Corrections {
         for side in Side::BOTH {
             for (before, part) in detection.parts.iter().zip(&mut corrected.parts) {
                 let all = 0..before.foot(side).planted.len();
-                part.feet[side as usize] = self.labels(&clip, before, side, edits, (&all, votes));
+                let mut labels = self.labels(&clip, before, side, edits, &all);
+                self.vote(&clip, (before.part, side), edits, (&all, votes), &mut labels);
+                part.feet[side as usize] = labels;
             }
             keep_parts_within_contact(&mut corrected, side);
         }
@@ -159,14 +164,14 @@ impl Corrections {
         Corrected { detection, changes, plants, instants }
     }
 
-    /// Returns the labels of one foot with the corrections applied to the frames of `scope`.
+    /// Returns the labels of one foot with the corrected boundaries and runs applied to the frames of `scope`.
     fn labels(
         &self,
         clip: &Clip,
         before: &PartLabels,
         side: Side,
         edits: &[Edit],
-        (scope, votes): (&Range<usize>, [bool; 3]),
+        scope: &Range<usize>,
     ) -> FootLabels {
         let part = before.part;
         let mut labels = before.foot(side).clone();
@@ -177,9 +182,21 @@ impl Corrections {
         runs::apply(&runs, profile, &fixed, scope, &mut labels);
         let edges: Vec<&EdgeExample> = self.edges.iter().filter(|edge| edge.part == part).collect();
         edges::apply(&edges, profile, &fixed, scope, &mut labels);
-        let frames: Vec<&StatedFrame> = self.frames.iter().filter(|frame| frame.part == part).collect();
-        votes::apply(&frames, profile, &fixed, (scope, votes), &mut labels);
         labels
+    }
+
+    /// Lets the stated frames vote for the labels of similar frames of `scope`, for the given kinds of changes.
+    fn vote(
+        &self,
+        clip: &Clip,
+        (part, side): (Part, Side),
+        edits: &[Edit],
+        scope_and_kinds: (&Range<usize>, [bool; 3]),
+        labels: &mut FootLabels,
+    ) {
+        let fixed = edited_frames(edits, part, side, labels.planted.len());
+        let frames: Vec<&StatedFrame> = self.frames.iter().filter(|frame| frame.part == part).collect();
+        votes::apply(&frames, &clip.profiles[side as usize], &fixed, scope_and_kinds, labels);
     }
 }
 

@@ -98,16 +98,18 @@ pub(super) fn learn(example: &Example, profile: &Profile) -> Vec<RunExample> {
         examples.extend(wrong.iter().filter(is_long).map(|range| create(range, false)));
     }
     for part in examples.iter_mut().filter(|run| !run.is_confirmed && !run.is_whole) {
-        let is_confirmed = |frame: usize| {
-            stated[frame]
-                && before.planted[frame] == part.was_planted
-                && after.planted[frame] == part.was_planted
-        };
+        let was_planted = part.was_planted;
+        let is_confirmed =
+            |frame: usize| [before, after].iter().all(|labels| labels.planted[frame] == was_planted);
+        // Number of confirmed frames before each frame.
+        let mut counts = vec![0];
+        counts.extend((0..stated.len()).scan(0, |count, frame| {
+            *count += usize::from(stated[frame] && is_confirmed(frame));
+            Some(*count)
+        }));
         let length = part.frames(profile);
         let starts = 0..=(stated.len() - length);
-        let confirmed = starts.filter(|&start| {
-            (start..start + length).filter(|&frame| is_confirmed(frame)).count() * 2 >= length
-        });
+        let confirmed = starts.filter(|&start| 2 * (counts[start + length] - counts[start]) >= length);
         part.affinity_to_confirmed = confirmed
             .map(|start| affinity(&part.window, &window(profile, &(start..start + length)), BANDWIDTH))
             .fold(0.0, f64::max);

@@ -1,9 +1,9 @@
-//! A window that grows from one cut to the next: the sums for its covariance, and the rule that
-//! cuts where a residual jumps.
+//! A window that grows from one cut to the next: the scatter of its poses, and the rule that cuts
+//! where a residual jumps.
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, DVector, DVectorView};
+use nalgebra::{DMatrix, DVector};
 
 use crate::segments::pose::Poses;
 use crate::segments::progress::{Cancelled, Checkpoint, Progress};
@@ -12,44 +12,87 @@ use crate::segments::{Curve, Residual};
 /// Relative rounding error of the difference of two sums.
 const ROUNDING_ERROR: f64 = 1e-12;
 
-/// Sums over the poses of a window, from which mean and scatter are computed.
-pub(crate) struct Moments {
-    count: usize,
+/// Poses of a window, and the sums from which their scatter is computed.
+pub(crate) struct Window<'a> {
+    poses: &'a DMatrix<f64>,
+    range: Range<usize>,
     sum: DVector<f64>,
     products: DMatrix<f64>,
 }
 
-impl Moments {
-    /// Creates sums over no poses.
-    pub fn new(dims: usize) -> Moments {
-        Moments { count: 0, sum: DVector::zeros(dims), products: DMatrix::zeros(dims, dims) }
+impl<'a> Window<'a> {
+    /// Creates a window without poses, which grows from column `start` of `poses`.
+    pub fn new(poses: &'a DMatrix<f64>, start: usize) -> Window<'a> {
+        let dims = poses.nrows();
+        let (sum, products) = (DVector::zeros(dims), DMatrix::zeros(dims, dims));
+        Window { poses, range: start..start, sum, products }
     }
 
-    /// Adds a pose.
-    pub fn add(&mut self, pose: DVectorView<f64>) {
-        self.count += 1;
-        self.sum += pose;
-        self.products.syger(1.0, &pose, &pose, 1.0);
+    /// Returns the range of its columns.
+    pub fn range(&self) -> Range<usize> {
+        self.range.clone()
+    }
+
+    /// Adds the poses before column `end`.
+    pub fn grow_to(&mut self, end: usize) {
+        for pose in self.range.end..end {
+            let pose = self.poses.column(pose);
+            self.sum += pose;
+            self.products.syger(1.0, &pose, &pose, 1.0);
+        }
+        self.range.end = end;
     }
 
     /// Returns the mean pose.
     pub fn mean(&self) -> DVector<f64> {
-        &self.sum / self.count as f64
+        &self.sum / self.range.len() as f64
     }
 
-    /// Returns the scatter matrix: the sum of outer products of the differences from the mean;
-    /// lower triangle only.
-    pub fn scatter(&self) -> DMatrix<f64> {
+    /// Returns the eigenvalues of the scatter matrix, the sum of outer products of the differences
+    /// from the mean, without those that are 0 because the window has fewer poses than dimensions.
+    /// Eigenvalues of the size of rounding errors are 0, so that constant poses have no variation.
+    pub fn eigenvalues(&self) -> DVector<f64> {
+        let min = ROUNDING_ERROR * self.products.trace();
+        let eigenvalues = match self.centred_if_few() {
+            Some(centred) => (centred.transpose() * centred).symmetric_eigenvalues(),
+            None => self.scatter().symmetric_eigenvalues(),
+        };
+        eigenvalues.map(|value| if value < min { 0.0 } else { value })
+    }
+
+    /// Returns the eigenvalues and eigenvectors of the scatter matrix, in any order and as many as
+    /// [`Window::eigenvalues`]. An eigenvector of the eigenvalue 0 may be a vector of zeros.
+    pub fn eigen(&self) -> (DVector<f64>, DMatrix<f64>) {
+        let Some(centred) = self.centred_if_few() else {
+            let eigen = self.scatter().symmetric_eigen();
+            return (eigen.eigenvalues, eigen.eigenvectors);
+        };
+        let eigen = (centred.transpose() * &centred).symmetric_eigen();
+        let mut vectors = centred * eigen.eigenvectors;
+        for mut vector in vectors.column_iter_mut() {
+            let length = vector.norm();
+            vector /= if length > 0.0 { length } else { 1.0 };
+        }
+        (eigen.eigenvalues, vectors)
+    }
+
+    /// Returns the scatter matrix; lower triangle only.
+    fn scatter(&self) -> DMatrix<f64> {
         let mut scatter = self.products.clone();
-        scatter.syger(-1.0 / self.count as f64, &self.sum, &self.sum, 1.0);
+        scatter.syger(-1.0 / self.range.len() as f64, &self.sum, &self.sum, 1.0);
         scatter
     }
 
-    /// Returns the eigenvalues of the scatter matrix. Eigenvalues of the size of rounding errors
-    /// are 0, so that constant poses have no variation.
-    pub fn eigenvalues(&self) -> DVector<f64> {
-        let min = ROUNDING_ERROR * self.products.trace();
-        self.scatter().symmetric_eigenvalues().map(|value| if value < min { 0.0 } else { value })
+    /// Returns the differences of the poses from their mean if there are fewer poses than
+    /// dimensions. The matrix of their inner products is then smaller than the scatter matrix and
+    /// has the same eigenvalues but for zeros.
+    fn centred_if_few(&self) -> Option<DMatrix<f64>> {
+        (self.range.len() < self.sum.len()).then(|| {
+            let mean = self.mean();
+            let mut centred = self.poses.columns_range(self.range()).into_owned();
+            centred.column_iter_mut().for_each(|mut pose| pose -= &mean);
+            centred
+        })
     }
 }
 
@@ -146,6 +189,49 @@ impl Trace {
             values: self.residuals,
             threshold: self.thresholds,
             extrema: Vec::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn few_and_many_poses_have_the_eigenvalues_of_the_scatter_matrix(
+            values in prop::collection::vec(-1.0..1.0_f64, 6 * 12),
+            start in 0..3_usize,
+            count in 1..9_usize,
+        ) {
+            let poses = DMatrix::from_vec(6, 12, values);
+            let mut window = Window::new(&poses, start);
+            window.grow_to(start + count.div_ceil(2));
+            window.grow_to(start + count);
+            let mut centred = poses.columns(start, count).into_owned();
+            let mean = centred.column_mean();
+            prop_assert!((window.mean() - &mean).amax() < 1e-12);
+            centred.column_iter_mut().for_each(|mut pose| pose -= &mean);
+            let scatter = &centred * centred.transpose();
+            let sorted = |values: &DVector<f64>| {
+                let mut values = values.as_slice().to_vec();
+                values.resize(6, 0.0);
+                values.sort_unstable_by(f64::total_cmp);
+                values
+            };
+            let expected = sorted(&scatter.symmetric_eigenvalues());
+            let (eigenvalues, eigenvectors) = window.eigen();
+            for values in [window.eigenvalues(), eigenvalues.clone()] {
+                for (value, expected) in sorted(&values).iter().zip(&expected) {
+                    prop_assert!((value - expected).abs() < 1e-9);
+                }
+            }
+            for (value, vector) in eigenvalues.iter().zip(eigenvectors.column_iter()) {
+                prop_assert!((&scatter * vector - vector * *value).amax() < 1e-9);
+                prop_assert!(*value < 1e-6 || (vector.norm() - 1.0).abs() < 1e-9);
+            }
         }
     }
 }

@@ -5,9 +5,11 @@
 //! results: jumps of the variance beyond two dimensions, detected like those of maximum variance
 //! unfolding.
 
+use std::ops::Range;
+
 use crate::numeric::stats::{mean, standard_deviation};
 use crate::segments::body::Body;
-use crate::segments::methods::growing_window::{JumpDetector, Moments, residual};
+use crate::segments::methods::growing_window::{JumpDetector, Window, residual};
 use crate::segments::methods::method_info::{Input, MethodInfo, MethodOption, Output};
 use crate::segments::pose::{Poses, RECORDED_RATE};
 use crate::segments::progress::Checkpoint;
@@ -50,18 +52,15 @@ fn segment_pca(input: &mut Input) -> Result<Output, SegmentError> {
     let mut cuts = Vec::new();
     let mut start = 0;
     while start + first <= count {
-        let mut moments = Moments::new(poses.columns.nrows());
+        let mut window = Window::new(&poses.columns, start);
         let mut dims = 0;
         let (mut errors, mut differences): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
         let mut next = count;
-        for pose in start..count {
-            moments.add(poses.columns.column(pose));
+        for pose in start + first - 1..count {
             let end = pose + 1;
-            if end < start + first {
-                continue;
-            }
             (input.progress)(end as f64 / count as f64)?;
-            let eigenvalues = moments.eigenvalues();
+            window.grow_to(end);
+            let eigenvalues = window.eigenvalues();
             if errors.is_empty() {
                 dims = (1..eigenvalues.len())
                     .find(|&dims| {
@@ -102,18 +101,13 @@ fn segment_pca_tail(input: &mut Input) -> Result<Output, SegmentError> {
     let body = Body::rotation_joints(input.clip, input.skeleton)?;
     let poses = Poses::new(input.clip, &body, &input.frames, TAIL_RATE);
     let dims = input.settings.dims;
-    let mut window = 0..0;
-    let mut moments = Moments::new(poses.columns.nrows());
-    let window_residual = |requested: std::ops::Range<usize>, _: &mut Checkpoint| {
-        if requested.start != window.start || window.end > requested.end {
-            moments = Moments::new(poses.columns.nrows());
-            window = requested.start..requested.start;
+    let mut window = Window::new(&poses.columns, 0);
+    let window_residual = |requested: Range<usize>, _: &mut Checkpoint| {
+        if requested.start != window.range().start {
+            window = Window::new(&poses.columns, requested.start);
         }
-        for pose in window.end..requested.end {
-            moments.add(poses.columns.column(pose));
-        }
-        window = requested;
-        Ok(residual(moments.eigenvalues().as_slice(), dims, Residual::Absolute))
+        window.grow_to(requested.end);
+        Ok(residual(window.eigenvalues().as_slice(), dims, Residual::Absolute))
     };
     let trace = JUMP_DETECTOR.trace(poses.count(), window_residual, input.progress)?;
     let cuts: Vec<usize> = trace.cuts.iter().map(|&cut| poses.frame(cut)).collect();

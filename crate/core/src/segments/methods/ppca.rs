@@ -10,7 +10,7 @@ use nalgebra::DMatrixView;
 
 use crate::numeric::sort;
 use crate::segments::body::Body;
-use crate::segments::methods::growing_window::{Moments, residual};
+use crate::segments::methods::growing_window::{Window, residual};
 use crate::segments::methods::method_info::{Input, MethodInfo, MethodOption, Output};
 use crate::segments::pose::{Poses, RECORDED_RATE};
 use crate::segments::{Curve, Residual, SegmentError};
@@ -40,21 +40,19 @@ const PUBLISHED_PEAK: f64 = 15.0;
 fn segment(input: &mut Input) -> Result<Output, SegmentError> {
     let body = Body::rotation_joints(input.clip, input.skeleton)?;
     let poses = Poses::new(input.clip, &body, &input.frames, RECORDED_RATE);
-    let (count, window) = (poses.count(), (WINDOW * RECORDED_RATE).round() as usize);
+    let (count, length) = (poses.count(), (WINDOW * RECORDED_RATE).round() as usize);
     let mut curve = Curve { title: "Mahalanobis distance of the next poses", ..Curve::default() };
     let mut cuts = Vec::new();
     let mut start = 0;
-    while start + 2 * window <= count {
-        let mut moments = Moments::new(poses.columns.nrows());
-        for pose in start..start + window {
-            moments.add(poses.columns.column(pose));
-        }
+    while start + 2 * length <= count {
+        let mut window = Window::new(&poses.columns, start);
         let mut valley = f64::INFINITY;
         let mut peak: Option<(f64, usize)> = None;
         let mut next = count;
-        for pose in start + window..=count - window {
+        for pose in start + length..=count - length {
             (input.progress)(pose as f64 / count as f64)?;
-            let distance = distance(&moments, pose - start, poses.columns.columns(pose, window));
+            window.grow_to(pose);
+            let distance = distance(&window, poses.columns.columns(pose, length));
             // Expected distance of poses of the same distribution: the number of dimensions.
             let expected = poses.columns.nrows() as f64;
             let threshold =
@@ -72,32 +70,31 @@ fn segment(input: &mut Input) -> Result<Output, SegmentError> {
                 _ => peak = Some((distance, pose)),
             }
             valley = valley.min(distance);
-            moments.add(poses.columns.column(pose));
         }
         start = next;
     }
     Ok(Output::from_cuts(input.clip.frame_count(), &cuts, curve, body.notices()))
 }
 
-/// Returns the mean squared Mahalanobis distance of the poses `ahead` from the Gaussian of `count`
-/// poses.
-fn distance(moments: &Moments, count: usize, ahead: DMatrixView<f64>) -> f64 {
-    let eigen = (moments.scatter() / count as f64).symmetric_eigen();
-    let values = eigen.eigenvalues.as_slice();
+/// Returns the mean squared Mahalanobis distance of the poses `ahead` from the Gaussian of a window.
+fn distance(window: &Window, ahead: DMatrixView<f64>) -> f64 {
+    let (scatter, directions) = window.eigen();
+    let variances = scatter / window.range().len() as f64;
+    let values = variances.as_slice();
     let dims = (1..values.len())
         .find(|&dims| residual(values, dims, Residual::Ratio) <= 1.0 - VARIANCE_FRACTION)
         .unwrap_or(values.len());
     let rest = residual(values, dims, Residual::Absolute);
-    let noise = (rest / (values.len() - dims).max(1) as f64).max(MIN_NOISE);
+    let noise = (rest / (ahead.nrows() - dims).max(1) as f64).max(MIN_NOISE);
     let order = sort::argsort_descending(values);
-    let mean = moments.mean();
+    let mean = window.mean();
     let mut sum = 0.0;
     for next_pose in ahead.column_iter() {
         let difference = next_pose - &mean;
         // The whole difference counts as noise; the principal dimensions are then corrected.
         sum += difference.norm_squared() / noise;
         for &index in &order[..dims] {
-            let along = eigen.eigenvectors.column(index).dot(&difference);
+            let along = directions.column(index).dot(&difference);
             sum += along * along * (values[index].max(MIN_NOISE).recip() - noise.recip());
         }
     }
