@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, DMatrixView, Quaternion, UnitQuaternion, Vector3};
 
 use crate::bvh::{Channel, Clip};
 use crate::numeric::interpolate;
@@ -79,6 +79,16 @@ impl Poses {
     pub fn position(&self, column: usize) -> f64 {
         self.grid.position(column)
     }
+}
+
+/// Returns the differences of poses, one per column, from their mean.
+pub(crate) fn centred(poses: DMatrixView<f64>) -> DMatrix<f64> {
+    let mean = poses.column_mean();
+    let mut centred = poses.into_owned();
+    for mut pose in centred.column_iter_mut() {
+        pose -= &mean;
+    }
+    centred
 }
 
 /// Returns the rotation of a joint at a sample, interpolated between frames.

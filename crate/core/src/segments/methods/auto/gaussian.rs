@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::numeric::sort;
+use crate::segments::pose;
 
 /// Number of principal components.
 pub(crate) const DIMS: usize = 6;
@@ -24,10 +25,7 @@ impl Gaussians {
     /// Reduces poses, one per column, to their principal components with a total variance of 1.
     pub fn new(poses: &DMatrix<f64>) -> Gaussians {
         let count = poses.ncols();
-        let centred = DMatrix::from_columns(&{
-            let mean = poses.column_mean();
-            poses.column_iter().map(|pose| pose - &mean).collect::<Vec<_>>()
-        });
+        let centred = pose::centred(poses.as_view());
         let eigen = (&centred * centred.transpose() / count as f64).symmetric_eigen();
         let mut order = sort::argsort_descending(eigen.eigenvalues.as_slice());
         order.truncate(DIMS);
